@@ -114,56 +114,6 @@ void check_derived(const Scene& scene, const Numbers& numbers, Problems& problem
   check(first.radius_y != 0, "bodies.first_radius_y", "the reduced radius R_y", numbers.across);
 }
 
-void warn_of_summits(const Surface& surface, Problems& problems) {
-  const double roughness =
-      surface.summit_density * surface.summit_radius * surface.summit_height_sd;
-  if (!(roughness >= 1e-3 && roughness <= 1))
-    problems.warning("surface", {Fault::plausibility,
-                                 "summit_density · summit_radius · summit_height_sd = " +
-                                     rounded_text(roughness),
-                                 " but implausible: usual are 0.03 to 0.05"});
-  if (surface.has_moments()) {
-    const auto& [m0, m2, m4] = surface.moments;
-    if (const double bandwidth = m0 / m2 * (m4 / m2);
-        bandwidth < least_isotropic_bandwidth * (1 - 1e-9))
-      problems.warning("surface", {Fault::plausibility, "m0 · m4/m2² = " + rounded_text(bandwidth),
-                                   " but implausible: " + number_text(least_isotropic_bandwidth) +
-                                       " or more of every isotropic Gaussian face"});
-    return;
-  }
-  const double product = surface.summit_plane_offset * surface.summit_density *
-                         surface.summit_radius * surface.summit_height_sd;
-  if (product > 0 && !(std::abs(product / offset_times_roughness - 1) < 0.1))
-    problems.warning("surface",
-                     {Fault::plausibility,
-                      "summit_plane_offset · summit_density · summit_radius · summit_height_sd = " +
-                          rounded_text(product),
-                      ", but " + rounded_text(offset_times_roughness) +
-                          " of every isotropic Gaussian face: give m0, m2 and m4 of a profile, and "
-                          "all four follow"});
-}
-
-void warn_if_large(std::string_view field, double radius, std::string_view axis, double size,
-                   Problems& problems) {
-  if (size > 0.5 * radius)
-    problems.warning(
-        field, {Fault::plausibility, rounded_text(radius) + " m",
-                " but implausible: Hertz's " + std::string(axis) + " is " + rounded_text(size) +
-                    " m, and his formulas hold where it is far smaller"});
-}
-
-void warn_of_ellipticity(const Scene& scene, const Numbers& numbers, Problems& problems) {
-  const FilmLaw& law = film_law(scene.closures.film);
-  if (!(numbers.ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
-        numbers.ellipticity <= law.greatest_ellipticity))
-    problems.warning("bodies.radius_y",
-                     {.what = number_text(numbers.across) +
-                              " m makes an ellipse of k = " + rounded_text(numbers.ellipticity) +
-                              ", and " + std::string(film_word(scene)) + " was fitted to k from " +
-                              rounded_text(law.least_ellipticity) + " to " +
-                              rounded_text(law.greatest_ellipticity)});
-}
-
 }  // namespace
 
 std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film_is_given,
@@ -180,27 +130,6 @@ std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film
   check_derived(scene, numbers, problems);
   if (problems.any()) return std::nullopt;
   return numbers;
-}
-
-void warn_of_contact(const Scene& scene, SceneUse use, const Numbers& numbers, Problems& problems) {
-  if (use != SceneUse::line_film) warn_of_summits(scene.surface, problems);
-  const ContactShape shape = scene.bodies.shape();
-  const HertzContact<double> hertz = hertz_contact(shape, numbers);
-  if (shape == ContactShape::circle)
-    return warn_if_large("bodies.reduced_radius", numbers.radius_x, "contact radius",
-                         hertz.semi_axis_x, problems);
-  const bool is_line = shape == ContactShape::line;
-  warn_if_large("bodies.radius_x", numbers.radius_x, is_line ? "half-width" : "semi-axis along x",
-                hertz.semi_axis_x, problems);
-  if (!is_line) {
-    warn_if_large("bodies.radius_y", numbers.across, "semi-axis along y", hertz.semi_axis_y,
-                  problems);
-    warn_of_ellipticity(scene, numbers, problems);
-  } else if (hertz.semi_axis_x > hertz.semi_axis_y) {
-    problems.warning("bodies.length", {Fault::plausibility, number_text(numbers.across) + " m",
-                                       " but implausible: the contact is wider, " +
-                                           rounded_text(2 * hertz.semi_axis_x) + " m"});
-  }
 }
 
 }  // namespace tribo::scene_detail

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules on several fields of a contact: on the faces, the film law, the profile and the ellipse;
-// and warnings of values that are legal but implausible.
+// Rules on several fields of a contact: on the faces, the film law, the profile and the ellipse.
 #pragma once
 
 #include <optional>
@@ -13,9 +12,5 @@ namespace tribo::scene_detail {
 // The numbers of the contact; nothing, and errors, where the fields make no contact.
 std::optional<detail::SceneNumbers<double>> check_contact(const Scene& scene, SceneUse use,
                                                           bool film_is_given, Problems& problems);
-
-// Warns of implausible values in a scene that has the summits and the E* of these numbers.
-void warn_of_contact(const Scene& scene, SceneUse use, const detail::SceneNumbers<double>& numbers,
-                     Problems& problems);
 
 }  // namespace tribo::scene_detail

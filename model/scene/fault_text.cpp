@@ -22,7 +22,7 @@ struct Clause {
 };
 
 // In the order of the rules.
-constexpr std::array<Clause, Fault::plausibility + 1> clauses{{
+constexpr std::array<Clause, Fault::reach + 1> clauses{{
     {false, ""},
     {false, "unknown "},
     {false, "given twice"},
@@ -40,7 +40,6 @@ constexpr std::array<Clause, Fault::plausibility + 1> clauses{{
     {false, ""},
     {true, " is not allowed"},
     {true, ""},
-    {true, " is legal"},
 }};
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "scene/text.hpp"
 #include "tribo/friction.hpp"
 #include "tribo/roughness.hpp"
+#include "tribo/validity.hpp"
 
 namespace tribo::scene_detail {
 namespace {
@@ -66,7 +67,6 @@ class SceneBinder {
     const auto numbers = check_contact(scene_, use_, is_given_[named().film], problems_);
     if (!numbers) return;
     complete(*numbers);
-    warn_of_contact(scene_, use_, *numbers, problems_);
     reading_.scene = std::move(scene_);
   }
 
@@ -138,7 +138,6 @@ class SceneBinder {
           return take_both_faces(field, *given_[field]);
         if (const auto number = number_of(info, value, info.path)) {
           store_of(field)(scene_, *number);
-          warn_if_implausible(info, *number, info.path);
         }
         return;
       case FieldType::choice:
@@ -148,7 +147,13 @@ class SceneBinder {
       case FieldType::speeds:
         return take_speeds(info, *given_[field]);
       case FieldType::outputs:
-        return take_outputs(info, *given_[field]);
+        return take_list(info, *given_[field], [&](const Value& one, std::size_t place) {
+          take_output(info, one, place);
+        });
+      case FieldType::limits:
+        return take_list(info, *given_[field], [&](const Value& one, std::size_t place) {
+          take_limit(info, one, element_name(info.path, place));
+        });
     }
   }
 
@@ -210,22 +215,8 @@ class SceneBinder {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const std::string name = element_name(info.path, i);
       faces[i] = number_of(info, entry.elements[i], name);
-      if (faces[i]) warn_if_implausible(info, *faces[i], name);
     }
     if (faces[0] && faces[1]) store_of(field)(scene_, composite_roughness(*faces[0], *faces[1]));
-  }
-
-  void warn_if_implausible(const FieldInfo& info, double number, std::string_view name) {
-    if (number >= info.plausible_minimum && number <= info.plausible_maximum) return;
-    std::string text = number_text(number), what;
-    if (!info.unit.empty()) text += ' ' + std::string(info.unit);
-    if (info.plausible_minimum == info.plausible_maximum) {
-      what = ", but Hertz's contact stays circular here: only the film formula takes it";
-    } else {
-      what = " but implausible: usual are " + number_text(info.plausible_minimum) + " to " +
-             number_text(info.plausible_maximum);
-    }
-    problems_.warning(name, {Fault::plausibility, text, what});
   }
 
   void take_choice(std::size_t field, const Value& value) {
@@ -264,22 +255,14 @@ class SceneBinder {
       take_speed_list(info, entry.elements);
     } else if (const auto number = number_of(info, entry.value, "speed")) {
       scene_.speeds.list = {*number};
-      warn_if_implausible(info, *number, "speed");
     }
   }
 
   void take_speed_list(const FieldInfo& info, const std::vector<Value>& elements) {
     if (elements.empty()) return refuse_empty(info);
-    bool warned = false;
     scene_.speeds.list.reserve(elements.size());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      if (const auto number = speed_of(info, elements[i], i)) {
-        scene_.speeds.list.push_back(*number);
-        const bool odd = *number < info.plausible_minimum || *number > info.plausible_maximum;
-        if (odd && !warned) warn_if_implausible(info, *number, element_name("speed", i));
-        warned = warned || odd;
-      }
-    }
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (const auto number = speed_of(info, elements[i], i)) scene_.speeds.list.push_back(*number);
   }
 
   std::optional<double> speed_of(const FieldInfo& info, const Value& value, std::size_t i) {
@@ -303,10 +286,11 @@ class SceneBinder {
 
   // --- Outputs.
 
-  void take_outputs(const FieldInfo& info, const Entry& entry) {
+  template <class Take>
+  void take_list(const FieldInfo& info, const Entry& entry, const Take& take_one) {
     if (entry.value.kind != ValueKind::list) return refuse(info, info.path, entry.value);
-    if (entry.elements.empty()) return refuse_empty(info);
-    for (std::size_t i = 0; i < entry.elements.size(); ++i) take_output(info, entry.elements[i], i);
+    if (entry.elements.empty() && info.type == FieldType::outputs) return refuse_empty(info);
+    for (std::size_t i = 0; i < entry.elements.size(); ++i) take_one(entry.elements[i], i);
   }
 
   void take_output(const FieldInfo& info, const Value& value, std::size_t i) {
@@ -320,6 +304,16 @@ class SceneBinder {
     if (value.kind != ValueKind::text) return refuse(info, name, value);
     if (output_by_name(value.text)) return problems_.error(name, repeated(value));
     problems_.error(name, unknown_word(value, output_names, allowed_text(info)));
+  }
+
+  // A word that is given twice is accepted once.
+  void take_limit(const FieldInfo& info, const Value& value, const std::string& name) {
+    if (value.kind != ValueKind::text) return refuse(info, name, value);
+    const auto words = limit_words();
+    const auto found = std::find(words.begin(), words.end(), value.text);
+    if (found == words.end())
+      return problems_.error(name, unknown_word(value, words, allowed_text(info)));
+    scene_.accepted.push_back(*found);
   }
 
   // Outputs that were asked for need their inputs; without a list, those with inputs are computed.

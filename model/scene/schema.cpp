@@ -2,7 +2,8 @@
 // The one table of what a scene may hold. Reader, messages, warnings and the JSON Schema follow it.
 //
 // The plausible ranges are wide on purpose: they are there to catch a slip of unit (mm for m, GPa
-// for Pa) or of a power of ten, not to judge a design.
+// for Pa) or of a power of ten, not to judge a design. No contact of a watch's jewel, of a joint,
+// or of a bearing of 3 m leaves them.
 #include "scene/schema.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "scene/text.hpp"
+#include "tribo/validity.hpp"
 
 namespace tribo {
 namespace scene_detail {
@@ -92,9 +94,11 @@ struct Row {
   Access access = {};
 };
 
-// The usual range of a number. A number outside it is legal, but gets a warning.
+// The usual range of a number, and the unit that was probably meant where a number is outside of
+// it. Such a number is legal, but passes the limit "<field>_range" (validity.hpp).
 struct Usual {
   double least, greatest;
+  std::string_view likely_unit = "";
 };
 constexpr Row number_row(std::string_view path, std::string_view unit, Usual usual,
                          std::string_view meaning, Access access) {
@@ -102,6 +106,7 @@ constexpr Row number_row(std::string_view path, std::string_view unit, Usual usu
            .unit = unit,
            .plausible_minimum = usual.least,
            .plausible_maximum = usual.greatest,
+           .likely_unit = usual.likely_unit,
            .meaning = meaning},
           access};
 }
@@ -148,13 +153,14 @@ constexpr auto rows = std::to_array<Row>({
       .default_text = "the file's name without its ending",
       .meaning = "name of the scene in results and messages"}},
 
-    number_row("surface.summit_density", "1/m²", {1e6, 1e16},
+    number_row("surface.summit_density", "1/m²", {1e6, 1e16, "1/mm²"},
                "n, summits per area; Greenwood–Tripp: of each face, Greenwood–Williamson: of the "
                "one rough face",
                at_number<&Numbers::summit_density, &Scene::surface, &Surface::summit_density>),
-    number_row("surface.summit_radius", "m", {1e-9, 1e-2}, "β, radius of curvature of the summits",
+    number_row("surface.summit_radius", "m", {1e-9, 1e-2, "µm"},
+               "β, radius of curvature of the summits",
                at_number<&Numbers::summit_radius, &Scene::surface, &Surface::summit_radius>),
-    number_row("surface.summit_height_sd", "m", {1e-11, 1e-4},
+    number_row("surface.summit_height_sd", "m", {1e-11, 1e-4, "nm"},
                "σ_s, standard deviation of summit heights; Greenwood–Tripp: of the sum of both "
                "faces', Greenwood–Williamson: of the one rough face",
                at_number<&Numbers::summit_height_sd, &Scene::surface, &Surface::summit_height_sd>),
@@ -172,13 +178,14 @@ constexpr auto rows = std::to_array<Row>({
       .meaning = "m, how many faces bring that offset"},
      at_number<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes>},
     number_row(
-        "surface.m0", "m²", {1e-20, 1e-9},
+        "surface.m0", "m²", {1e-20, 1e-9, "µm²"},
         "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
         "alike, Greenwood–Williamson: of the one rough face",
         at<&Scene::surface, &Surface::moments, &SpectralMoments::m0>),
     number_row("surface.m2", "", {1e-10, 10}, "m₂, mean square of the profile's slopes",
                at<&Scene::surface, &Surface::moments, &SpectralMoments::m2>),
-    number_row("surface.m4", "1/m²", {1, 1e18}, "m₄, mean square of the profile's curvatures",
+    number_row("surface.m4", "1/m²", {1, 1e18, "1/mm²"},
+               "m₄, mean square of the profile's curvatures",
                at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>),
     roughness_row("surface.rms_roughness",
                   "Rq, root-mean-square roughness of both faces together, or [Rq₁, Rq₂] of each; "
@@ -189,32 +196,30 @@ constexpr auto rows = std::to_array<Row>({
                   "Ra of Gaussian heights",
                   at<&Scene::surface, &Surface::average_roughness>),
 
-    number_row("bodies.effective_modulus", "Pa", {1e3, 2e12},
+    number_row("bodies.effective_modulus", "Pa", {1e3, 2e12, "GPa"},
                "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*",
                at_number<&Numbers::effective_modulus, &Scene::bodies, &Bodies::effective_modulus>),
-    number_row("bodies.reduced_radius", "m", {1e-6, 1},
+    number_row("bodies.reduced_radius", "m", {1e-6, 5, "mm"},
                "R of the circular contact; a ball on a flat: the radius of the ball",
                at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::reduced_radius>),
     {{.path = "bodies.ellipticity",
       .default_text = "1",
-      .plausible_minimum = 1,
-      .plausible_maximum = 1,
       .meaning = "k; enters the constant of the film formula alone, Hertz stays circular"},
      at_ellipticity},
-    number_row("bodies.radius_x", "m", {1e-6, 10},
+    number_row("bodies.radius_x", "m", {1e-6, 10, "mm"},
                "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
                "1/R₂x",
                at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::radius_x>),
-    number_row("bodies.radius_y", "m", {1e-6, 1e4},
+    number_row("bodies.radius_y", "m", {1e-6, 1e4, "mm"},
                "R_y of an ellipse, across the direction of entrainment, 1/R_y = 1/R₁y + 1/R₂y",
                at<&Scene::bodies, &Bodies::radius_y>),
-    number_row("bodies.length", "m", {1e-6, 10}, "L of a line; load stays the whole load",
+    number_row("bodies.length", "m", {1e-6, 5, "mm"}, "L of a line; load stays the whole load",
                at_number<&Numbers::across, &Scene::bodies, &Bodies::length>),
-    number_row("bodies.first_modulus", "Pa", {1e3, 2e12}, "E₁, Young's modulus of the first body",
-               at_body<0, &Body::modulus>),
+    number_row("bodies.first_modulus", "Pa", {1e3, 2e12, "GPa"},
+               "E₁, Young's modulus of the first body", at_body<0, &Body::modulus>),
     ratio_row("bodies.first_poisson_ratio", "ν₁", at_body<0, &Body::poisson_ratio>),
-    number_row("bodies.second_modulus", "Pa", {1e3, 2e12}, "E₂, Young's modulus of the second body",
-               at_body<1, &Body::modulus>),
+    number_row("bodies.second_modulus", "Pa", {1e3, 2e12, "GPa"},
+               "E₂, Young's modulus of the second body", at_body<1, &Body::modulus>),
     ratio_row("bodies.second_poisson_ratio", "ν₂", at_body<1, &Body::poisson_ratio>),
     face_row("bodies.first_radius_x",
              "R₁x of the first body's face, along the direction of entrainment: above 0 convex, "
@@ -227,34 +232,37 @@ constexpr auto rows = std::to_array<Row>({
     face_row("bodies.second_radius_y", "R₂y of the second body's face, likewise",
              at_body<1, &Body::radius_y>),
 
-    required_row("lubricant.viscosity", "Pa·s", {1e-5, 1e4},
+    required_row("lubricant.viscosity", "Pa·s", {1e-5, 10, "mPa·s"},
                  "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\"",
                  at_number<&Numbers::viscosity, &Scene::lubricant, &Lubricant::viscosity>),
     required_row(
-        "lubricant.pressure_viscosity", "1/Pa", {1e-11, 1e-6}, "α, pressure–viscosity coefficient",
+        "lubricant.pressure_viscosity", "1/Pa", {1e-11, 1e-6, "1/GPa"},
+        "α, pressure–viscosity coefficient",
         at_number<&Numbers::pressure_viscosity, &Scene::lubricant, &Lubricant::pressure_viscosity>),
     {{.path = "lubricant.eyring_stress",
       .unit = "Pa",
       .needed_by = Output::friction,
       .plausible_minimum = 1e3,
       .plausible_maximum = 1e10,
+      .likely_unit = "MPa",
       .meaning = "τ₀, Eyring's stress"},
      at_number<&Numbers::eyring_stress, &Scene::lubricant, &Lubricant::eyring_stress>},
 
-    required_row("load", "N", {1e-9, 1e6}, "F, normal load",
+    required_row("load", "N", {1e-9, 1e7, "mN"}, "F, normal load",
                  at_number<&Numbers::load, &Scene::load>),
 
     {{.path = "speed",
       .type = FieldType::speeds,
       .unit = "m/s",
       .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e3,
+      .plausible_maximum = 500,
+      .likely_unit = "mm/s",
       .meaning = "u, mean (entrainment) speed; onset does without"},
      at_speed},
-    required_row("speed.from", "m/s", {1e-9, 1e3}, "the first speed of a range",
+    required_row("speed.from", "m/s", {1e-9, 500, "mm/s"}, "the first speed of a range",
                  at<&Scene::speeds, &Speeds::from>),
-    required_row("speed.to", "m/s", {1e-9, 1e3}, "the last speed of a range, above speed.from",
-                 at<&Scene::speeds, &Speeds::to>),
+    required_row("speed.to", "m/s", {1e-9, 500, "mm/s"},
+                 "the last speed of a range, above speed.from", at<&Scene::speeds, &Speeds::to>),
     {{.path = "speed.count",
       .type = FieldType::integer,
       .minimum = 2,
@@ -267,12 +275,12 @@ constexpr auto rows = std::to_array<Row>({
                "speeds at even ratios (log) or even differences (lin)",
                at<&Scene::speeds, &Speeds::spacing>),
 
-    number_row("supply.inlet_film", "m", {1e-11, 1e-2},
+    number_row("supply.inlet_film", "m", {1e-11, 1e-2, "µm"},
                "h_oil, thickness of the oil before the contact", at_supply<SupplyKind::inlet_film>),
     number_row("supply.inlet_film_ratio", "", {1e-3, 1e6}, "h_oil/σ_s",
                at_supply<SupplyKind::inlet_film_ratio>),
-    number_row("supply.inlet_flow", "m²/s", {1e-16, 1e-2}, "q, flow of oil per width; h_oil = q/u",
-               at_supply<SupplyKind::inlet_flow>),
+    number_row("supply.inlet_flow", "m²/s", {1e-16, 1e-2, "mm²/s"},
+               "q, flow of oil per width; h_oil = q/u", at_supply<SupplyKind::inlet_flow>),
 
     {{.path = "friction.boundary_coefficient",
       .exclusive_minimum = false,
@@ -309,6 +317,10 @@ constexpr auto rows = std::to_array<Row>({
       .type = FieldType::outputs,
       .default_text = "all that the given fields allow",
       .meaning = "what to compute"}},
+    {{.path = "accept",
+      .type = FieldType::limits,
+      .default_text = "none",
+      .meaning = "limits of the model's validity that are accepted where this scene passes them"}},
 });
 static_assert(rows.size() <= field_capacity);
 
@@ -522,6 +534,9 @@ std::string allowed_text(const FieldInfo& field) {
              "spacing";
     case FieldType::outputs:
       return "a list of " + joined(output_names, ", ");
+    case FieldType::limits:
+      return "a list of " + joined(assumption_words(), ", ") +
+             ", and of fields with their range, as viscosity_range";
   }
   return {};
 }

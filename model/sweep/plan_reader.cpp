@@ -89,10 +89,14 @@ struct VariedEntry {
 
 class SweepBinder {
  public:
-  // problems: those of `reading`, whose scene is not used.
+  // problems: those of `reading`, whose scene is not used. `passed` gets the limits of the sweep.
   SweepBinder(std::vector<Entry> entries, const std::string& source, SceneReading& reading,
-              Problems& problems)
-      : entries_(std::move(entries)), source_(source), reading_(reading), problems_(problems) {}
+              Problems& problems, std::vector<Validity>& passed)
+      : entries_(std::move(entries)),
+        source_(source),
+        reading_(reading),
+        problems_(problems),
+        passed_(passed) {}
 
   // The sweep; nothing where an error was reported.
   std::optional<SceneSweep> bind() {
@@ -208,19 +212,29 @@ class SweepBinder {
     reading_.warnings = std::move(scene.warnings);
     if (!scene.scene) return;
     sweep_.scene = std::move(*scene.scene);
+    note_limits(sweep_.scene);
     if (!scene.id && source_ != "-") sweep_.scene.id = scene_detail::stem_of(source_);
     if (asks_points_) sweep_.outputs = sweep_.scene.outputs;
     check_id();
     for (const VariedEntry& varied : varied_) sweep_.variables.push_back(varied.variable);
   }
 
+  SceneUse use() const {
+    if (asks_points_) return SceneUse::speeds;
+    return sweep_.criteria.empty() ? SceneUse::line_film : SceneUse::onset;
+  }
+
   SceneReading bound(const std::vector<Entry>& entries) const {
     SceneReading reading;
     Problems problems(reading, source_);
-    const SceneUse without_points = sweep_.criteria.empty() ? SceneUse::line_film : SceneUse::onset;
-    scene_detail::bind_scene(entries, asks_points_ ? SceneUse::speeds : without_points, problems,
-                             reading);
+    scene_detail::bind_scene(entries, use(), problems, reading);
     return reading;
+  }
+
+  void note_limits(const Scene& scene) {
+    for (const Validity& limit : passed_limits(scene, use()))
+      if (std::ranges::find(passed_, limit.word, &Validity::word) == passed_.end())
+        passed_.push_back(limit);
   }
 
   void check_id() {
@@ -307,6 +321,9 @@ class SweepBinder {
     for (const Setting& one : settings) set(*one.varied, one.value);
     const SceneReading scene = bound(entries_);
     for (const Setting& one : settings) set(*one.varied, one.varied->variable.nominal);
+    // The ends of a distribution are far beyond nearly all of its draws.
+    if (scene.scene && settings.size() == 1 && !settings.front().varied->variable.is_drawn())
+      note_limits(*scene.scene);
     if (scene.errors.empty()) return true;
     const auto& [source, field, found, row, column] = scene.errors.front();
     const Setting& first = settings.front();
@@ -473,6 +490,7 @@ class SweepBinder {
   const std::string& source_;
   SceneReading& reading_;
   Problems& problems_;
+  std::vector<Validity>& passed_;
   Entry settings_;
   std::vector<VariedEntry> varied_;
   SceneSweep sweep_;
@@ -492,7 +510,7 @@ bool is_utf8(std::string_view text) {
 SweepReading refused(const std::string& source, const std::string& why) {
   SceneReading scene;
   Problems(scene, source).error("", {.what = why});
-  return {{}, std::move(scene.errors), {}};
+  return {{}, std::move(scene.errors), {}, {}};
 }
 
 // 32 hexadecimal digits.
@@ -532,13 +550,14 @@ SweepReading parse_sweep(std::string_view text, const std::string& source) {
   SceneReading scene;
   Problems problems(scene, source);
   std::optional<SceneSweep> sweep;
+  std::vector<Validity> passed;
   if (auto entries = scene_detail::toml_entries(text, problems))
-    sweep = SweepBinder(std::move(*entries), source, scene, problems).bind();
+    sweep = SweepBinder(std::move(*entries), source, scene, problems, passed).bind();
   if (sweep) {
     sweep->file = source.substr(source.rfind('/') + 1);  // the result tells no folder
     sweep->text = text;
   }
-  return {std::move(sweep), std::move(scene.errors), std::move(scene.warnings)};
+  return {std::move(sweep), std::move(scene.errors), std::move(scene.warnings), std::move(passed)};
 }
 
 SweepReading read_sweep(const std::string& path) {

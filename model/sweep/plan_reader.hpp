@@ -23,13 +23,17 @@
 
 #include "sweep/plan.hpp"
 #include "tribo/scene_reader.hpp"
+#include "tribo/validity.hpp"
 
 namespace tribo::sweep {
 
 struct SweepReading {
   std::optional<SceneSweep> sweep;     // set when `errors` is empty
   std::vector<InputProblem> errors;    // every problem found
-  std::vector<InputProblem> warnings;  // legal but implausible
+  std::vector<InputProblem> warnings;  // what is legal but has no effect
+  // The limits that the scene passes, and does not accept, at its nominal values and at the least
+  // and the greatest of each grid; each limit once.
+  std::vector<Validity> passed;
 };
 
 // One field of [sweep], for the reader, its messages and the help.

@@ -99,7 +99,10 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
                                       one->unit == no_entry ? no_entry : "(" + one->unit + ")"),
                             per_cent(one->sensitivity), unrounded(one->paper_value),
                             number(one->value, 3), number(one->factor, 4),
-                            fmt::format("{}: {} to {}", one->plausible ? "yes" : "no",
+                            fmt::format("{}: {} to {}",
+                                        one->plausible  ? "yes"
+                                        : one->at_limit ? "at the limit"
+                                                        : "no",
                                         unrounded(one->low), unrounded(one->high)),
                             list(one->mended), list(one->broken)});
     if (!found.empty())

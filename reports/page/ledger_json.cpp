@@ -54,6 +54,7 @@ Json item_json(const Ledger& ledger, const std::vector<NamedReading>& readings, 
               {"statement", item.statement},
               {"rule", rule_words[static_cast<std::size_t>(item.rule)]},
               {"is_over_speeds", is_over_speeds(item)},
+              {"is_arithmetic", item.is_arithmetic},
               {"printed", item.printed},
               {"place", item.place},
               {"computed_as", item.computed_as},
@@ -90,6 +91,7 @@ Json requirement_json(const Ledger& ledger, const Requirement& one) {
           {"low", one.low},
           {"high", one.high},
           {"plausible", one.plausible},
+          {"at_limit", one.at_limit},
           {"mends", one.mended},
           {"breaks", one.broken}};
 }
@@ -191,6 +193,13 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
     if (ledger_cells::is_wanted(claims, ledger.items[i].claim))
       object["items"].push_back(item_json(ledger, readings, i));
   object["ranking"] = ranking_json(ledger);
+  object["tolerances"] = Json::array();
+  for (const ToleranceScores& one : ledger.tolerances) {
+    Json row{{"factor", one.factor}, {"scores", Json::object()}};
+    for (std::size_t i = 0; i < one.scores.size(); ++i)
+      row["scores"][ledger.readings[i].name] = one.scores[i];
+    object["tolerances"].push_back(std::move(row));
+  }
   for (const Argument& one : ledger.arguments) {
     Json argument{
         {"question", one.question}, {"reported", one.reported},   {"low", one.low},

@@ -84,6 +84,10 @@ std::string margin(const ItemResult& result) {
                      result.margin->of == MarginOf::part ? " of speeds" : "", result.margin->error);
 }
 
+std::string with_nature(const std::string& text, bool is_arithmetic) {
+  return text + (is_arithmetic ? " (arithmetic)" : "");
+}
+
 std::string list(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& one : names) text += (text.empty() ? "" : ", ") + one;
@@ -126,8 +130,9 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
     const Item& item = ledger.items[i];
     if (!is_wanted(claims, item.claim)) continue;
     const ItemResult& result = reading.results[i];
-    table.rows.push_back({item.id, item.label, asked(item), computed(item, result),
-                          against_the_paper(item, result), verdict(result), margin(result)});
+    table.rows.push_back({item.id, with_nature(item.label, item.is_arithmetic), asked(item),
+                          computed(item, result), against_the_paper(item, result), verdict(result),
+                          margin(result)});
     if (result.observed.beyond_collapse != 0)
       table.note +=
           fmt::format(" {} {} ({}): there the numbers are limits, as printed.", item.id,
@@ -148,15 +153,29 @@ TextTable statement_table(const Ledger& ledger, const std::vector<std::string>& 
   return table;
 }
 
+namespace {
+
+// How many of the claims are reproduced, partly or not.
+std::ptrdiff_t count(const NamedReading& reading, std::string_view scale) {
+  return std::count_if(reading.verdicts.begin(), reading.verdicts.end(),
+                       [&](Verdict one) { return short_name(one) == scale; });
+}
+
+}  // namespace
+
 std::string verdict_sentence(const Ledger& ledger, const NamedReading& reading) {
-  const auto with = [&](Verdict least, Verdict most) {
-    return std::count_if(reading.verdicts.begin(), reading.verdicts.end(),
-                         [&](Verdict one) { return one >= least && one <= most; });
-  };
   return fmt::format("{} of the paper's {} claims are reproduced, {} partly, {} not",
-                     with(Verdict::reproduced, Verdict::reproduced), ledger.claims.size(),
-                     with(Verdict::within_ten_percent, Verdict::in_part),
-                     with(Verdict::not_reproduced, Verdict::not_reproduced));
+                     count(reading, "yes"), ledger.claims.size(), count(reading, "partly"),
+                     count(reading, "no"));
+}
+
+std::string other_planes_sentence(const Ledger& ledger) {
+  std::string text;
+  for (const NamedReading& one : ledger.readings)
+    if (one.name == "m = 2" || one.name == "equal faces")
+      text += fmt::format("{}{} they are {}, {} and {}", text.empty() ? "With " : ", with ", one.name,
+                          count(one, "yes"), count(one, "partly"), count(one, "no"));
+  return fmt::format("{}. {}", text, partly_words);
 }
 
 namespace {
@@ -168,6 +187,13 @@ std::set<std::string> claims_beyond_collapse(const Ledger& ledger,
     for (std::size_t i = 0; i < ledger.items.size(); ++i)
       if (reading.results[i].observed.beyond_collapse != 0) claims.insert(ledger.items[i].claim);
   return claims;
+}
+
+// Are all parts of a claim arithmetic?
+bool is_arithmetic(const Ledger& ledger, std::size_t claim) {
+  return std::all_of(ledger.items.begin(), ledger.items.end(), [&](const Item& one) {
+    return one.claim != ledger.claims[claim] || one.is_arithmetic;
+  });
 }
 
 }  // namespace
@@ -188,23 +214,20 @@ TextTable verdict_table(const Ledger& ledger, const std::vector<NamedReading>& r
   bool has_open = false;
   for (std::size_t k = 0; k < ledger.claims.size(); ++k) {
     if (!is_wanted(claims, ledger.claims[k])) continue;
-    std::vector<std::string> cells{ledger.claims[k], ledger.statements[k]};
+    std::vector<std::string> cells{ledger.claims[k],
+                                   with_nature(ledger.statements[k], is_arithmetic(ledger, k))};
     for (const NamedReading& reading : readings) {
       const bool decided = is_decided(ledger.claims[k], ledger.items, reading.results);
       has_open = has_open || !decided;
-      cells.push_back(fmt::format("{}{}",
-                                  reading.verdicts[k] == Verdict::reproduced       ? "yes"
-                                  : reading.verdicts[k] == Verdict::not_reproduced ? "no"
-                                                                                   : "partly",
-                                  decided ? "" : " (?)"));
+      cells.push_back(fmt::format("{}{}", short_name(reading.verdicts[k]), decided ? "" : " (?)"));
     }
     cells.push_back(percent(ledger.claim_parts[k]));
     table.rows.push_back(std::move(cells));
   }
   table.note = fmt::format(
       "GT: contact by Greenwood and Tripp; GW: by Greenwood and Williamson. Of all readings: how "
-      "many of the {} reproduce the claim.",
-      grouped(reading_count()));
+      "many of the {} reproduce the claim. {} {}",
+      grouped(reading_count()), partly_words, arithmetic_words);
   if (is_wanted(claims, ledger.claims.front()) && ledger.claim_parts.front() == 0)
     table.note += fmt::format(" {}: {}", ledger.claims.front(), no_reading_sentence);
   if (has_open) table.note += fmt::format(" (?): {}.", undecided_words);
@@ -265,6 +288,25 @@ TextTable ranking_table(const Ledger& ledger) {
       "all readings reproduce tells nothing about which one the authors used.",
       grouped(reading_count()), switch_count, rounded(ranking.mean_score, 3),
       rounded(ranking.score_sd, 2), grouped(corrected.above), grouped(corrected.equal - 1));
+  return table;
+}
+
+TextTable tolerance_table(const Ledger& ledger) {
+  TextTable table{"Claims reproduced, by how wide the tolerances are",
+                  {"tolerances times"},
+                  {true},
+                  {},
+                  "The print precision of numbers, the width of comparisons of equality and the "
+                  "thresholds (divided) are multiplied together; comparisons of order have none."};
+  for (const NamedReading& reading : ledger.readings) {
+    table.headings.push_back(reading.name);
+    table.is_number.push_back(true);
+  }
+  for (const ToleranceScores& one : ledger.tolerances) {
+    std::vector<std::string> cells{unrounded(one.factor)};
+    for (const int score : one.scores) cells.push_back(std::to_string(score));
+    table.rows.push_back(std::move(cells));
+  }
   return table;
 }
 

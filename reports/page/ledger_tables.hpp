@@ -23,6 +23,11 @@ TextTable statement_table(const reproduction::Ledger& ledger,
 // "10 of the paper's 17 claims are reproduced, 2 partly, 5 not"
 std::string verdict_sentence(const reproduction::Ledger& ledger,
                              const reproduction::NamedReading& reading);
+// The same counts for the other choices of E9, which nothing in the paper decides, and what
+// “partly” means.
+std::string other_planes_sentence(const reproduction::Ledger& ledger);
+inline constexpr const char* arithmetic_words =
+    "(arithmetic): follows from a formula as printed, whatever the model.";
 // The items of claims.tsv that stand first wherever the claims are told.
 inline constexpr std::string_view headline_items[] = {"C1.smooth", "C1.medium", "C1.rough",
                                                       "C2.smooth", "C4.rough",  "C4.smooth"};
@@ -40,6 +45,8 @@ TextTable readings_table(const reproduction::Ledger& ledger,
                          const std::vector<reproduction::NamedReading>& readings);
 
 TextTable ranking_table(const reproduction::Ledger& ledger);
+// How many claims each reading reproduces with narrower and wider tolerances.
+TextTable tolerance_table(const reproduction::Ledger& ledger);
 TextTable switch_table();
 TextTable identification_table(const reproduction::Ledger& ledger);
 std::vector<TextTable> argument_tables(const reproduction::Ledger& ledger);
@@ -78,6 +85,8 @@ std::string against_the_paper(const reproduction::Item& item,
 std::string verdict(const reproduction::ItemResult& result);
 // The margin of a verdict, with its numerical error: "0.282 ± 1e-13".
 std::string margin(const reproduction::ItemResult& result);
+// The text, marked where arithmetic alone decides: "constant of the film (arithmetic)".
+std::string with_nature(const std::string& text, bool is_arithmetic);
 std::string list(const std::vector<std::string>& names);
 // All claims are wanted where none is named.
 bool is_wanted(const std::vector<std::string>& claims, const std::string& claim);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_commit.hpp"
+#include "tribo/scene_reader.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::cli {
@@ -35,6 +36,15 @@ nlohmann::ordered_json document(std::string_view schema, const nlohmann::ordered
 
 std::string list_start(std::string_view schema, std::string_view member) {
   return fmt::format("{{{}, \"{}\": [\n", document_head(schema), member);
+}
+
+std::string list_end_with(const nlohmann::ordered_json& members) {
+  std::string text = "\n]";
+  for (const auto& [name, value] : members.items())
+    text += fmt::format(", \"{}\": {}", name,
+                        without_controls(value.dump(
+                            -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
+  return text + "}\n";
 }
 
 }  // namespace tribo::cli

@@ -29,5 +29,7 @@ nlohmann::ordered_json document(std::string_view schema, const nlohmann::ordered
 // them, and after the last.
 std::string list_start(std::string_view schema, std::string_view member);
 inline constexpr std::string_view list_comma = ",\n", list_end = "\n]}\n";
+// The end of such a document with members after its list.
+std::string list_end_with(const nlohmann::ordered_json& members);
 
 }  // namespace tribo::cli

@@ -29,22 +29,13 @@ struct CurveArguments : SceneArguments {
   std::string picture;  // empty: none
 };
 
-bool is_curve(const Scene& scene) {
+// Says why a scene has no curve; empty if it has one.
+std::string fault_of(const Scene& scene) {
   const detail::SpeedSpan span = detail::speed_span(scene.speeds);
-  if (span.low < span.high) return true;
-  complain(
-      fmt::format("{}: speed: {} alone is no curve; allowed: a range, or a list of at least two "
-                  "different speeds",
-                  scene.id, span.low));
-  return false;
-}
-
-// Leaves the scenes that span no range out.
-void keep_curves(LoadedScenes& loaded) {
-  const auto first_bad =
-      std::stable_partition(loaded.scenes.begin(), loaded.scenes.end(), is_curve);
-  if (first_bad != loaded.scenes.end()) loaded.all_good = false;
-  loaded.scenes.erase(first_bad, loaded.scenes.end());
+  if (span.low < span.high) return {};
+  return fmt::format(
+      "speed: {} alone is no curve; allowed: a range, or a list of at least two different speeds",
+      span.low);
 }
 
 void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
@@ -58,14 +49,13 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
                  });
 }
 
-void write_curves(const CurveArguments& arguments, const std::vector<Scene>& scenes,
-                  OutputStream& output) {
+void write_curves(const std::string& format, const LoadedScenes& loaded, OutputStream& output) {
   std::size_t total = 0;
-  for (const Scene& scene : scenes) total += scene.speeds.size();
+  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
-  PointWriter writer(arguments.format, output, scenes);
-  for (const Scene& scene : scenes) draw_scene(scene, writer, progress);
-  writer.finish();
+  PointWriter writer(format, output, loaded.scenes);
+  for (const Scene& scene : loaded.scenes) draw_scene(scene, writer, progress);
+  writer.finish({{"warnings", loaded.warnings.json()}});
 }
 
 // The scene at the speeds of what was measured, which may lie beyond its own.
@@ -102,14 +92,14 @@ std::string fault_of(const CurveArguments& arguments, const std::vector<Scene>& 
 }
 
 int curve(const CurveArguments& arguments, OutputStream& output) {
-  LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
-  keep_curves(loaded);
+  const LoadedScenes loaded = load_scenes(
+      arguments.paths, SceneUse::speeds, [](const Scene& scene) { return fault_of(scene); });
   if (loaded.scenes.empty()) return exit_bad;
   if (const std::string fault = fault_of(arguments, loaded.scenes); !fault.empty())
     return fail(exit_bad, fault);
   std::vector<Comparison> comparisons;
   if (arguments.data.empty()) {
-    write_curves(arguments, loaded.scenes, output);
+    write_curves(arguments.format, loaded, output);
   } else {
     const Scene& scene = loaded.scenes.front();
     comparisons = compared(scene, read_measured(arguments.data, scene.outputs));
@@ -120,8 +110,8 @@ int curve(const CurveArguments& arguments, OutputStream& output) {
       arguments.picture.empty() ||
       draw_picture("curve_picture.py", curve_picture(loaded.scenes, comparisons).dump(),
                    arguments.picture);
-  if (!loaded.all_good) return exit_bad;
-  return is_drawn ? exit_done : exit_failed;
+  const int code = loaded.exit_code(arguments);
+  return code == exit_done && !is_drawn ? exit_failed : code;
 }
 
 constexpr const char* curve_footer =

@@ -30,33 +30,20 @@ struct FilmArguments {
   std::string picture;
 };
 
-// Roelands' z of oils is near 0.6, of synthetic liquids some 0.4 to 1. A value outside these
-// bounds is more likely a wrong α or η₀ than a liquid.
-constexpr double least_roelands_index = 0.2, greatest_roelands_index = 1.2;
-
-void warn_of_index(const Scene& scene) {
-  const Lubricant& oil = scene.lubricant;
-  const double index = oil.pressure_viscosity * roelands_pressure<double>() /
-                       (std::log(oil.viscosity) + roelands_log_viscosity<double>());
-  if (index == 0 || (index >= least_roelands_index && index <= greatest_roelands_index)) return;
-  complain(fmt::format(
-      "{}: lubricant.pressure_viscosity: {} 1/Pa with a viscosity of {} Pa·s gives Roelands' z = "
-      "{:.3g}, which is implausible: usual are {} to {}; check both, or take --viscosity barus",
-      scene.id, readable(oil.pressure_viscosity), readable(oil.viscosity), index,
-      least_roelands_index, greatest_roelands_index));
-}
-
-bool follows_roelands(const Scene& scene, const FilmSettings& settings) {
-  return settings.viscosity.empty() ? scene.friction.viscosity == ViscosityLaw::roelands
-                                    : settings.viscosity == "roelands";
+// Puts the options into a scene, in place of its own speeds and its law of viscosity.
+void take_options(const FilmArguments& arguments, Scene& scene) {
+  if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
+  if (!arguments.settings.viscosity.empty())
+    scene.friction.viscosity =
+        arguments.settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus;
 }
 
 // Says why a scene cannot be solved with these arguments; empty if it can.
-std::string fault_of(const Scene& scene, const FilmArguments& arguments) {
+std::string fault_of(const Scene& scene) {
   if (scene.speeds.empty())
     return "speed: missing; allowed: a number above 0, in m/s, a list or a range of such numbers, "
            "or the option --speed in their place";
-  if (follows_roelands(scene, arguments.settings) &&
+  if (scene.friction.viscosity == ViscosityLaw::roelands &&
       !(scene.lubricant.viscosity > least_roelands_viscosity))
     return fmt::format(
         "lubricant.viscosity: {} is not allowed with --viscosity roelands; allowed: a number above "
@@ -67,19 +54,10 @@ std::string fault_of(const Scene& scene, const FilmArguments& arguments) {
 
 // The good scenes, at the speeds that are asked for.
 LoadedScenes scenes_of(const FilmArguments& arguments) {
-  LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::line_film);
-  std::erase_if(loaded.scenes, [&](Scene& scene) {
-    if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
-    const std::string fault = fault_of(scene, arguments);
-    if (fault.empty()) {
-      if (follows_roelands(scene, arguments.settings)) warn_of_index(scene);
-      return false;
-    }
-    complain(scene.id + ": " + fault);
-    loaded.all_good = false;
-    return true;
+  return load_scenes(arguments.scenes.paths, SceneUse::line_film, [&arguments](Scene& scene) {
+    take_options(arguments, scene);
+    return fault_of(scene);
   });
-  return loaded;
 }
 
 class FilmRun {
@@ -117,12 +95,12 @@ class FilmRun {
     return true;
   }
 
-  int finish(bool all_good) {
-    writer_.finish();
+  int finish(const LoadedScenes& loaded) {
+    writer_.finish(loaded.warnings.json());
     output_.flush();
     if (stop_signal() != 0) return 128 + stop_signal();
-    if (!all_good) return exit_bad;
-    return all_solved_ ? exit_done : exit_failed;
+    const int code = loaded.exit_code(arguments_.scenes);
+    return code == exit_done && !all_solved_ ? exit_failed : code;
   }
 
  private:
@@ -158,7 +136,7 @@ int solve_films(const FilmArguments& arguments, OutputStream& output) {
   for (const Scene& scene : loaded.scenes)
     for (std::size_t i = 0; i < scene.speeds.size() && goes_on; ++i)
       goes_on = run.solve(scene, scene.speeds[i]);
-  return run.finish(loaded.all_good);
+  return run.finish(loaded);
 }
 
 constexpr const char* film_footer =
@@ -175,7 +153,8 @@ material; x is along the direction of entrainment, from the middle of Hertz' con
 that of the finest grid; the films are extrapolated from all grids, and so are nearer to the truth.
 
 With lubricant.pressure_viscosity = 0 the liquid's viscosity is constant; formulas without a film for
-such a liquid are empty. With --viscosity roelands a z outside 0.2 to 1.2 is said on stderr.
+such a liquid are empty. Where Roelands' z is outside 0.2 to 1.2, a
+warning says so.
 
 A contact takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
 200 contacts. Ctrl-C stops at the next step, and what was solved is written.

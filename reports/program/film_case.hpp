@@ -75,7 +75,7 @@ class FilmWriter {
   FilmWriter(std::string_view format, const FilmSettings& settings, bool with_profile, Text& text);
 
   void add(const FilmCase& film);
-  void finish();
+  void finish(const nlohmann::ordered_json& warnings);
 
  private:
   std::string_view format_;

@@ -239,8 +239,8 @@ void FilmWriter::add(const FilmCase& film) {
                     .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
-void FilmWriter::finish() {
-  if (format_ == "json") append(text_, list_end);
+void FilmWriter::finish(const ordered_json& warnings) {
+  if (format_ == "json") append(text_, list_end_with({{"warnings", warnings}}));
 }
 
 }  // namespace tribo::cli

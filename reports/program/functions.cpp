@@ -48,8 +48,8 @@ ordered_json example_of(const Function& function) {
 
 std::string answer_to(const ordered_json& question) {
   protocol::Text text;
-  std::vector<InputProblem> warnings;
-  protocol::append_answer(text, question.dump(), 1, warnings);
+  std::vector<Validity> passed;
+  protocol::append_answer(text, question.dump(), 1, passed);
   return {text.data(), text.size()};
 }
 

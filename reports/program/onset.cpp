@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,8 +77,8 @@ int find_onsets(const OnsetArguments& arguments, OutputStream& output) {
     writer.begin(scene.id, scene.id + ": onset of starvation", columns());
     for (const Onset<double>& onset : onsets_of(scene, arguments)) writer.add(cells_of(onset));
   }
-  writer.finish();
-  return loaded.all_good ? exit_done : exit_bad;
+  writer.finish({{"warnings", loaded.warnings.json()}});
+  return loaded.exit_code(arguments.scenes);
 }
 
 constexpr const char* onset_footer =

@@ -21,7 +21,8 @@ class PointWriter {
   // Called once before the points of each scene; `scene` must live until the next call.
   void begin_scene(const Scene& scene, const MixedContact<double>& contact);
   void add(const OperatingPoint<double>& point);
-  void finish() { rows_.finish(); }
+  // `members`: of the JSON document, after its points.
+  void finish(const nlohmann::ordered_json& members) { rows_.finish(members); }
 
  private:
   RowWriter rows_;

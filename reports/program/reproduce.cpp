@@ -116,7 +116,7 @@ std::vector<TextTable> tables(const Ledger& ledger, const std::vector<NamedReadi
       add({report::reading_table(ledger, readings[i], claims)});
   }
   if (wants("statements")) add({report::statement_table(ledger, claims)});
-  if (wants("ranking")) add({report::ranking_table(ledger)});
+  if (wants("ranking")) add({report::ranking_table(ledger), report::tolerance_table(ledger)});
   if (wants("switches")) add({report::switch_table()});
   if (wants("identified")) {
     add({report::identification_table(ledger)});
@@ -151,8 +151,11 @@ void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
   }
   if (arguments.format == "csv") return append(to, ledger_csv(ledger, readings, arguments.claims));
   const NamedReading& corrected = ledger.readings.front();
-  append(to, report::verdict_sentence(ledger, corrected) + " (misprints mended).\n");
   const std::size_t width = line_width();
+  const std::string summary =
+      fmt::format("{} (misprints mended, m = 1). {}", report::verdict_sentence(ledger, corrected),
+                  report::other_planes_sentence(ledger));
+  for (const std::string& line : report::wrapped(summary, width)) append(to, line + "\n");
   for (const TextTable& table : tables(ledger, readings, arguments)) {
     append(to, "\n");
     if (arguments.format == "markdown") {
@@ -213,8 +216,8 @@ int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
 }
 
 constexpr const char* reproduce_footer =
-    R"(Every claim of the paper, computed and judged, under the corrected reading, the literal one, the few of
-all combinations that reproduce most claims, or one of your own. Each verdict stands with its margin, the
+    R"(Every claim of the paper, computed and judged, under the corrected reading with m = 1, 2 and two equal
+faces, the literal one, the few of all combinations that reproduce most claims, or one of your own. Each verdict stands with its margin, the
 distance to another verdict, and the numerical error of that; “(?)” marks a margin below its error. The
 verdicts are held against reference/baselines/ledger.csv. Exit code 1: a verdict changed; stderr names it.
 

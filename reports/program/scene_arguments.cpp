@@ -14,15 +14,23 @@ namespace {
 
 constexpr std::string_view published = "reference/published";
 
-void load_scene(const std::string& path, SceneUse use, LoadedScenes& loaded) {
+void load_scene(const std::string& path, SceneUse use, const Prepare& prepare,
+                LoadedScenes& loaded) {
   SceneReading reading = read_scene(path, use);
   for (const InputProblem& error : reading.errors) complain(error.line());
   for (const InputProblem& warning : reading.warnings) complain("warning: " + warning.line());
+  loaded.is_noted = loaded.is_noted || !reading.warnings.empty();
   if (!reading.scene) {
     loaded.all_good = false;
     return;
   }
   if (path == "-" && !reading.id) reading.scene->id = "stdin";
+  if (const std::string fault = prepare ? prepare(*reading.scene) : ""; !fault.empty()) {
+    complain(reading.scene->id + ": " + fault);
+    loaded.all_good = false;
+    return;
+  }
+  loaded.warnings.add(path, reading.scene->id, passed_limits(*reading.scene, use));
   loaded.scenes.push_back(std::move(*reading.scene));
 }
 
@@ -54,16 +62,30 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments) {
       });
   app.add_option("--format", arguments.format, "how to write the results (default: table)")
       ->check(CLI::IsMember({"table", "csv", "json"}));
+  add_strict_option(app, arguments.is_strict);
 }
 
-LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use) {
+void add_strict_option(CLI::App& app, bool& is_strict) {
+  app.add_flag("--strict", is_strict,
+               "exit code 1 where a scene passes a limit of the model that it does not accept; the "
+               "results are written all the same");
+}
+
+int LoadedScenes::exit_code(const SceneArguments& arguments) const {
+  if (!all_good) return exit_bad;
+  return arguments.is_strict && (warnings.any() || is_noted) ? exit_failed : exit_done;
+}
+
+LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
+                         const Prepare& prepare) {
   LoadedScenes loaded;
   if (std::count(paths.begin(), paths.end(), "-") > 1) {
     complain("- (stdin) is given more than once; it can be read once");
     loaded.all_good = false;
     return loaded;
   }
-  for (const std::string& path : paths) load_scene(path, use, loaded);
+  for (const std::string& path : paths) load_scene(path, use, prepare, loaded);
+  loaded.warnings.tell();
   return loaded;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arguments `SCENE… --format F` that solve, curve and onset share, reading those scenes, and
-// the scenes that the examples of the help name.
+// The arguments `SCENE… --format F --strict` that commands of scenes share, reading those scenes,
+// and the scenes that the examples of the help name.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "tribo/scene_reader.hpp"
+#include "validity_writers.hpp"
 
 namespace tribo::cli {
 
 struct SceneArguments {
   std::vector<std::string> paths;
   std::string format = "table";  // or csv, json
+  bool is_strict = false;
 };
 
 void add_scene_arguments(CLI::App& app, SceneArguments& arguments);
@@ -22,10 +24,22 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments);
 struct LoadedScenes {
   std::vector<Scene> scenes;  // the good ones, in their order
   bool all_good = true;
+  Warnings warnings;      // of the good ones
+  bool is_noted = false;  // of a scene it was said that a part of it has no effect
+
+  // The exit code of a command that has written its results: exit_bad where a scene is no good,
+  // exit_failed by --strict where there was a warning.
+  int exit_code(const SceneArguments& arguments) const;
 };
 
-// Reads every scene and reports every error and warning on stderr.
-LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use);
+// Puts options of a command into a scene. Returns why the command cannot take it; empty if it can.
+using Prepare = std::function<std::string(Scene&)>;
+
+// Reads every scene and reports every error on stderr, and in one line the limits that they pass.
+LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
+                         const Prepare& prepare = {});
+// Adds --strict.
+void add_strict_option(CLI::App& app, bool& is_strict);
 
 // The footer of a help text. Where the current folder has no reference/published, or no
 // reference/scenes, the full path of the project's or the installed folder replaces it.

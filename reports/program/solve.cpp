@@ -31,7 +31,7 @@ namespace {
 
 struct SolveArguments : SceneArguments {
   int threads = 0;
-  bool is_about_scenes = false;
+  bool is_about_scenes = false, explains = false;
 };
 
 // A chunk of speeds is enough for several threads, and keeps memory flat for any number of them.
@@ -105,8 +105,8 @@ Facts inputs_of(const Scene& scene) {
   for (std::size_t field = 0; field < scene_fields().size(); ++field) {
     const FieldInfo& info = scene_fields()[field];
     if (info.type == FieldType::text || info.type == FieldType::outputs ||
-        info.type == FieldType::speeds || info.path == "speed.count" ||
-        info.path == "speed.spacing")
+        info.type == FieldType::limits || info.type == FieldType::speeds ||
+        info.path == "speed.count" || info.path == "speed.spacing")
       continue;
     inputs.all.push_back({info.path, input_of(scene, field), info.unit, info.meaning});
   }
@@ -202,12 +202,12 @@ void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts
   }
 }
 
-void tell_about(const std::vector<Scene>& scenes, std::string_view format, OutputStream& output) {
+void tell_about(const LoadedScenes& loaded, std::string_view format, OutputStream& output) {
   Text& text = output.text();
   if (format == "csv") append(text, "id,part,name,value,unit,meaning\n");
   const bool is_json = format == "json";
   std::string before = is_json ? list_start("solve-about/1", "scenes") : "";
-  for (const Scene& scene : scenes) {
+  for (const Scene& scene : loaded.scenes) {
     append(text, std::exchange(before, is_json ? list_comma : format == "csv" ? "" : "\n"));
     const MixedContact<double> contact(scene);
     const std::vector<Facts> parts{inputs_of(scene), contact_of(scene, contact), outputs_of(scene),
@@ -215,23 +215,47 @@ void tell_about(const std::vector<Scene>& scenes, std::string_view format, Outpu
     (is_json ? append_json : format == "csv" ? append_csv : append_tables)(text, scene, parts);
     output.end_row();
   }
-  if (is_json) append(text, list_end);
+  if (is_json) append(text, list_end_with({{"warnings", loaded.warnings.json()}}));
+}
+
+// --- Is the model valid here? --explain
+
+ordered_json explained(const std::vector<Scene>& scenes) {
+  ordered_json all = ordered_json::array();
+  for (const Scene& scene : scenes)
+    for (ordered_json& row : validity_json(validity_of(scene))) {
+      ordered_json named{{"id", scene.id}};
+      named.update(row);
+      all.push_back(std::move(named));
+    }
+  return all;
+}
+
+void append_explanations(Text& to, const std::vector<Scene>& scenes) {
+  for (const Scene& scene : scenes) {
+    to.push_back('\n');
+    append_validity(to, scene.id, validity_of(scene));
+  }
 }
 
 int solve(const SolveArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
   if (loaded.scenes.empty()) return exit_bad;
   if (arguments.is_about_scenes) {
-    tell_about(loaded.scenes, arguments.format, output);
-    return loaded.all_good ? exit_done : exit_bad;
+    tell_about(loaded, arguments.format, output);
+    return loaded.exit_code(arguments);
   }
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
   PointWriter writer(arguments.format, output, loaded.scenes);
   for (const Scene& scene : loaded.scenes) solve_scene(scene, arguments.threads, writer, progress);
-  writer.finish();
-  return loaded.all_good ? exit_done : exit_bad;
+  ordered_json members{{"warnings", loaded.warnings.json()}};
+  if (arguments.explains) members["validity"] = explained(loaded.scenes);
+  writer.finish(members);
+  if (arguments.explains && arguments.format == "table")
+    append_explanations(output.text(), loaded.scenes);
+  return loaded.exit_code(arguments);
 }
 
 constexpr const char* footer_start =
@@ -247,9 +271,14 @@ still solved, and the exit code is 2.
 With --about a scene has one answer in place of its points: its inputs with those that follow and
 the defaults, its dry contact, the outputs that it asks for, and the work that they took.
 
+With --explain a table follows the points: what the model assumes, its number here, the limit, and
+whether that holds. `accept = ["smooth_film_law"]` in a scene accepts a limit that it passes: no
+warning is written for it.
+
 Example:
   tribocheck solve reference/published/rough.toml --format csv > rough.csv
   tribocheck solve reference/published/rough.toml --about
+  tribocheck solve reference/published/rough.toml --explain
   tribocheck solve reference/published/rough.toml reference/published/smooth.toml)";
 
 std::string footer() {
@@ -273,9 +302,12 @@ Command add_solve(CLI::App& program) {
   app->add_flag("--about", arguments->is_about_scenes,
                 "in place of its points, all inputs of a scene, its dry contact, and the work that "
                 "the points take");
+  app->add_flag("--explain", arguments->explains,
+                "after the points, the table \"is the model valid here?\"");
   return {app, [arguments](OutputStream& output) { return solve(*arguments, output); },
           [arguments]() -> std::vector<Ignored> {
-            return {{{"--threads"}, arguments->is_about_scenes, "beside --about"}};
+            return {{{"--threads", "--explain"}, arguments->is_about_scenes, "beside --about"},
+                    {{"--explain"}, arguments->format == "csv", "beside --format csv"}};
           }};
 }
 

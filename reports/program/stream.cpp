@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck stream: JSON lines in, JSON lines out, in order.
+#include <fmt/format.h>
 #include <unistd.h>
+
+#include <set>
+#include <string_view>
+#include <vector>
 
 #include "command.hpp"
 #include "messages.hpp"
 #include "protocol/answers.hpp"
 #include "protocol/text_streams.hpp"
+#include "validity_writers.hpp"
 
 namespace tribo::cli {
 namespace {
 
-constexpr int most_warnings = 20;  // on stderr, because a stream may be endless
-
 int stream(OutputStream& output) {
   protocol::LineReader lines(STDIN_FILENO, max_scene_bytes);
-  int count = 0;
-  protocol::answer_lines(lines, output, [&count](const InputProblem& warning) {
-    if (count < most_warnings) complain("warning: " + warning.line());
-    if (count == most_warnings) complain("warning: and more, which are not listed");
-    if (count <= most_warnings) ++count;
-  });
+  // A stream may be endless: each limit is told of the first scene that passes it.
+  std::set<std::string_view> told;
+  const auto warn = [&told](std::size_t number, const std::vector<Validity>& passed) {
+    std::vector<Validity> news;
+    for (const Validity& limit : passed)
+      if (told.insert(limit.word).second) news.push_back(limit);
+    Warnings warnings;
+    warnings.add(fmt::format("line {}", number), "", news);
+    warnings.tell();
+  };
+  protocol::answer_lines(lines, output, warn);
   return exit_done;
 }
 
@@ -30,7 +39,8 @@ one function of the model. Each gets one line out, in order:
   {"id": "p2", "error": {"field": "load", "message": "-5 is not allowed; allowed: ..."}}
 A line that is not JSON or is over 1 MiB gets an error too, with "id": null; blank lines get no
 answer. Answers are flushed whenever no complete line is waiting. Errors are answers: the exit code
-is 0 at the end of the input.
+is 0 at the end of the input. A limit of the model's validity is told on stderr for the first scene
+that passes it and does not accept it.
 
 `tribocheck functions` lists the functions, and `tribocheck functions NAME` explains one.
 

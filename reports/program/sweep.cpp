@@ -30,6 +30,7 @@
 #include "sweep_diff.hpp"
 #include "table.hpp"
 #include "tribo/batch.hpp"
+#include "validity_writers.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -39,13 +40,16 @@ struct SweepArguments {
   sweep::RunSettings run;
   std::string shard, pictures;
   std::string format = "table";
-  bool without_fma = false, estimate = false, cases = false;
+  bool without_fma = false, estimate = false, cases = false, is_strict = false;
 };
 
 // --- Reading.
 
-std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files, bool told) {
+// The plan of the files, if they are good. Counts the warnings.
+std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files, bool told,
+                                          std::size_t& warned) {
   std::vector<sweep::SceneSweep> scenes;
+  Warnings warnings;
   bool good = true;
   for (const std::string& file : files) {
     sweep::SweepReading reading = sweep::read_sweep(file);
@@ -54,8 +58,12 @@ std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files,
       for (const InputProblem& error : reading.errors) complain(error.line());
     }
     good = good && reading.sweep;
-    if (reading.sweep) scenes.push_back(std::move(*reading.sweep));
+    warned += reading.warnings.size() + reading.passed.size();
+    if (!reading.sweep) continue;
+    warnings.add(file, reading.sweep->scene.id, reading.passed);
+    scenes.push_back(std::move(*reading.sweep));
   }
+  if (told) warnings.tell();
   if (!good) return std::nullopt;
   return sweep::make_plan(std::move(scenes));
 }
@@ -115,11 +123,23 @@ void write_cases(const sweep::SweepResult& result, const sweep::ResultFile& file
   });
 }
 
+// The warnings of a result, which holds the texts of its sweeps.
+Warnings warnings_of(const sweep::SweepResult& result) {
+  Warnings warnings;
+  for (const sweep::SceneResult& scene : result.scenes)
+    warnings.add(scene.file, scene.id, sweep::parse_sweep(scene.text, scene.file).passed);
+  return warnings;
+}
+
 void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
-  if (format == "json")
-    return append(to, document("sweep/1", report::sweep_json(result))
-                              .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
-                          '\n');
+  if (format == "json") {
+    nlohmann::ordered_json members = report::sweep_json(result);
+    members["warnings"] = warnings_of(result).json();
+    return append(
+        to,
+        document("sweep/1", members).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+            '\n');
+  }
   if (format == "csv") return append(to, report::sweep_csv(result));
   bool first = true;
   for (const report::TextTable& table : report::sweep_tables(result)) {
@@ -221,15 +241,17 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
                 bool& is_over) {
   const bool first = ranks.rank() == 0;
   if (arguments.without_fma) leave_out_fma();
-  const auto plan = read_plan(arguments.files, first);
+  std::size_t warned = 0;
+  const auto plan = read_plan(arguments.files, first, warned);
   const bool first_read = ranks.from_first(plan ? "read" : "") == "read";
   if (!ranks.everywhere(plan.has_value())) {
-    if (!plan && !first && first_read) read_plan(arguments.files, true);
+    if (!plan && !first && first_read) read_plan(arguments.files, true, warned);
     return exit_bad;
   }
+  const int when_done = arguments.is_strict && warned > 0 ? exit_failed : exit_done;
   if (arguments.estimate) {
     if (first) append_estimate(output.text(), *plan, arguments.run.threads);
-    return exit_done;
+    return when_done;
   }
   std::string refusal = first ? own_input(arguments) : "";
   if (first && arguments.without_fma &&
@@ -264,7 +286,8 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   }
   progress.wipe();
   if (stop_signal() != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal();
-  return end == sweep::RunEnd::done ? shown : exit_failed;
+  const int code = end == sweep::RunEnd::done ? shown : exit_failed;
+  return code == exit_done ? when_done : code;
 }
 
 // Turns exceptions into exit codes: bad usage, or the failure of another rank, after which
@@ -446,6 +469,7 @@ Command add_sweep(CLI::App& program) {
   app->add_option("--threads", arguments->run.threads,
                   "threads of each process (default: all the machine has; under mpirun 1)")
       ->check(CLI::Range(1, 4096));
+  add_strict_option(*app, arguments->is_strict);
   app->add_flag("--estimate", arguments->estimate,
                 "only say how many points, how long, how much memory and how large a file");
   CLI::Option* const resume =

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "build_info.hpp"
@@ -180,9 +181,9 @@ void RowWriter::end_table() {
   notes_.clear();
 }
 
-void RowWriter::finish() {
+void RowWriter::finish(const nlohmann::ordered_json& members) {
   end_table();
-  if (!is_csv_ && !is_table_) append(output_.text(), list_end);
+  if (!is_csv_ && !is_table_) append(output_.text(), list_end_with(members));
 }
 
 }  // namespace tribo::cli

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -87,7 +88,8 @@ class RowWriter {
   // A cell for each column of the scene. Their texts are to stay until the call returns, but for
   // Reasons::below until the next begin().
   void add(std::span<const protocol::OutputValue> cells);
-  void finish();
+  // `members` stand at the end of the JSON document, after its rows.
+  void finish(const nlohmann::ordered_json& members);
 
  private:
   void add_csv(std::span<const protocol::OutputValue> cells);

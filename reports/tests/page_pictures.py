@@ -197,7 +197,7 @@ class Data:
 
     def work(self, name):
         stem, of_evaluations = re.fullmatch(r"work_(.*?)(_evaluations)?", name).groups()
-        found = list(blocks(self.out / f"data/work_precision/{stem}.blocks.tsv"))
+        found = list(blocks(self.out / f"data/work_precision/{stem}.blocks.tsv"))[:8]  # the others are data alone
         x, factor = {"line_film": ("CPU time a contact", 1e-9)}.get(stem, ("CPU time a point", 1))
         x, y = "evaluations a point" if of_evaluations else x, "greatest relative error" if stem == "line_film" else "greatest error"
 

@@ -72,8 +72,10 @@ def paper(report):
     yield f"λ at the onset (●) is {number('C2.smooth')}; the paper reports {reported['C2.smooth']} on all three surfaces (dashed line) {judged('C2.smooth')}."
     yield f"falls {percent(report['paper']['departure'], 1)} below the flooded film."
     for found in report["paper"]["comparisons"].values():
-        yield (": the paper gives no number." if found["counted"] == 0 else f": {found['agreeing']} of {found['counted']} values (on the paper's surfaces, by its two asperity models where it gives both) "
-               f"round to what it prints; they are {ends(found['factors'], 3)} times as large.")
+        said = ends(found["factors"], 3) if found["factors"] else ""
+        yield (": the paper gives no number." if found["counted"] == 0 else
+               f": {found['agreeing']} of {found['counted']} values (a surface with GT or GW) round to what it prints; " +
+               (f"computed over printed: {said}." if " to " in said else f"each is {said} times that."))
     for one in report["paper"]["comparisons"]["onset_speed"]["rows"]:
         if "none" in one:
             yield f"{one['surface']}, {one['model']}, {one['criterion']}: no onset: {one['none']}."
@@ -87,13 +89,25 @@ def of_ledger(report):
     best = next(one for one in ledger["readings"] if one["name"] == "best 1")
     film = [one for one in ("speed=sum", "speed_modulus=E*") if one in best["departures"].split(" ")]
     met_by = ledger["claims"][0]["met_by"]
+    one, two, equal = ([one["surfaces"][name]["slow_asperity_share"] for name in SURFACES] for one in report["paper"]["offsets"])
+    shares = [f"{sig(a, 3)}, {sig(b, 3)} and {sig(c, 3)}" for a, b, c in (one, two, equal)]
+    offset = next(one for one in report["paper"]["inputs"] if one["field"] == "surface.summit_plane_offset")["values"]["rough"]
+    scores = [next(one for one in ledger["readings"] if one["name"] == name)["score"] for name in ("corrected", "m = 2", "equal faces")]
+    yield (f"At the lowest speed the summits carry {shares[0]} of the load (rough, medium and smooth surface) with m = 1, {shares[1]} with m = 2, and "
+           f"{shares[2]} with two equal faces, of which Dd/σs = {whole(offset)} belongs to one and σs to their sum (offset "
+           f"{sig(report['paper']['offsets'][2]['offset'], 4)} σs). Of the {counted} claims {scores[0]}, {scores[1]} and {scores[2]} are reproduced.")
+    own = [report["paper"]["scenes"][name] for name in SURFACES]
+    yield (f"With GT and Table 1 the summits carry at most {sig(max(one['contact_share'] for one in own), 2)} of the load even where the faces touch "
+           f"(λ = 0), so that no surface ever is in boundary lubrication with m = 1; and the film there is {sig(1e9 * own[2]['slowest']['film'], 2)} nm on "
+           f"the smooth surface")
+    yield f"Without a film the smooth surface has A = {sig(own[2]['contact_share'], 2)} and A² = {sig(own[2]['contact_share'] ** 2, 2)}."
     took = [CHOICES[one] for one in film + [one for one in best["departures"].split(" ") if one not in film]]
     yield f"its author took {', '.join(took[:-1])} and {took[-1]}. Of all {many(ranking['readings'])} combinations of such choices, "
-    yield (f"this one and {many(ranking['best_ties'] - 1)} others, {best['score']} of {counted}; the choices that this page holds for right "
-           f"reproduce {ledger['readings'][0]['score']}.")
+    yield (f"this one and {many(ranking['best_ties'] - 1)} others, {best['score']} of {counted}; the corrected reading reproduces "
+           f"{ledger['readings'][0]['score']}.")
     at = [f"{sig(items['C1.' + name]['readings']['best 1']['computed'], 3)} (paper: {whole(items['C1.' + name]['reported'])})" for name in SURFACES[::-1]]
     yield f"Starvation then sets in at {at[0]}, {at[1]} and {at[2]} m/s." + ("" if met_by else " No combination gives all three speeds.")
-    yield f"Results: the paper {ledger['summary']}. A number is"
+    yield f"Results: the paper {ledger['summary']}, with m = 1. A number is"
     by = {word: ", ".join(one["claim"] for one in ledger["claims"] if (one["verdicts"]["corrected"] in word) or
                           word == "partly" and one["verdicts"]["corrected"] not in ("reproduced", "not reproduced"))
           for word in (("reproduced",), "partly", ("not reproduced",))}
@@ -112,7 +126,7 @@ def of_ledger(report):
                        f"({', '.join(item['readings'][reading['name']]['beyond_collapse'])}): there")
     yield (f"of {many(ranking['readings'])} combinations the best reproduce {ranking['best_score']} claims; one drawn at random "
            f"{sig(ranking['mean_score'], 2)}.")
-    alone = [f"{one['reported']}, by {next(way['name'] for way in one['candidates'] if way['agrees'])}" for one in ledger["arguments"]
+    alone = [f"{one['reported']} ({next(way['name'] for way in one['candidates'] if way['agrees'])})" for one in ledger["arguments"]
              if one["agreeing"] == 1 and any(way["agrees"] for way in one["candidates"])]
     yield f"only one interpretation: {'; '.join(alone)}." if alone else "claims; one drawn at random"
     yield f"reproduces {sig(ranking['mean_score'], 3)} claims (standard deviation {sig(ranking['score_standard_deviation'], 2)})."
@@ -194,7 +208,7 @@ def of_films(report):
     off = max(profile[name]["error"] / profile[name]["value"] for name in ("central", "minimum"))
     yield (f"{profile['file']} at {whole(profile['speed'])} m/s, its viscosity by {law} law: M = {sig(profile['load_number'], 3)}, "
            f"L = {sig(profile['material_number'], 3)}, half-width b = {sig(1e6 * profile['half_width'], 3)} µm, p0 = {sig(1e-9 * profile['peak_pressure'], 3)} GPa. "
-           f"The film in the middle is {sig(1e9 * profile['central']['value'], 5)} nm, the least {sig(1e9 * profile['minimum']['value'], 5)} nm, "
+           f"The central film is {sig(1e9 * profile['central']['value'], 5)} nm, the least {sig(1e9 * profile['minimum']['value'], 5)} nm, "
            f"each to {sig(off, 1)} of itself.")
     unsure = "; how high it is, grids of double numbers do not resolve." if profile["spike_pressure"]["value"] is None else "."
     yield f"a spike at x/b = {sig(profile['spike_place']['value'], 4)}, just before the film's constriction{unsure}"
@@ -225,9 +239,9 @@ def software(report):
            f"them; it accuses {'some' if right['accused'] else 'none'} of {many(right['tries'])} right solvers. {measured(wrong)}.")
     work, least = report["work_precision"], report["skipped_work"]
     beside = work["alternatives"]
-    yield (f"slower, over {beside['jobs']} jobs; it is less exact in "
+    yield (f"as long as tribocheck, over {beside['jobs']} jobs; it is less exact in "
            f"{'each of them' if beside['less_exact'] == beside['jobs'] else str(beside['less_exact']) + ' of them'}. {measured(work)}.")
-    yield f"without failures is {ends([beside['least_times_ours'], beside['greatest_times_ours']], 3)} times slower"
+    yield f"without failures takes {ends([beside['least_times_ours'], beside['greatest_times_ours']], 3)} times as long as tribocheck"
     for job in work["jobs"]:
         ours, other = job["ours"], job["fastest_alternative"]
         if ours:

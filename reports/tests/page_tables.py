@@ -16,7 +16,8 @@ SURFACES = ("rough", "medium", "smooth")
 CHOICES = {
     "asperity_prefactor=8": "the factor 8√2/15 in place of 16√2/15 in the asperities' load",
     "nominal_area=a2": "a² in place of πa² for the nominal area", "shear=limiting": "the limiting shear stress in place of Eyring's law",
-    "offset_planes=2": "the distance of the summits' plane from the mean plane on both faces in place of one",
+    "offset_planes=2": "the distance of the summits' plane from the mean plane on both of the two faces in place of one (m = 2)",
+    "offset_planes=equal_faces": "two equal faces, Dd/σs of one of them and σs of their sum (m = √2)",
     "inlet=as_printed": "the inlet's equations as they are printed", "summit_radius=0.1um": "summits of 0.1 µm in place of 10 µm",
     "viscosity=ambient": "the viscosity at ambient pressure", "speed_modulus=E*": "E* in place of 2E* in the speed number U",
     "speed=sum": "the sum of the two surface speeds in place of their mean"}
@@ -61,7 +62,7 @@ def percent(part, digits=3):
         return "< 0.1 %"
     text = sig(100 * part, digits)
     if text == sig(100, digits):
-        text = "> 100" if part > 1 else {2: "> 99", 3: "> 99.9"}[digits]
+        text = "> 100" if part > 1 else {1: "> 90", 2: "> 99", 3: "> 99.9"}[digits]
     return text + " %"
 
 
@@ -118,12 +119,6 @@ def alike(one, other):
     return words == others and all(abs(a - b) <= 0.5001 * max(unit, last) for (a, unit), (b, last) in zip(mine, theirs, strict=True))
 
 
-def far(factor):
-    if factor < 1.5:
-        return f"{round(100 * abs(factor - 1))} % {'low' if factor < 1 else 'high'}"
-    return f"{sig(factor, 2)} × high"
-
-
 def unit(text, item):
     return text if DASH in (text, item["unit"]) else f"{text} {item['unit']}"
 
@@ -165,26 +160,25 @@ def margin(got):
 def reading_table(ledger, name):
     return (f"The numbers and comparisons that decide, under the reading “{name}”",
             ["part of claim", "what is computed", "the paper", "computed", "against the paper", "verdict", "margin"],
-            [[item["item"], item["label"], asked(item), computed(item, got), against(item, got), verdict(got), margin(got)]
+            [[item["item"], item["label"] + (" (arithmetic)" if item["is_arithmetic"] else ""), asked(item), computed(item, got), against(item, got), verdict(got), margin(got)]
              for item in ledger["items"] for got in [item["readings"][name]]])
 
 
 # --- The tables, a section each.
 
 def first(report):
-    labels = {"C1.smooth": "starvation speed, m/s: smooth surface", "C1.medium": "medium surface", "C1.rough": "rough surface",
-              "C2.smooth": "film/roughness λ at that speed", "C4.rough": "load share of summits, rough", "C4.smooth": "the same, smooth"}
+    labels = {"C1.smooth": "onset of starvation, m/s: smooth", "C1.medium": "medium", "C1.rough": "rough surface",
+              "C2.smooth": "film/roughness λ at the onset", "C4.rough": "load on summits at low speed: rough", "C4.smooth": "smooth surface"}
     items = {one["item"]: one for one in report["ledger"]["items"]}
 
     def word(got):
         if got["computed"] is None:
-            return "no value"
-        if got["verdict"] == "reproduced":
-            return "agrees"
-        return f"{'near' if got['verdict'] == 'within 10 %' else 'differs'}: {far(got['factor'])}"
-    yield ("The paper's numbers, and ours", ["", "paper", "computed", "verdict"],
-           [[labels[id], whole(items[id]["reported"]), sig(got["computed"], 3), word(got)]
-            for id in report["ledger"]["headline"] for got in [items[id]["readings"]["corrected"]]])
+            return "no value: " + got["none"]
+        times = "" if got["verdict"] == "reproduced" else f" ({sig(got['factor'], 3)} times)"
+        return f"{sig(got['computed'], 3)}{times}: {got['verdict']}"
+    yield ("The paper's numbers, and ours", ["", "paper", "one rough face, m = 1", "two, m = 2"],
+           [[labels[id], whole(items[id]["reported"]), *(word(items[id]["readings"][name]) for name in ("corrected", "m = 2"))]
+            for id in report["ledger"]["headline"]])
 
 
 def comparison(report):
@@ -194,7 +188,7 @@ def comparison(report):
         criteria = ["film_maximum", "film_departure", "friction_minimum", "asperity_minimum"]
         rows = {}
         for one in found[key]["rows"]:
-            said = "" if one["factor"] is None else " (as reported)" if one["verdict"] == "reproduced" else f" ({sig(one['factor'], 3)} times)"
+            said = "" if one["factor"] is None else " (reproduced)" if one["verdict"] == "reproduced" else f" ({sig(one['factor'], 3)} times)"
             cells = rows.setdefault((one["surface"], one["model"]), {"reported": whole(one["reported"])})
             cells[one["criterion"]] = DASH if one["computed"] is None else sig(one["computed"], 4) + said
         yield (caption, ["surface", "model", "reported", *criteria],
@@ -205,15 +199,30 @@ def comparison(report):
              one["verdict"] or "the paper gives no number"] for one in found["slow_asperity_share"]["rows"]])
 
 
+def offsets_table(report):
+    offsets, printed = report["paper"]["offsets"], {item["item"]: item["reported"] for item in report["ledger"]["items"]}
+    return ("One rough face or two: what the paper's main numbers become (E9)", ["number", "paper", *(one["name"] for one in offsets)],
+            [["offset of the summits' planes, over σs", DASH, *(sig(one["offset"], 4) for one in offsets)]] +
+            [[f"share of the load on summits at the lowest speed, {name}", whole(printed.get("C4." + name)),
+              *(sig(one["surfaces"][name]["slow_asperity_share"], 3) for one in offsets)] for name in SURFACES] +
+            [[f"onset of starvation, {name}, m/s", whole(printed["C1." + name]),
+              *(sig(one["surfaces"][name]["onset_speed"], 4) for one in offsets)] for name in SURFACES])
+
+
 def claims(report):
     ledger = report["ledger"]
     names = [one["name"] for one in ledger["readings"]]
     short = {"reproduced": "yes", "not reproduced": "no"}
     yield ("What the paper claims, and whether it is reproduced under each reading",
            ["claim", "the paper says", *names, "of all readings"],
-           [[one["claim"], one["statement"],
+           [[one["claim"], one["statement"] + (" (arithmetic)" if all(
+               item["is_arithmetic"] for item in ledger["items"] if item["claim"] == one["claim"]) else ""),
              *(short.get(one["verdicts"][name], "partly") + (" (?)" if name in one["undecided"] else "") for name in names),
              "none" if one["met_by"] == 0 else percent(one["met_by"])] for one in ledger["claims"]])
+    if "paper" in report:  # `tribocheck reproduce` has no such table
+        yield offsets_table(report)
+    yield ("Claims reproduced, by how wide the tolerances are", ["tolerances times", *names],
+           [[whole(one["factor"]), *(str(one["scores"][name]) for name in names)] for one in ledger["tolerances"]])
     rows = []
     for one in ledger["readings"]:
         more = "".join(f". {group['readings_with_the_same_claims'] - 1} more reproduce the same claims: they differ in {group['differ_in']}"
@@ -264,7 +273,7 @@ def requirements(report):
                ["input", "unit", "effect of +1 %, %", "value of the paper", "value needed", "times the paper's", "plausible?",
                 "claims mended", "claims broken"],
                [[one["input"], one["unit"], sig(one["sensitivity"], 2), whole(one["paper_value"]), sig(one["value"], 3),
-                 sig(one["factor"], 4), f"{yes(one['plausible'])}: {whole(one['low'])} to {whole(one['high'])}",
+                 sig(one["factor"], 4), f"{'at the limit' if one['at_limit'] and not one['plausible'] else yes(one['plausible'])}: {whole(one['low'])} to {whole(one['high'])}",
                  listed(one["mends"]), listed(one["breaks"])] for one in sorted(found, key=lambda one: one["distance"])])
     departure = ledger["common_departure"]
     yield ("C1 as a departure h = (1 − ε) hff",
@@ -345,6 +354,20 @@ def model(report):
     def value(one, name):
         found = one["values"].get(name, DASH)
         return found if isinstance(found, str) else whole(found)
+    own, smooth = [report["paper"]["scenes"][name] for name in SURFACES], report["paper"]["scenes"]["smooth"]
+    alpha = next(one["values"]["smooth"] for one in report["paper"]["inputs"] if one["field"] == "lubricant.pressure_viscosity")
+    machines = report["contacts"]["scenes"].values()
+    onset, collapse = (", ".join(DASH if one[mark] is None else sig(one[mark]["speed"], 3) for one in own) for mark in ("onset", "collapse"))
+    yield ("Outside of the model: where its assumptions do not hold in these scenes", ["the model assumes", "here"], [
+        ["a constant film of oil at the inlet", f"onset and collapse at {onset} and at {collapse} m/s (rough, medium, smooth)"],
+        ["viscosity by Barus' law at the mean pressure",
+         f"αp = {sig(alpha * smooth['mean_pressure'], 3)} at {sig(1e-9 * smooth['mean_pressure'], 2)} GPa; up to "
+         f"{sig(1e-9 * max(one['mean_pressure'] for one in machines), 2)} GPa in the contacts of machines"],
+        ["elastic summits", ", ".join(sig(1e-9 * one["summit_pressure"], 2) for one in own) + f" GPa on the real area at {whole(smooth['slowest']['speed'])} m/s"],
+        ["the film law of smooth bodies", f"λ = {sig(own[0]['slowest']['film_parameter'], 2)} to {sig(own[0]['onset']['film_parameter'], 3)} "
+                                          "from the lowest speed to the onset"],
+        ["oil as a continuum", f"films from {sig(1e9 * smooth['slowest']['film'], 2)} nm on"],
+        ["no heat from shear in the inlet", f"up to {whole(max(one['fastest']['speed'] for one in machines))} m/s in the contacts of machines"]])
     yield ("The inputs of the scenes", ["input", "meaning", "unit", *SURFACES, "differs from the print"],
            [[one["field"], one["meaning"], one["unit"] or DASH, *(value(one, name) for name in SURFACES),
              f"{one['erratum']}, printed: {errata[one['erratum']]}" if one["erratum"] else ""] for one in report["paper"]["inputs"]])
@@ -494,10 +517,12 @@ def environment(report):
     yield ("This page", ["what", "value"],
            [["tribocheck", found["version"]], ["commit", found["commit"] or "not told"],
             *([name, found[name.replace(" ", "_")]] for name in ("compiler", "processor", "instruction set", "kernel", "date"))])
-    yield ("What slow checks left in reference/baselines", ["file", "what", "made by", "commit", "date", "age, days", "machine"],
+    yield ("What slow checks left in reference/baselines", ["file", "what", "made by", "commit", "date", "age, days",
+                                                                "the code that it measures", "its commits since", "machine"],
            [[one["file"], one["what"], f"make {one['target']}", commit(one["commit"]), one["date"], str(one["age_in_days"]),
+             ", ".join(one["measures"]), {None: "not known", 0: "none"}.get(one["commits_since"], f"{one['commits_since']}: older than its code"),
              f"{one['processor']}; {one['compiler']}"] if "missing" not in one else
-            [one["file"], one["what"], f"make {one['target']}", *[DASH] * 3, f"not here: {one['missing']}"] for one in found["baselines"]])
+            [one["file"], one["what"], f"make {one['target']}", *[DASH] * 5, f"not here: {one['missing']}"] for one in found["baselines"]])
 
 
 def not_run(report):

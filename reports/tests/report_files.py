@@ -53,7 +53,7 @@ FAULTS, MUTANTS = (json.loads((ROOT / f"reference/baselines/{name}.json").read_t
 NOT_RUN = (len(FAULTS["faults"]) < FAULTS["catalogue"]) + any(one["ran"] < one["drawn"] for one in MUTANTS["score"]["rooms"])
 SECTIONS = ["figures", "comparison", "claims", "readings", "requirements", "uncertainty", "misprints", "model",
             "contacts", "film-solved", "verification", "worst-inputs", "mutants", "planted-faults", "diagnosis", "work-precision", "skipped-work", "gates", "sweep-speed",
-            "environment"]
+            "references", "environment"]
 
 
 def report(*arguments, cwd=ROOT, **options):

@@ -29,7 +29,7 @@ class Document(typing.NamedTuple):
 
 DOCUMENTS = [
     Document("solve", "solve SCENE"), Document("solve", "solve ALL"), Document("solve", "solve COLLAPSED BAD", 2),
-    Document("solve", "solve HUGE"), Document("solve", "curve SCENE"),
+    Document("solve", "solve HUGE"), Document("solve", "curve SCENE"), Document("solve", "solve ALL LOUD --explain"),
     Document("curve-data", "curve COLLAPSED --data MEASURED"),
     Document("solve-about", "solve ALL ROLLER --about"), Document("solve-about", "solve BAD SCENE --about", 2),
     Document("contact", "contact ALL ROLLER SPEEDLESS"), Document("contact", "contact BAD HUGE", 2),
@@ -64,6 +64,7 @@ def files_in(folder):
     few = quiet_scene(id="few", speed=[0.1, 1], outputs=["film", "regime"])
     made = {"SCENE": quiet_scene(), "ALL": few | {"closures": {"asperity": "greenwood_williamson"}}, "BAD": scene(load=-1),
             "COLLAPSED": scene("smooth", speed=[3, 4]), "FLOODED": scene(supply=None),
+            "LOUD": scene(id="loud", load=5000),
             "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
             "RIGID": line | {"speed": 1e10},
             "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}

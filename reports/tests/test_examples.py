@@ -168,7 +168,7 @@ FIRST, COMMANDS, SWEEPS = map(page, ["README.md", "reports/program/README.md", "
 
 
 class OfTheReadmes(unittest.TestCase):
-    """Commands that the READMEs show with what they print, to the last digit. A last line "…" stands for all further lines."""
+    """Commands that the READMEs show with what they print, to the last digit. A first or last line "…" stands for all other lines."""
 
     def setUp(self):
         self.folder = Folder()
@@ -177,6 +177,9 @@ class OfTheReadmes(unittest.TestCase):
         self.scene = self.folder.write("scene.toml", scene)
 
     def assert_shown(self, printed, shown):
+        if shown.startswith("…\n"):
+            shown = shown.removeprefix("…\n")
+            printed = printed[printed.index(shown.partition("\n")[0] + "\n"):]
         if shown.endswith("…\n"):
             shown = shown.removesuffix("…\n")
             printed = "".join(printed.splitlines(keepends=True)[:shown.count("\n")])
@@ -191,7 +194,7 @@ class OfTheReadmes(unittest.TestCase):
     def test_a_command_and_the_block_below_it(self):
         shown = re.findall(r"`tribocheck ((?:contact|solve|onset|curve) scene\.toml[^`\n]*|reproduce)`[^`]*\n```\n(.*?)```",
                            FIRST + COMMANDS, re.S)
-        self.assertEqual([line.split()[0] for line, _ in shown], ["solve", "onset", "contact", "curve", "reproduce"])
+        self.assertEqual([line.split()[0] for line, _ in shown], ["solve", "onset", "contact", "solve", "curve", "reproduce"])
         for line, answer in shown:
             with self.subTest(line=line):
                 done = run(*line.replace("scene.toml", self.scene).split())

@@ -311,6 +311,31 @@ class Page(WrittenReport):
         before = self.run_script(wide)
         self.run_script("document.querySelector('#figure_10 .enlarge').click()")
         self.assertGreater(self.run_script(wide), 1.8 * before)
+        self.driver.switch_to.active_element.send_keys(Keys.ESCAPE)
+        self.assertEqual(self.run_script(wide), before)
+
+    def test_on_a_phone_a_picture_fits_the_width_and_can_be_enlarged(self):
+        self.show(width=390)
+        boxes = self.run_script("return [...document.querySelectorAll('figure svg')].map((one) => one.getBoundingClientRect().right)")
+        self.assertLessEqual(max(boxes), 390)
+        self.run_script("document.querySelector('#figure_10 .enlarge').click()")
+        self.assertGreater(self.run_script("return document.querySelector('#figure_10 svg').getBoundingClientRect().width"), 800)
+
+    def test_on_a_phone_the_verdicts_are_in_sight(self):
+        self.show(width=390)
+        places = self.run_script("return [...document.querySelectorAll('.sections .verdict')].map((one) => one.getBoundingClientRect().right)")
+        self.assertGreater(len(places), 100)
+        self.assertLessEqual(max(places), 390)
+
+    def test_closed_sections_are_printed_open_and_closed_again(self):
+        self.show(is_open=False)
+        closed = "return document.querySelectorAll('details:not([open])').length"
+        before = self.run_script(closed)
+        self.assertGreater(before, 10)
+        self.run_script("dispatchEvent(new Event('beforeprint'))")
+        self.assertEqual(self.run_script(closed), 0)
+        self.run_script("dispatchEvent(new Event('afterprint'))")
+        self.assertEqual(self.run_script(closed), before)
 
     def test_first_tab_reaches_the_skip_link(self):
         self.show()

@@ -95,12 +95,16 @@ class Answers(unittest.TestCase):
         self.assertEqual([(a["id"], "error" in a) for a in found],
                          [("a", False), (None, True), ("b", True), ("c", False)])
 
-    def test_warnings_go_to_stderr_and_end(self):
-        odd = point(load=1e7, outputs=["film"])
-        result, found = answers(*[odd] * 100)
-        self.assertEqual(len(found), 100)
-        self.assertIn("warning: line 1: load: ", result.error_lines[0])
-        self.assertLess(len(result.error_lines), 30)
+    def test_each_limit_is_told_of_the_first_scene_that_passes_it(self):
+        odd, more = point(load=1e8, outputs=["film"]), point(load=1e8, speed=600, outputs=["film"])
+        result, found = answers(*[odd] * 100, *[more] * 100, point(load=1e9, accept=["load_range"], outputs=["film"]))
+        self.assertEqual((result.code, len(found)), (0, 201))
+        first, then = result.said.splitlines()
+        self.assertIn("warning: line 1: outside of the model's limits: ", first)
+        self.assertIn("load 1e+8 N (1e-9 N to 1e+7 N", first)
+        self.assertIn("warning: line 101: outside of the model's limits: ", then)
+        self.assertIn("speed 600 m/s (1e-9 m/s to 500 m/s; perhaps mm/s was meant)", then)
+        self.assertNotIn("load 1", then)
 
 
 class Lines(unittest.TestCase):

@@ -68,7 +68,8 @@ class SolvedFilms(SweepTest):
         text = SWEEP.replace("speed = [0.5, 2]", "speed = [1e-20, 0.5]")
         result = self.sweep(text)
         self.assertEqual(result.code, 1)
-        _, told = result.error_lines  # the first line warns of the speed
+        self.assertIn("speed 1e-20 m/s", result.warned)
+        told, = result.error_lines
         self.assertIn("4 of 8 films were not solved", told)
         with opened(self.path("out.h5")) as file:
             films = file["lines/outputs/solved_film"]

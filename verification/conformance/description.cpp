@@ -447,7 +447,7 @@ std::string pattern(const Part& part) {
   if (least == 0 && greatest == 0) return "answered as 0 " + where;
   if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
     return fmt::format("{} {}", in_words(middle), where);
-  return fmt::format("off {}, between {} and {}, in the middle {}", where, in_words(least),
+  return fmt::format("off {}, between {} and {}; median: {}", where, in_words(least),
                      in_words(greatest), in_words(middle));
 }
 

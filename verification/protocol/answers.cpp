@@ -35,11 +35,15 @@ bool is_plain(std::string_view text) {
 }
 
 // {"id": …, "film": …}, or what is wrong with the scene.
-void append_scene_answer(Text& to, const SceneReading& reading) {
+void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Validity>& passed) {
   if (!reading.scene) return append_first_error(to, reading);
   const Scene& scene = *reading.scene;
   const MixedContact<double> contact(scene);
-  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
+  // The limits of validity need some outputs, too.
+  OutputSet outputs = needed_for(scene.outputs);
+  for (const OutputInfo& output : output_infos)
+    if (validity_outputs().contains(output.output)) outputs.insert(output.output);
+  const OperatingPoint<double> point = contact.solve(scene.speeds[0], outputs);
   AnswerObject answer(to, reading.id);
   for (const OutputInfo& output : output_infos)
     if (scene.outputs.contains(output.output) && !output.is_of_smooth_contact)
@@ -52,6 +56,7 @@ void append_scene_answer(Text& to, const SceneReading& reading) {
   }
   answer.close();
   to.push_back('\n');
+  passed = passed_limits(scene, contact, point);
 }
 
 // {"id": …, "value": …}, or what is wrong with the call.
@@ -176,19 +181,16 @@ void append_first_error(Text& to, const SceneReading& reading) {
 }
 
 void append_answer(Text& to, std::string_view line, std::size_t number,
-                   std::vector<InputProblem>& warnings) {
+                   std::vector<Validity>& passed) {
   const Question question = read_question(line, number);
   if (const auto* call = std::get_if<FunctionCall>(&question))
     return append_function_answer(to, *call);
-  const SceneReading& reading = std::get<SceneReading>(question);
-  append_scene_answer(to, reading);
-  if (reading.scene)
-    warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
+  append_scene_answer(to, std::get<SceneReading>(question), passed);
 }
 
 void answer_lines(LineReader& lines, OutputStream& output,
-                  const std::function<void(const InputProblem&)>& warn) {
-  std::vector<InputProblem> warnings;
+                  const std::function<void(std::size_t, const std::vector<Validity>&)>& warn) {
+  std::vector<Validity> passed;
   for (std::size_t number = 1;; ++number) {
     if (!lines.line_waiting()) output.flush();
     const Line line = lines.next();
@@ -196,9 +198,9 @@ void answer_lines(LineReader& lines, OutputStream& output,
     if (line.kind == Line::Kind::too_long)
       append_error(output.text(), std::nullopt, "", line_too_long);
     else if (!is_blank(line.text))
-      append_answer(output.text(), line.text, number, warnings);
-    for (const InputProblem& warning : warnings) warn(warning);
-    warnings.clear();
+      append_answer(output.text(), line.text, number, passed);
+    if (!passed.empty()) warn(number, passed);
+    passed.clear();
     output.end_row();
   }
 }

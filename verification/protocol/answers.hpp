@@ -20,6 +20,7 @@
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene_reader.hpp"
 #include "tribo/smooth_contact.hpp"
+#include "tribo/validity.hpp"
 
 namespace tribo::protocol {
 
@@ -74,9 +75,10 @@ class AnswerObject {
 };
 
 // Appends the answer, always one whole line with its line end, whatever the input is. `number` is
-// the number of the line, for warnings, which are added to the list.
+// the number of the line. `passed` gets the limits that the line's scene passes and does not
+// accept.
 void append_answer(Text& to, std::string_view line, std::size_t number,
-                   std::vector<InputProblem>& warnings);
+                   std::vector<Validity>& passed);
 
 // {"id": …, "error": {"field": …, "message": …}}
 void append_error(Text& to, std::optional<std::string_view> id, std::string_view field,
@@ -88,8 +90,9 @@ void append_first_error(Text& to, const SceneReading& reading);
 
 // The work of `stream`, but for descriptors and stderr. Answers all lines that are not blank, in
 // order, until the input ends. A program that waits for each answer gets it before it must ask
-// again: the output is flushed whenever no complete line is waiting.
+// again: the output is flushed whenever no complete line is waiting. `warn` gets the number of each
+// line whose scene passes limits, and these.
 void answer_lines(LineReader& lines, OutputStream& output,
-                  const std::function<void(const InputProblem&)>& warn);
+                  const std::function<void(std::size_t, const std::vector<Validity>&)>& warn);
 
 }  // namespace tribo::protocol

@@ -97,19 +97,23 @@ Argument film_formula(const PaperScenes& scenes, const std::vector<Item>& items)
          false}}});
 }
 
-// 0.82 σ in units of σ_s, beside Table 1's number and its print precision.
+// 0.82 σ in units of σ_s, beside Table 1's number. All three numbers are printed to a few digits,
+// and the factors less precisely than Table 1's.
 Argument plane_offset(const PaperScenes& scenes, const std::vector<Input>& inputs) {
   const double offset = scenes.scene[smoothest].surface.summit_plane_offset;
   const auto precision = std::find_if(inputs.begin(), inputs.end(), [](const Input& one) {
     return one.field == Field::summit_plane_offset;
   });
   const double half = precision == inputs.end() ? 0 : precision->last_digit / 2;
-  return decided({"σ against σ_s, from D_d = 0.82 σ (Whitehouse and Archard) and Table 1's D_d",
-                  fmt::format("{}", offset),
-                  offset - half,
-                  offset + half,
-                  {{"σ = 1.4 σ_s: 0.82·1.4", 0.82 * 1.4, false},
-                   {"σ_s = 1.4 σ, as 1.8 prints it: 0.82/1.4", 0.82 / 1.4, false}}});
+  const double factors = (1 + 0.005 / 0.82) * (1 + 0.05 / 1.4);
+  return decided(
+      {"σ against σ_s, from D_d = 0.82 σ (Whitehouse and Archard), the factor 1.4 and "
+       "Table 1's D_d",
+       fmt::format("{}", offset),
+       (offset - half) / factors,
+       (offset + half) * factors,
+       {{"σ = 1.4 σ_s: 0.82·1.4", 0.82 * 1.4, false},
+        {"σ_s = 1.4 σ, as 1.8 prints it: 0.82/1.4", 0.82 / 1.4, false}}});
 }
 
 Argument summit_radius(const PaperScenes& scenes, const std::vector<Item>& items) {

@@ -58,6 +58,14 @@ double tolerance(const ReferenceRow& row) {
   return std::expm1(part * std::log(to / from));
 }
 
+// The column `nature`: model, or arithmetic.
+bool is_arithmetic(const ReferenceRow& row) {
+  const std::string& nature = row.text("nature");
+  if (nature != "model" && nature != "arithmetic")
+    throw std::runtime_error(fmt::format("row {}: {} is no nature", row.text("item"), nature));
+  return nature == "arithmetic";
+}
+
 Item item_of(const ReferenceRow& row) {
   const Rule rule = by_name<Rule>(row, "rule", rule_names.size());
   const bool has_surface = row.text("surface") != nothing;
@@ -78,7 +86,8 @@ Item item_of(const ReferenceRow& row) {
           row.text("place"),
           row.text("statement"),
           row.text("computed_as"),
-          row.text("label")};
+          row.text("label"),
+          is_arithmetic(row)};
 }
 
 Verdict judge_number(const Item& item, double value) {
@@ -102,6 +111,11 @@ std::string_view name(Verdict verdict) {
   constexpr auto names = std::to_array<std::string_view>(
       {"reproduced", "within 10 %", "order only", "in part", "not reproduced"});
   return names[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view short_name(Verdict verdict) {
+  if (verdict == Verdict::reproduced) return "yes";
+  return verdict == Verdict::not_reproduced ? "no" : "partly";
 }
 
 std::string_view name(MarginOf of) { return of == MarginOf::number ? "number" : "part"; }
@@ -131,6 +145,15 @@ Verdict judge(const Item& item, const Observed& observed) {
       return value >= item.tolerance ? Verdict::reproduced : in_part;
   }
   return Verdict::not_reproduced;
+}
+
+Item with_tolerance(Item item, double factor) {
+  item.last_digit *= factor;
+  if (item.rule == Rule::at_least)
+    item.tolerance /= factor;
+  else
+    item.tolerance *= factor;
+  return item;
 }
 
 std::optional<double> margin(const Item& item, const Observed& observed) {

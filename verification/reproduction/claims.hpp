@@ -59,6 +59,8 @@ struct Item {
   double tolerance;     // of equal (the factor less 1) and at_least
   std::string unit, place, statement, computed_as;
   std::string label;  // what is computed, in few words
+  // Decided by arithmetic with a formula as printed, which no part of the model enters.
+  bool is_arithmetic;
 };
 
 // A reading's result for an item.
@@ -84,11 +86,20 @@ enum class Verdict : std::uint8_t {
   not_reproduced,
 };
 std::string_view name(Verdict verdict);
+// The scale of claims, for tables of many: yes, partly, no. “Partly” is each verdict between the
+// first and the last one, order_only as well.
+std::string_view short_name(Verdict verdict);
+inline constexpr std::string_view partly_words =
+    "“Partly” is within 10 %, or to the order of magnitude (order only), or in part (at half or "
+    "more of what is compared).";
 
 // Does a number agree with the printed one, to half a unit of its last digit? 1.45 agrees with 1.4.
 bool is_as_printed(double value, double reported, double last_digit);
 
 Verdict judge(const Item& item, const Observed& observed);
+// The same item with its tolerance multiplied: the print precision of a number, the width of
+// `equal`; the threshold of `at_least` is divided by the factor. `order` has no tolerance.
+Item with_tolerance(Item item, double factor);
 
 // The distance of a verdict from the nearest other verdict.
 enum class MarginOf : std::uint8_t {

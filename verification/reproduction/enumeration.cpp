@@ -28,8 +28,12 @@ void set_digits(Reading& reading, const std::array<Switch, n>& which, std::size_
     number /= choices;
   }
 }
-constexpr std::size_t gt_count = std::size_t{1} << gt_switches.size();
-constexpr std::size_t gw_count = std::size_t{1} << gw_switches.size();
+template <std::size_t n>
+std::size_t combinations(const std::array<Switch, n>& which) {
+  std::size_t count = 1;
+  for (const Switch one : which) count *= info(one).choices.size();
+  return count;
+}
 
 void set_inlet(Reading& reading, std::size_t number) {
   set_digits(reading, std::array{Switch::inlet, Switch::gap}, number);
@@ -134,7 +138,7 @@ class Enumerator {
 
   void run() {
     each_on_threads(0, groups_.size(), [&](std::size_t g) { film(groups_[g]); });
-    result.films = groups_.size() * (3 * gt_count + gw_count);
+    result.films = groups_.size() * (3 * gt_count_ + gw_count_);
     result.inlets = result.films * inlet_count;
     result.friction_curves = result.inlets * law_count;
   }
@@ -152,13 +156,13 @@ class Enumerator {
     set_digits(reading, film_switches, group.numbers.front());
     std::vector<FloodedCurve> gw;
     std::vector<Branch> gw_branches;  // [gw × inlet]
-    for (std::size_t number = 0; number < gw_count; ++number) {
+    for (std::size_t number = 0; number < gw_count_; ++number) {
       set_digits(reading, gw_switches, number);
       gw.push_back(flooded(reading, ContactName::smooth_gw));
       for (const ReadInlet& inlet : inlets_)
         gw_branches.push_back(branch(gw.back(), inlet, speeds_));
     }
-    for (std::size_t number = 0; number < gt_count; ++number) {
+    for (std::size_t number = 0; number < gt_count_; ++number) {
       set_digits(reading, gt_switches, number);
       const std::array<FloodedCurve, 3> gt{flooded(reading, ContactName::rough),
                                            flooded(reading, ContactName::medium),
@@ -224,6 +228,8 @@ class Enumerator {
   const std::vector<Item>& items_;
   const std::vector<double> speeds_;
   const std::vector<FilmGroup> groups_;
+  const std::size_t gt_count_ = combinations(gt_switches);
+  const std::size_t gw_count_ = combinations(gw_switches);
   std::vector<ReadInlet> inlets_;
 };
 

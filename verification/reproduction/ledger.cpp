@@ -18,6 +18,15 @@ ReportedOnsets reported_onsets(const std::vector<Item>& items) {
   return reported;
 }
 
+int score_with(const std::vector<Item>& items, const std::vector<ItemResult>& results,
+               double factor) {
+  std::vector<ItemResult> judged_again;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    judged_again.push_back(judged(with_tolerance(items[i], factor), results[i].observed));
+  const std::vector<Verdict> verdicts = claim_verdicts(items, judged_again);
+  return static_cast<int>(std::count(verdicts.begin(), verdicts.end(), Verdict::reproduced));
+}
+
 }  // namespace
 
 NamedReading named_reading(const PaperScenes& scenes, const std::vector<Item>& items,
@@ -51,6 +60,8 @@ Ledger make_ledger(const LedgerOptions& options) {
     ledger.readings.push_back(named_reading(ledger.scenes, ledger.items, std::move(name), reading));
   };
   add("corrected", corrected_reading());
+  add("m = 2", with(Switch::offset_planes, 1));
+  add("equal faces", with(Switch::offset_planes, 2));
   add("literal", literal_reading());
   for (std::size_t i = 0; i < ledger.ranking.best.size(); ++i)
     add(fmt::format("best {}", i + 1), ledger.ranking.best[i].representative);
@@ -59,6 +70,13 @@ Ledger make_ledger(const LedgerOptions& options) {
         std::any_of(ledger.readings.begin(), ledger.readings.end(),
                     [&](const NamedReading& one) { return one.reading == reading; });
     if (!is_there) add(departures(reading), reading);
+  }
+
+  for (const double factor : {0.5, 1.0, 2.0, 4.0}) {
+    ToleranceScores& row = ledger.tolerances.emplace_back();
+    row.factor = factor;
+    for (const NamedReading& reading : ledger.readings)
+      row.scores.push_back(score_with(ledger.items, reading.results, factor));
   }
 
   ledger.arguments = arguments(ledger.scenes, ledger.items, inputs);

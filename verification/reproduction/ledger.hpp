@@ -69,6 +69,7 @@ struct Requirement {
   double value;                    // the input at that factor
   double low, high;                // its plausible range
   bool plausible = false;
+  bool at_limit = false;  // outside by less than a tenth: the range itself is not known so well
   std::vector<std::string> broken{}, mended{};  // claims that the change breaks or mends
 };
 
@@ -120,11 +121,18 @@ Uncertainty uncertainty(const PaperScenes& scenes, const std::vector<Input>& inp
 
 // One column of the ledger.
 struct NamedReading {
-  std::string name;  // "corrected", "literal", "best 1", or the switches that were asked for
+  // "corrected", "m = 2", "equal faces", "literal", "best 1", or the switches that were asked for
+  std::string name;
   Reading reading;
   std::vector<ItemResult> results;  // in the order of the items
   std::vector<Verdict> verdicts;    // in the order of the claims
   int score;                        // claims reproduced
+};
+
+// How many claims the ledger's readings reproduce where all tolerances are wider by a factor.
+struct ToleranceScores {
+  double factor;
+  std::vector<int> scores;  // in the order of the readings
 };
 
 struct Ledger {
@@ -132,7 +140,9 @@ struct Ledger {
   std::vector<Item> items;
   std::vector<std::string> claims;
   std::vector<std::string> statements;  // in the order of the claims
-  std::vector<NamedReading> readings;   // corrected, literal, the best few, those asked for
+  // corrected, with m = 2, with equal faces, literal, the best few, those asked for
+  std::vector<NamedReading> readings;
+  std::vector<ToleranceScores> tolerances;
   Ranking ranking;
   std::vector<ItemStatistics> item_statistics;
   std::vector<double> claim_parts;

@@ -14,7 +14,7 @@ namespace {
 using Names = std::string_view;
 constexpr std::array prefactors{Names("16"), Names("8")};
 constexpr std::array areas{Names("pi_a2"), Names("a2")};
-constexpr std::array offset_planes{Names("1"), Names("2")};
+constexpr std::array plane_counts{Names("1"), Names("2"), Names("equal_faces")};
 constexpr std::array inlets{Names("flooded_inlet"), Names("starved_inlet"),
                             Names("printed_exponents"), Names("as_printed")};
 constexpr std::array gaps{Names("line"), Names("point")};
@@ -29,13 +29,16 @@ constexpr std::array criteria{Names("film_maximum"),        Names("film_departur
                               Names("film_departure_0.05"), Names("film_departure_0.1"),
                               Names("film_departure_0.2"),  Names("film_departure_0.3"),
                               Names("friction_minimum"),    Names("asperity_minimum")};
+static_assert(plane_counts.size() == offset_planes.size());
 static_assert(criteria.size() == onset_choices.size());
 
 constexpr std::array<SwitchInfo, switch_count> infos{{
     {"asperity_prefactor", "E3", prefactors, 0, 1,
      "16√2/15 or 8√2/15 in Greenwood and Tripp's load, with E*"},
     {"nominal_area", "E4", areas, 0, 1, "A_nom is πa², or a² as printed"},
-    {"offset_planes", "E9", offset_planes, 0, 1, "how many faces bring the offset D_d, with GT"},
+    {"offset_planes", "E9", plane_counts, 0, 1,
+     "how many faces bring the offset D_d, with GT, m = 1 or 2; or two equal faces, D_d/σ_s of one "
+     "of them and σ_s of their sum, m = √2"},
     {"inlet", "E10, E11", inlets, 0, 3,
      "ψ at the flooded film; at the starved one; with the printed exponents; or 1.10 to 1.14 as "
      "they stand"},

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,12 @@ enum class Switch : std::uint8_t {
   criterion,
 };
 inline constexpr std::size_t switch_count = 15;
+
+// The choices of the switch `offset_planes`, in its order: the offset δ = m D_d/σ_s of one rough
+// face, of two as printed, and of two equal faces whose printed D_d/σ_s is that of one face and
+// whose printed σ_s is that of their sum, so that m = 2/√2. Which of them the paper computed with,
+// nothing in it decides.
+inline constexpr std::array offset_planes{1.0, 2.0, std::numbers::sqrt2};
 
 // The choices of the switch `inlet`, in its order.
 enum class InletRule : std::uint8_t { flooded_inlet, starved_inlet, printed_exponents, as_printed };

@@ -27,7 +27,7 @@ AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading
   // β is printed as 0.1 µm, but all three products nβσ_s ask for 10 µm.
   const double radius =
       scene.surface.summit_radius * (reading.is(Switch::summit_radius, 1) ? 0.01 : 1);
-  const int planes = is_gt(scene) ? 1 + reading.at(Switch::offset_planes) : 1;
+  const double planes = is_gt(scene) ? offset_planes[reading.at(Switch::offset_planes)] : 1;
   AsperityContact<double> contact =
       asperity_contact(scene.closures.asperity, scene.surface.summit_density, radius,
                        scene.surface.summit_height_sd, planes * scene.surface.summit_plane_offset,

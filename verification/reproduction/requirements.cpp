@@ -116,6 +116,7 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
     one.factor = std::exp(*log_factor);
     one.value *= *one.factor;
     one.plausible = one.value >= one.low && one.value <= one.high;
+    one.at_limit = !one.plausible && one.value >= one.low / 1.1 && one.value <= one.high * 1.1;
     add_effects(one, scenes, reading, items, before);
   });
   return found;

@@ -142,6 +142,7 @@ struct Scene {
   Supply supply;
   Friction friction;
   Closures closures;
+  std::vector<std::string_view> accepted;  // words of limit_words(), validity.hpp: not warned of
 };
 
 // Are the inputs there that friction alone needs?

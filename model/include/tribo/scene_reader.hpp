@@ -17,7 +17,8 @@
 namespace tribo {
 
 // `speeds` is a number, a list of numbers, or a table whose fields are `speed.from` and so on.
-enum class FieldType : std::uint8_t { number, integer, text, choice, speeds, outputs };
+// `limits` is a list of words of limit_words().
+enum class FieldType : std::uint8_t { number, integer, text, choice, speeds, outputs, limits };
 
 // One field of the schema. `path` is dotted: "surface.summit_density".
 struct FieldInfo {
@@ -33,8 +34,9 @@ struct FieldInfo {
   std::string_view default_text = "";              // empty: no default
   bool required = false;                 // always, or in the table `speed` where that is given
   std::optional<Output> needed_by = {};  // the one output that needs the field
-  double plausible_minimum = 0;          // legal numbers beyond these two get a warning
+  double plausible_minimum = 0;  // legal numbers beyond these two pass a limit, validity.hpp
   double plausible_maximum = std::numeric_limits<double>::infinity();
+  std::string_view likely_unit = "";  // the unit of a number that passes it by a slip: "mPa·s"
   std::string_view meaning = "";
 };
 
@@ -53,24 +55,23 @@ std::span<const FieldGroup> scene_field_groups();
 // How an input breaks a rule, or keeps it oddly.
 struct Fault {
   enum Rule : std::uint8_t {
-    other,        // what: the fault in words
-    unknown,      // a field or table that is not known; what: "field" or "table"
-    once,         // a field that is given twice
-    presence,     // a field that is missing; what: why it is needed
-    absence,      // a field that another field excludes; what: the other field
-    kind,         // a value of the wrong kind; what: its kind, "a text"
-    word,         // a word that is not known
-    repetition,   // a value that a list has twice
-    emptiness,    // a list without elements
-    overflow,     // a number too large for double
-    underflow,    // a number too small for double
-    finiteness,   // ∞ or NaN
-    wholeness,    // a fraction where a whole number is wanted
-    range,        // a number beyond the limits of its field; what: the word that sets them
-    result,       // a number from which follows one beyond double; what: which one
-    together,     // a value that others do not allow; what: why
-    reach,        // a value of a distribution beyond the limits; what: how to bound it
-    plausibility  // legal but unusual; what: in which way
+    other,       // what: the fault in words
+    unknown,     // a field or table that is not known; what: "field" or "table"
+    once,        // a field that is given twice
+    presence,    // a field that is missing; what: why it is needed
+    absence,     // a field that another field excludes; what: the other field
+    kind,        // a value of the wrong kind; what: its kind, "a text"
+    word,        // a word that is not known
+    repetition,  // a value that a list has twice
+    emptiness,   // a list without elements
+    overflow,    // a number too large for double
+    underflow,   // a number too small for double
+    finiteness,  // ∞ or NaN
+    wholeness,   // a fraction where a whole number is wanted
+    range,       // a number beyond the limits of its field; what: the word that sets them
+    result,      // a number from which follows one beyond double; what: which one
+    together,    // a value that others do not allow; what: why
+    reach        // a value of a distribution beyond the limits; what: how to bound it
   };
   Rule rule = other;
   std::string value = {};    // as messages show it; empty: a list or a table, or nothing
@@ -80,7 +81,7 @@ struct Fault {
   std::string where = {};    // in which circumstances; stands before all the rest
 };
 
-// One thing wrong (or odd) with an input. `line()` is what a person reads. All texts are valid
+// One thing wrong (or useless) with an input. `line()` is what a person reads. All texts are valid
 // UTF-8 on one line: what came from the input is shortened, and its control signs are escaped.
 struct InputProblem {
   std::string source;  // file name, "-" or "line 12"
@@ -103,7 +104,7 @@ std::string without_controls(std::string_view text);
 struct SceneReading {
   std::optional<Scene> scene;          // set when `errors` is empty
   std::vector<InputProblem> errors;    // every problem found, not only the first
-  std::vector<InputProblem> warnings;  // legal but implausible values
+  std::vector<InputProblem> warnings;  // what is legal but has no effect; see also validity.hpp
   std::optional<std::string> id;       // as the input gives it, even when `errors` is not empty
 };
 

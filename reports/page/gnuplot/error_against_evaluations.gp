@@ -8,7 +8,7 @@ set ytics 100
 set xlabel "evaluations a point" offset 0, x_words
 set ylabel "true error (ulp), greatest" offset y_shift, 0
 stats table using ns nooutput
-n = STATS_blocks
+n = STATS_blocks < most ? STATS_blocks : most
 counted = ""
 array family[n]
 do for [i=0:n-1] {
@@ -19,4 +19,4 @@ do for [i=0:n-1] {
 plot for [i in counted] table index (i + 0) using evaluations:max_ulp with linespoints \
   pointtype shape(i) pointsize size(family[i+1]) linewidth (is_ours(family[i+1]) ? 2.2 : 1.2) \
   linecolor rgb colour(family[i+1]) title columnheader(1), \
-  table using evaluations:(failing(max_ulp)) with points linestyle 10 title failing_title
+  table index 0:(n-1) using evaluations:(failing(max_ulp)) with points linestyle 10 title failing_title

@@ -12,7 +12,7 @@ set mxtics 10
 set xlabel "CPU time a point (ns)" offset 0, x_words
 set ylabel "true error (ulp): greatest, and down to the mean" offset y_shift, 0
 stats table using ns nooutput
-n = STATS_blocks
+n = STATS_blocks < most ? STATS_blocks : most
 array family[n]
 do for [i=1:n] {
   stats table index i-1 using (last = strcol(2), $5) nooutput
@@ -23,4 +23,4 @@ plot for [i=0:n-1] table index i using ns:max_ulp:mean_ulp:max_ulp with yerrorba
      for [i=0:n-1] table index i using ns:max_ulp with linespoints \
        pointtype shape(i) pointsize size(family[i+1]) linewidth (is_ours(family[i+1]) ? 2.2 : 1.2) \
        linecolor rgb colour(family[i+1]) title columnheader(1), \
-     table using ns:(failing(max_ulp)) with points linestyle 10 title failing_title
+     table index 0:(n-1) using ns:(failing(max_ulp)) with points linestyle 10 title failing_title

@@ -17,6 +17,10 @@ plot \
   for [s in surfaces] for [share in "asperity_share fluid_share"] marks \
     using (mark("collapse", s, "GT", speed)):(mark("collapse", s, "GT", value(share))) \
     with points linestyle 8 linecolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", asperity_share)):(s) with labels right \
+    offset -0.9,-0.7 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", fluid_share)):(s) with labels right \
+    offset -0.9,0.7 font small textcolor rgb colour(s) notitle, \
   keyentry with points linestyle 7 linecolor rgb grey \
     title "onset (film maximum)", \
   keyentry with points linestyle 8 linecolor rgb grey title "collapse", \

@@ -23,6 +23,8 @@ plot \
     with points linestyle 7 linecolor rgb colour(s), \
   marks using (mark("onset", "smooth", "GW", speed)):(mark("onset", "smooth", "GW", friction)) \
     with points linestyle 7 linecolor rgb colour("smooth"), \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", friction)):(s) with labels right \
+    offset -0.9,-1.3 font small textcolor rgb colour(s) notitle, \
   for [s in surfaces] marks using (mark("collapse", s, "GT", speed)):(head) \
     with points linestyle 8 linecolor rgb colour(s)
 
@@ -49,6 +51,8 @@ plot \
   for [s in surfaces] \
     marks using (mark("collapse", s, "GT", speed)):(mark("collapse", s, "GT", film_parameter)) \
     with points linestyle 8 linecolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", film_parameter)):(s) with labels right \
+    offset -0.9,0.7 font small textcolor rgb colour(s) notitle, \
   keyentry with points linestyle 7 linecolor rgb grey title "onset (film maximum)", \
   keyentry with points linestyle 9 linecolor rgb grey title "onset speed, reported", \
   keyentry with points linestyle 8 linecolor rgb grey title "collapse"

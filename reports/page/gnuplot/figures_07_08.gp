@@ -31,6 +31,8 @@ plot \
     with points linestyle 8 linecolor rgb colour(s) notitle, \
   marks using (mark("collapse", "smooth", "GW", speed)):(mark("collapse", "smooth", "GW", y)) \
     with points linestyle 8 linecolor rgb colour("smooth") notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", y)):(s) with labels right \
+    offset -0.9,0.7 font small textcolor rgb colour(s) notitle, \
   keyentry with points linestyle 7 linecolor rgb grey \
     title "onset (film maximum)", \
   keyentry with points linestyle 8 linecolor rgb grey title "collapse", \

@@ -12,7 +12,7 @@ set mxtics 10
 set xlabel "CPU time a contact (s)" offset 0, x_words
 set ylabel "greatest relative error (–)" offset y_shift, 0
 stats table using 5 nooutput
-n = STATS_blocks
+n = STATS_blocks < most ? STATS_blocks : most
 array family[n]
 do for [i=1:n] {
   stats table index i-1 using (last = strcol(2), $5) nooutput
@@ -21,4 +21,4 @@ do for [i=1:n] {
 plot for [i=0:n-1] table index i using ($5*1e-9):7 with linespoints \
        pointtype shape(i) pointsize size(family[i+1]) linewidth (is_ours(family[i+1]) ? 2.2 : 1.2) \
        linecolor rgb colour(family[i+1]) title columnheader(1), \
-     table using ($5*1e-9):($9 > 0 ? $7 : NaN) with points linestyle 10 title failing_title
+     table index 0:(n-1) using ($5*1e-9):($9 > 0 ? $7 : NaN) with points linestyle 10 title failing_title

@@ -9,7 +9,9 @@ colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 
 family_of(series) = series[1:strstrt(series, ":") - 1]
 # In blocks of a table column 2 is the family and 3 the series.
 ns = 5; evaluations = 6; max_ulp = 7; p99_ulp = 8; mean_ulp = 9; no_numbers = 11
-# Some twenty series in one diagram: a shape each, ours larger and with the thicker line.
+# The first blocks of a table are drawn, the others are in its file alone.
+most = 8
+# A shape each, ours larger and with the thicker line.
 shape(i) = word("7 5 9 11 13 4 6 8 10 12 1 2 3", i % 13 + 1) + 0
 is_ours(family) = family eq "tribocheck"
 size(family) = (is_ours(family) || family eq "plugin" ? 1.5 : 0.8)*point

@@ -18,6 +18,14 @@ BASELINES = {
     "gates.json": ("gate-proof", "proof that the gates turn red"),
     "sweep.json": ("bench-sweep", "speed, memory and scaling of sweeps"),
 }
+# The code that each of them measures, below the project's folder.
+MEASURED = {
+    "accuracy.json": ("model/include", "model/src"), "stress.json": ("model/include", "model/src"),
+    "mutants.json": ("model", "verification", "reports", "benchmarks"), "diagnosis.json": ("verification/conformance", "reference/mistakes.toml"),
+    "planted_faults.json": ("model", "verification", "reports", "benchmarks"), "work_precision.json": ("model/include", "model/src", "model/ehl"),
+    "performance.json": ("model/include", "model/src"), "gates.json": ("benchmarks/gates", "benchmarks/kernels"),
+    "sweep.json": ("model/include", "model/src", "model/sweep"),
+}
 MOST_NESTED = 16  # lists and tables within each other, as in scenes
 
 

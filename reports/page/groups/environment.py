@@ -4,9 +4,10 @@ import datetime
 import os
 import pathlib
 import re
+import subprocess
 import typing
 
-from baselines import BASELINES, from_baseline
+from baselines import BASELINES, MEASURED, from_baseline
 from group import Group, Missing
 
 UNKNOWN = "unknown"
@@ -51,6 +52,18 @@ def text_of(of, key):
     return value if isinstance(value, str) else UNKNOWN
 
 
+def commits_since(root, commit, paths):
+    """How many commits have changed these files since; None where the commit is not known to git, or was not a whole one."""
+    if not re.fullmatch(r"[0-9a-f]{40}", commit) or not (root / ".git").exists():
+        return None
+    try:
+        done = subprocess.run(["git", "-C", root, "rev-list", "--count", f"{commit}..HEAD", "--", *paths], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=20)
+    except (OSError, subprocess.TimeoutExpired):
+        return None
+    return int(done.stdout) if done.returncode == 0 and done.stdout.strip().isdigit() else None
+
+
 def baseline_of(places, file, now):
     """A row on the baseline of a slow target with its age in days, or with the reason why its file cannot be read."""
     target, what = BASELINES[file]
@@ -62,6 +75,7 @@ def baseline_of(places, file, now):
     date, machine = text_of(baseline, "date"), baseline.get("environment")
     day = day_of(date)
     return row | {"commit": text_of(baseline, "commit"), "date": date, "age_in_days": (now - day).days if day else None,
+                  "measures": list(MEASURED[file]), "commits_since": commits_since(places.root, text_of(baseline, "commit"), MEASURED[file]),
                   "processor": text_of(machine, "cpu"), "compiler": text_of(machine, "compiler")}
 
 

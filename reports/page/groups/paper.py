@@ -18,6 +18,9 @@ QUANTITIES = ("onset_speed", "onset_film_parameter", "slow_asperity_share")
 ERRATA = {"surface.summit_radius": "E17", "surface.offset_planes": "E9", "bodies.effective_modulus": "E2",
           "bodies.reduced_radius": "E18", "friction.boundary_coefficient": "E20", "friction.fluid": "E19",
           "friction.viscosity": "E20", "closures.starvation": "E11"}
+# The choices of E9: the offset of the summits' planes over D_d. The last one is of two equal faces, D_d/σ_s of one of them
+# and σ_s of their sum.
+OFFSETS = {"m = 1": 1.0, "m = 2": 2.0, "equal faces": math.sqrt(2)}
 SUPPLIES = ("inlet_film", "inlet_film_ratio", "inlet_flow")
 
 
@@ -74,6 +77,13 @@ def supply_of(about):
     return {"kind": kind, "value": value}
 
 
+def summit_pressure(case):
+    """The mean pressure on the real area at the lowest speed, Pa. The area of GT belongs to GT's own load, A² of the whole."""
+    share, area = (case.solved.slowest[name] for name in ("asperity_load_share", "real_area_ratio"))
+    own = share ** 2 if case.model == "GT" else share
+    return own * case.of_contact("mean_pressure") / area if area else None
+
+
 def inputs_of(cases):
     """Rows of the inputs for which at least one scene has a value."""
     rows = []
@@ -91,8 +101,27 @@ def scene_of(case):
         "file": case.source.file, "surface": case.surface, "model": case.model, "load": about.input("load"),
         "supply": supply_of(about), "starvation": about.input("closures.starvation"),
         "slowest": told(one.slowest), "fastest": told(one.curve[-1]), "onset": told(one.at_onset), "collapse": told(one.at_collapse),
+        "mean_pressure": case.of_contact("mean_pressure"), "peak_pressure": case.of_contact("peak_pressure"),
+        "summit_pressure": summit_pressure(case),
         "contact_share": min(1.0, case.of_contact("share_without_film")), "equal_share_speed": equal_share_speed(case),
         "least_friction": least_friction(case)}
+
+
+def offsets(program, cases):
+    """The paper's main numbers with GT for each choice of E9, of scenes with that offset of one plane."""
+    made = []
+    for name, planes in OFFSETS.items():
+        contacts = []
+        for case in cases:
+            scene = case.solved.contact.scene
+            offset = planes * scene["surface"]["summit_plane_offset"]
+            contacts.append(scene | {"surface": scene["surface"] | {"offset_planes": 1, "summit_plane_offset": offset}})
+        onsets = scenes.onsets(program, contacts, ("film_maximum",))
+        slowest = program.ask(*(line for one in contacts for line in scenes.points(one, one["speed"]["from"])))
+        made.append({"name": name, "offset": contacts[0]["surface"]["summit_plane_offset"], "surfaces": {
+            case.surface: {"slow_asperity_share": point["asperity_load_share"], "onset_speed": onset["film_maximum"]["speed"]}
+            for case, onset, point in zip(cases, onsets, slowest)}})
+    return made
 
 
 # --- Computed beside reported.
@@ -262,7 +291,7 @@ def paper(asked):
     comparisons = {quantity: comparison(quantity, rows_of(cases.values(), claims, quantity)) for quantity in QUANTITIES}
     data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": inputs_of(asked.published),
             "departure": scenes.DEPARTURE, "comparisons": {quantity: compared for quantity, (compared, _) in comparisons.items()},
-            "two_slopes": slopes.told}
+            "offsets": offsets(asked.program, [case for case in cases.values() if case.model == "GT"]), "two_slopes": slopes.told}
     files = [(f"data/curve_{stem}.tsv", tables.curve("Stribeck curve", case.source.file, case.solved.curve))
              for stem, case in cases.items()]
     files += [*slope_files(tables, slopes, cases["smooth"].source.file), ratio_file(tables, cases["smooth"], cases["smooth_gw"]),

@@ -36,17 +36,15 @@ def unfit(about, model):
 
 
 def read(program, places):
-    """The scenes, and the lines of their warnings, one for all scenes that have it. Raises Refused with every problem of
-    every scene."""
+    """The scenes, and the line that warns of the limits of validity that they pass, if they do. Raises Refused with every
+    problem of every scene."""
     paths = {(surface, model): places.scenes / f"{stem_of(surface, model)}.toml" for model in MODELS for surface in ledger.SURFACES}
     code, told, complaints = program.run("solve", *paths.values(), "--about", "--format", "json")
     abouts = iter(scenes.abouts(told) if told else ())
-    found, problems, warnings = [], [], {}
+    found, problems = [], []
+    warnings = [line.removeprefix("warning: ") for line in complaints if line.startswith("warning: ")]
     for (surface, model), path in paths.items():
         start = f"{printable(str(path))}:"
-        for line in complaints:
-            if line.startswith(f"warning: {start}"):
-                warnings.setdefault(line.removeprefix(f"warning: {start}"), []).append(line.removeprefix("warning: "))
         errors = [line for line in complaints if line.startswith(start)]
         if not errors:  # it has an answer
             about = next(abouts, None)
@@ -58,5 +56,4 @@ def read(program, places):
         problems += errors
     if problems:
         raise Refused(*problems)
-    return found, [first + (f"; the same of {len(more)} more scene{'s' if len(more) > 1 else ''}" if more else "")
-                   for first, *more in warnings.values()]
+    return found, warnings

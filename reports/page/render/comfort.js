@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Comforts of the page, which is complete without them. A link opens the closed section that it leads to, a part that
-// is wider than the screen says so, a picture can be enlarged, and the values under the pointer are shown.
+// is wider than the screen says so, a picture can be enlarged (Escape closes it again), the values under the pointer are
+// shown, and closed sections are printed open.
 "use strict";
 
 function openSection() {
@@ -57,11 +58,27 @@ for (const picture of document.querySelectorAll(".picture")) {
   enlarge.className = "enlarge";
   enlarge.textContent = "Enlarge the picture";
   enlarge.setAttribute("aria-expanded", "false");
-  enlarge.addEventListener("click", () => {
-    const large = picture.classList.toggle("large");
+  const show = (large) => {
+    picture.classList.toggle("large", large);
     enlarge.textContent = large ? "Show the picture in its usual size" : "Enlarge the picture";
     enlarge.setAttribute("aria-expanded", String(large));
     markWide();
-  });
+  };
+  enlarge.addEventListener("click", () => show(!picture.classList.contains("large")));
+  addEventListener("keydown", (event) => { if (event.key === "Escape") show(false); });
   picture.after(enlarge);
 }
+
+// Paper has no way to open a section: all of them are printed, and those that were closed are closed again.
+addEventListener("beforeprint", () => {
+  for (const one of document.querySelectorAll("details:not([open])")) {
+    one.open = true;
+    one.dataset.forPrint = "";
+  }
+});
+addEventListener("afterprint", () => {
+  for (const one of document.querySelectorAll("details[data-for-print]")) {
+    one.open = false;
+    delete one.dataset.forPrint;
+  }
+});

@@ -97,7 +97,8 @@ def table_html(match):
     """A table with its caption, set to scroll by itself where it is wider than the screen."""
     rows = [CELL.findall(row) for row in ROW.findall(match[2])]
     head, body = rows[0], rows[1:]
-    classes = [column_class([row[i][1] for row in body], align) for i, (align, _) in enumerate(head)]
+    classes = [column_class([row[i][1] for row in body], align) + (" verdict" if name == "verdict" else "")
+               for i, (align, name) in enumerate(head)]
     lines = ["".join(f'<th scope="col" class="{kind}">{cell}</th>' for kind, (_, cell) in zip(classes, head))]
     lines += ["".join(f'<th scope="row" class="{kind}">{cell}</th>' if i == 0 else f'<td class="{kind}">{cell}</td>'
                       for i, (kind, (_, cell)) in enumerate(zip(classes, row))) for row in body]

@@ -13,13 +13,13 @@ class Section(typing.NamedTuple):
 # The paper first, then this software. templates/<id>.md is the text of each.
 SECTIONS = {
     "figures": Section("The paper's figures, redrawn", ("paper", "ledger")),
-    "comparison": Section("The paper's numbers by each criterion and model", ("paper",)),
-    "claims": Section("The paper's 17 claims, one by one", ("ledger",)),
+    "comparison": Section("The paper's numbers by each criterion and model", ("paper",), True),
+    "claims": Section("The paper's 17 claims, one by one", ("ledger", "paper")),
     "readings": Section("Interpretations of what the paper leaves open", ("ledger",), True),
     "requirements": Section("What would make the other claims hold", ("ledger",), True),
     "uncertainty": Section("How sure the computed numbers are", ("ledger", "onset_uncertainty"), further=("uncertainty-sweep",)),
     "misprints": Section("The paper's misprints", ("ledger",), True),
-    "model": Section("The model, its equations and inputs", ("paper", "ledger"), True),
+    "model": Section("The model: its equations, inputs and limits", ("paper", "ledger"), True),
     "contacts": Section("Contacts as machines have them: circle, ellipse and line", ("contacts",)),
     "film-solved": Section("The film solved, and what formulas are worth", ("line_films",), True),
     "verification": Section("Accuracy, quantity by quantity", ("certified",), True),
@@ -31,5 +31,6 @@ SECTIONS = {
     "skipped-work": Section("Work that is skipped", ("skipped_work",), True),
     "gates": Section("Checks of run time", ("gates",), True),
     "sweep-speed": Section("Run time of sweeps over many inputs", ("sweep_speed",), True),
-    "environment": Section("Where and when this page was made", ("environment",), True),
+    "references": Section("References", (), True),
+    "environment": Section("Where and when this page was made, and what measured what", ("environment",), True),
 }

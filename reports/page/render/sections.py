@@ -16,6 +16,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 STANDINGS = {"holds": "holds", "differs": "differs", "fails": "FAILS", "missed": "missed",
              "measured": "measured", "absent": "not run"}
+# The same about the paper's claims and numbers, in the words of the ledger.
+OF_PAPER = STANDINGS | {"holds": "reproduced", "differs": "partly"}
 
 
 def short_commit(commit):
@@ -54,7 +56,7 @@ class Page:
         self.parts.append(Made("not-run", "What is missing from this page", not_run, False))
         data = self.render("data.md", files=report["files"])[0]
         self.parts.append(Made("data", "Data", data, True))
-        self.first = self.render("first.md", findings=self.findings, standings=STANDINGS)[0]
+        self.first = self.render("first.md", findings=self.findings)[0]
         self.title = re.search(r"(?m)^# (.*)$", self.first)[1]
 
     def render(self, template, **more):
@@ -99,7 +101,16 @@ class Page:
         ours.sort(key=lambda one: (one["standing"] != "fails", one["standing"] != "missed"))
         for one in ours:
             said = self.sentences.get(one["id"]) or markup.indices(markup.escaped(one.get("why") or "It has no data."))
-            yield one["standing"], one["section"], markup.Markdown(said)
+            word = self.of_paper(one) if about == "paper" else STANDINGS[one["standing"]]
+            yield one["standing"], word, one["section"], markup.Markdown(SECTIONS[one["section"]].title), markup.Markdown(said)
+
+    def of_paper(self, found):
+        """The standing of a finding on the paper in the ledger's words: the worst of its numbers' verdicts."""
+        compared = self.report.get("paper", {}).get("comparisons", {}).get(found["id"], {"rows": []})
+        if found["standing"] == "differs" and any(row["verdict"] == "not reproduced" for row in compared["rows"]
+                                                  if row["criterion"] in (None, "film_maximum")):
+            return "not reproduced"
+        return OF_PAPER[found["standing"]]
 
     @property
     def markdown(self):

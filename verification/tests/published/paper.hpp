@@ -37,7 +37,8 @@ inline const Item& item(std::string_view id) {
 }
 
 inline Reading random_reading(Sampler& sampler) {
-  return reading_at(static_cast<std::size_t>(sampler.uniform(0, 393216)));
+  return reading_at(
+      static_cast<std::size_t>(sampler.uniform(0, static_cast<double>(reading_count()))));
 }
 
 inline Onset<double> model_onset(const Scene& scene,

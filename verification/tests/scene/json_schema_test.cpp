@@ -16,6 +16,7 @@
 
 #include "tribo/film_thickness.hpp"
 #include "tribo/scene_reader.hpp"
+#include "tribo/validity.hpp"
 
 namespace tribo {
 namespace {
@@ -25,12 +26,16 @@ using Json = nlohmann::ordered_json;
 
 const char* const schema_file = TRIBOCHECK_SOURCE_DIR "/reference/scene.schema.json";
 
+bool is_worded(const FieldInfo& field) {
+  return field.type == FieldType::text || field.type == FieldType::outputs ||
+         field.type == FieldType::limits;
+}
+
 std::string description_of(const FieldInfo& field) {
   std::string text(field.meaning);
   if (!field.unit.empty()) text += "; in " + std::string(field.unit);
   if (field.needed_by) text += "; only " + std::string(info(*field.needed_by).name) + " needs it";
-  const bool worded = field.type == FieldType::text || field.type == FieldType::outputs;
-  if (worded) text += "; default: " + std::string(field.default_text);
+  if (is_worded(field)) text += "; default: " + std::string(field.default_text);
   return text;
 }
 
@@ -72,6 +77,10 @@ Json outputs_type() {
           {"items", Json::object({{"enum", names}})}};
 }
 
+Json limits_type() {
+  return {{"type", "array"}, {"items", Json::object({{"enum", Json(limit_words())}})}};
+}
+
 Json type_of(const FieldInfo& field) {
   switch (field.type) {
     case FieldType::number:
@@ -85,6 +94,8 @@ Json type_of(const FieldInfo& field) {
       return speeds_type(field);
     case FieldType::outputs:
       return outputs_type();
+    case FieldType::limits:
+      return limits_type();
   }
   return {};
 }
@@ -97,8 +108,7 @@ Json default_of(const FieldInfo& field) {
 Json schema_of(const FieldInfo& field) {
   Json schema = Json::object({{"description", description_of(field)}});
   schema.update(type_of(field));
-  const bool worded = field.type == FieldType::text || field.type == FieldType::outputs;
-  if (!field.default_text.empty() && !worded) schema["default"] = default_of(field);
+  if (!field.default_text.empty() && !is_worded(field)) schema["default"] = default_of(field);
   return schema;
 }
 

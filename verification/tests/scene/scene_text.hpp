@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tribo/scene_reader.hpp"
+#include "tribo/validity.hpp"
 
 namespace tribo::scene_test {
 
@@ -63,6 +64,7 @@ class SceneText {
     if (field.path == "closures.film") return "\"hamrock_dowson_minimum\"";
     if (field.type == FieldType::choice) return '"' + std::string(field.choices.back()) + '"';
     if (field.type == FieldType::outputs) return R"(["film", "regime"])";
+    if (field.type == FieldType::limits) return R"(["barus"])";
     if (field.type == FieldType::integer) return "2";
     const SceneText base = good();
     for (const auto& [path, value] : base.fields_)
@@ -229,17 +231,23 @@ inline testing::AssertionResult refused(const SceneText& text, std::string_view 
   return refused(text, {{field, part}}, use);
 }
 
-inline testing::AssertionResult warned(const SceneText& text, std::string_view field,
-                                       std::string_view part) {
-  return in_both_formats(text, [&](Format format, const std::string& written) {
-    const SceneReading reading = read(format, written);
-    if (reading.scene && has_problem(reading.warnings, field, part))
-      return testing::AssertionSuccess();
-    return testing::AssertionFailure() << "input: " << written << "\nwanted a warning on '" << field
-                                       << "' with: " << part << "\nwarnings:\n"
-                                       << lines_of(reading.warnings) << "errors:\n"
-                                       << lines_of(reading.errors);
-  });
+// The words of the limits that a scene passes and does not accept.
+inline std::vector<std::string_view> words_passed(const Scene& scene,
+                                                  SceneUse use = SceneUse::speeds) {
+  std::vector<std::string_view> words;
+  for (const Validity& limit : passed_limits(scene, use)) words.push_back(limit.word);
+  return words;
+}
+
+// Does a scene pass the limit of this word?
+inline bool passes(const SceneText& text, std::string_view word, SceneUse use = SceneUse::speeds) {
+  const SceneReading reading = read(Format::toml, text, use);
+  if (!reading.scene) {
+    ADD_FAILURE() << lines_of(reading.errors);
+    return false;
+  }
+  const std::vector<std::string_view> words = words_passed(*reading.scene, use);
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 }  // namespace tribo::scene_test

@@ -26,8 +26,8 @@ constexpr std::string_view source = "fuzz";
 // --- Two readings of a scene, compared in everything.
 
 auto values_of(const Scene& scene) {
-  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
-      scene;
+  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures,
+               accepted] = scene;
   const auto& [list, from, to, count, spacing] = speeds;
   const auto& [density, radius, height_sd, offset, planes, moments, rms, average] = surface;
   const auto& [modulus, reduced_radius, ellipticity, radius_x, radius_y, length, both] = bodies;
@@ -48,7 +48,8 @@ auto values_of(const Scene& scene) {
 }
 
 bool same(const Scene& left, const Scene& right) {
-  return values_of(left) == values_of(right) && left.outputs == right.outputs;
+  return values_of(left) == values_of(right) && left.outputs == right.outputs &&
+         left.accepted == right.accepted;
 }
 
 bool same_lines(const std::vector<InputProblem>& left, const std::vector<InputProblem>& right) {
@@ -105,8 +106,8 @@ bool is_among(Enum value, Enum last) {
 }
 
 void check_numbers(const Scene& scene) {
-  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
-      scene;
+  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures,
+               accepted] = scene;
   require(is_positive(load), "load > 0", id);
   require(is_positive(surface.summit_density), "summit_density > 0", id);
   require(is_positive(surface.summit_radius), "summit_radius > 0", id);
@@ -229,8 +230,8 @@ Json bodies_as_json(const Bodies& bodies) {
 
 // Every field of a scene, with defaults. The outputs are those that were asked for or inferred.
 Json as_json(const Scene& scene) {
-  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
-      scene;
+  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures,
+               accepted] = scene;
   Json json{{"id", id}, {"load", load}, {"outputs", Json::array()}};
   if (speeds.list.size() == 1)
     json["speed"] = speeds.list[0];

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Is the model valid for a scene? One table of what the model assumes: each limit has a word, a
+// number that follows from the scene and its slowest and fastest speed, and bounds with a source.
+// Beside it each number of a scene has a range that no real contact leaves. A scene may accept
+// limits that it passes: accept = ["barus", "speed_range"].
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tribo/operating_point.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo {
+
+template <class T>
+class MixedContact;
+
+// A limit, and where a scene stands to it. All texts live as long as the program.
+struct Validity {
+  std::string_view word;              // "hertz_pressure"
+  std::string_view assumption;        // a whole sentence; of a range the meaning of its field
+  double value = 0;                   // in `unit`
+  double least = 0, greatest = 0;     // the bounds, in `unit`; 0 and ∞: there is none
+  std::string_view unit = "";         // empty: dimensionless
+  std::string_view source = "";       // where the bounds come from; empty: a range of a field
+  std::string_view field = "";        // whose range this is, "load"; else empty
+  std::string_view likely_unit = "";  // that was probably meant, where the value is not in range
+  bool is_accepted = false;           // by the scene, whether it is passed or not
+
+  bool holds() const { return value >= least && value <= greatest; }
+  bool is_passed() const { return !holds() && !is_accepted; }
+  // The bound that is passed; where none is, the upper one if there is one.
+  double limit() const;
+};
+
+// The words that a scene may accept: those of the assumptions, and after them "<field>_range" for
+// each field whose numbers have a range.
+std::span<const std::string_view> limit_words();
+std::span<const std::string_view> assumption_words();
+
+// The table "is the model valid here?": each assumption that concerns the scene, and the ranges of
+// fields that it leaves. An assumption that this scene does not make is left out: on summits
+// without a surface, on the film without a speed.
+std::vector<Validity> validity_of(const Scene& scene, SceneUse use = SceneUse::speeds);
+
+// Those of them that the scene passes and does not accept: it is warned of them.
+std::vector<Validity> passed_limits(const Scene& scene, SceneUse use = SceneUse::speeds);
+
+// The same of a scene as a reader made it, with one speed, which is solved already: by its contact,
+// for these outputs at least. Nothing is solved again.
+OutputSet validity_outputs();
+std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,
+                                    const OperatingPoint<double>& point);
+
+}  // namespace tribo

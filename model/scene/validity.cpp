@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tribo/validity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "scene/schema.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double not_assumed = std::numeric_limits<double>::quiet_NaN();
+
+// The hardness of rolling bearing steel of 60 HRC, some 700 HV, in Pa.
+constexpr double steel_hardness = 7e9;
+// k_f of mineral oil in W/(m K).
+constexpr double oil_conductivity = 0.14;
+// Where summits carry less of the load than this, their pressure does not matter.
+constexpr double least_share = 0.01;
+
+// A scene with the numbers that limits are computed from.
+struct State {
+  const Scene& scene;
+  SceneUse use;
+  ContactShape shape;
+  detail::SceneNumbers<double> numbers;
+  HertzContact<double> hertz;
+  detail::SpeedSpan speeds;
+  // The points at the slowest and the fastest speed, of film, shares and area, as many as there
+  // are; none without a speed or a film law.
+  std::array<OperatingPoint<double>, 2> points = {};
+  std::size_t count = 0;
+
+  std::span<const OperatingPoint<double>> ends() const { return std::span(points).first(count); }
+  void add(const OperatingPoint<double>& point) { points[count++] = point; }
+
+  bool has_summits() const { return numbers.summit_height_sd > 0; }
+  bool solves_film() const { return use == SceneUse::line_film; }
+  bool follows(ViscosityLaw law) const {
+    // A solved film takes Barus' law where the scene names none of a liquid.
+    const bool takes_barus = solves_film() && scene.friction.viscosity == ViscosityLaw::ambient;
+    const ViscosityLaw own = takes_barus ? ViscosityLaw::barus : scene.friction.viscosity;
+    return own == law && (solves_film() || scene.outputs.contains(Output::friction));
+  }
+};
+
+// The least of a number over the ends that is above 0: a film of 0 has collapsed, and the outputs
+// say so.
+double least_at_ends(const State& state, double OperatingPoint<double>::*number) {
+  double least = not_assumed;
+  for (const OperatingPoint<double>& point : state.ends())
+    if (point.*number > 0 && !(least <= point.*number)) least = point.*number;
+  return least;
+}
+
+// The mean pressure on the summits: their load over their real area. By load sharing A of
+// Greenwood and Tripp is the root of the share that their own load is of F (model/README.md,
+// section 6).
+double summit_pressure(const State& state) {
+  double greatest = not_assumed;
+  for (const OperatingPoint<double>& point : state.ends()) {
+    const double share = point.asperity_load_share;
+    if (!(share >= least_share) || !(point.real_area_ratio > 0)) continue;
+    const bool is_of_both = state.scene.closures.asperity == AsperityModel::greenwood_tripp;
+    const double pressure =
+        state.hertz.mean_pressure * (is_of_both ? share * share : share) / point.real_area_ratio;
+    if (!(greatest >= pressure)) greatest = pressure;
+  }
+  return greatest;
+}
+
+double roelands_index(const State& state) {
+  const double alpha = state.numbers.pressure_viscosity;
+  if (alpha == 0 || !state.follows(ViscosityLaw::roelands)) return not_assumed;
+  return alpha * roelands_pressure<double>() /
+         (std::log(state.numbers.viscosity) + roelands_log_viscosity<double>());
+}
+
+// The semi-axis of the contact over the radius of the gap in its direction; the greater of both.
+double slope_at_edge(const State& state) {
+  const double along = state.hertz.semi_axis_x / state.numbers.radius_x;
+  if (state.shape != ContactShape::ellipse) return along;
+  return std::max(along, state.hertz.semi_axis_y / state.numbers.across);
+}
+
+double summit_roughness(const State& state) {
+  const auto& n = state.numbers;
+  return n.summit_density * n.summit_radius * n.summit_height_sd;
+}
+
+struct Row {
+  std::string_view word, assumption, unit;
+  double least, greatest;
+  std::string_view source;
+  // NaN: the scene does not make this assumption.
+  double (*value)(const State&);
+  bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
+};
+
+constexpr Row rows[] = {
+    {"hertz_pressure", "The bodies stay elastic under the peak pressure of Hertz.", "Pa", 0, 4e9,
+     "ISO 76: 4 GPa, of ball bearings 4.2 GPa, leave a dent of 1e-4 of the rolling element's "
+     "diameter",
+     [](const State& state) { return state.hertz.peak_pressure; }},
+    {"half_space", "The contact is far smaller than the radii: a/R is small.", "", 0, 0.5,
+     "Johnson, Contact Mechanics (1985), chapter 4: Hertz takes each body for a half-space",
+     slope_at_edge},
+    {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
+     "model/README.md, section 1; give radius_x and radius_y for an ellipse",
+     [](const State& state) {
+       return state.shape == ContactShape::circle ? state.numbers.ellipticity : not_assumed;
+     }},
+    {"line_length", "A line is longer than it is wide: 2b/L is below 1.", "", 0, 1,
+     "Johnson, Contact Mechanics (1985), chapter 4: a line is a plane problem",
+     [](const State& state) {
+       const bool is_line = state.shape == ContactShape::line;
+       return is_line ? state.hertz.semi_axis_x / state.hertz.semi_axis_y : not_assumed;
+     }},
+    {"film_law_ellipticity", "The film law is used at an ellipticity k that it was fitted to.", "",
+     0, unbounded, "the law's source, model/README.md, section 5",
+     [](const State& state) {
+       const bool is_ellipse = state.shape == ContactShape::ellipse;
+       return is_ellipse ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
+     },
+     true},
+    {"alpha_p0", "The oil is a liquid up to the peak pressure: α p₀ is no more than 30.", "", 0, 30,
+     "e^30 = 1e13: with η₀ = 0.1 Pa·s the viscosity α gives is that of a glass, 1e12 Pa·s",
+     [](const State& state) {
+       return state.numbers.pressure_viscosity * state.hertz.peak_pressure;
+     }},
+    {"barus", "The viscosity rises by Barus' law up to the pressure in the film.", "Pa", 0, 1e9,
+     "Roelands (1966): at 1 GPa his law has an oil of 20 mPa·s some 400 times thinner",
+     [](const State& state) {
+       if (!(state.numbers.pressure_viscosity > 0) || !state.follows(ViscosityLaw::barus))
+         return not_assumed;
+       return state.solves_film() ? state.hertz.peak_pressure : state.hertz.mean_pressure;
+     }},
+    {"roelands_index", "Roelands' exponent z, from α and η₀, is one of an oil.", "", 0.2, 1.2,
+     "Roelands (1966): oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index},
+    {"elastic_summits", "The summits stay elastic under their mean pressure.", "Pa", 0,
+     0.4 * steel_hardness,
+     "Greenwood and Williamson (1966), Tabor (1951): flow begins at 0.4 of the hardness, which is "
+     "7 GPa of bearing steel",
+     summit_pressure},
+    {"summit_roughness", "nβσ_s of the summits is one of a ground or polished face.", "", 1e-3, 1,
+     "Greenwood and Tripp (1970): 0.03 to 0.05",
+     [](const State& state) {
+       return state.has_summits() && !state.solves_film() ? summit_roughness(state) : not_assumed;
+     }},
+    {"gaussian_profile", "The face is isotropic and Gaussian: m₀m₄/m₂² is 1.5 or more.", "",
+     least_isotropic_bandwidth*(1 - 1e-9), unbounded,
+     "Longuet-Higgins (1957); McCool, Wear 107 (1986) 37",
+     [](const State& state) {
+       const auto& [m0, m2, m4] = state.scene.surface.moments;
+       return m0 > 0 && !state.solves_film() ? m0 / m2 * (m4 / m2) : not_assumed;
+     }},
+    {"summit_offset", "(D_d/σ_s) nβσ_s is that of an isotropic Gaussian face.", "",
+     0.9 * offset_times_roughness, 1.1 * offset_times_roughness,
+     "model/README.md, section 12: 1/(4π√3) whatever the moments; give m0, m2 and m4",
+     [](const State& state) {
+       const double product = state.numbers.summit_plane_offset * summit_roughness(state);
+       const bool is_given = product > 0 && !state.scene.surface.has_moments();
+       return is_given && !state.solves_film() ? product : not_assumed;
+     }},
+    {"film_below_molecule", "The film is thick enough to be a liquid, not a few molecules.", "m",
+     1e-9, unbounded,
+     "Israelachvili, Intermolecular and Surface Forces: a hydrocarbon chain is 0.4 nm to 0.5 nm "
+     "thick",
+     [](const State& state) { return least_at_ends(state, &OperatingPoint<double>::film); }},
+    {"smooth_film_law", "The film law, which is one of smooth faces, holds at λ = h/σ_s.", "", 0.5,
+     unbounded,
+     "Patir and Cheng (1978): flow factors of isotropic rough faces are given from h/σ = 0.5 on",
+     [](const State& state) {
+       const bool is_rough = state.has_summits();
+       return is_rough ? least_at_ends(state, &OperatingPoint<double>::film_parameter)
+                       : not_assumed;
+     }},
+    {"inlet_heating", "Shear does not heat the oil in the inlet: η₀u²/k_f is a few kelvin.", "K", 0,
+     10,
+     "Gupta et al. (1992): L = β η₀u²/k_f, with 0.14 W/(m K) of mineral oil; 10 K make L some 0.4",
+     [](const State& state) {
+       const double speed = state.speeds.high;
+       if (!(speed > 0)) return not_assumed;
+       return state.numbers.viscosity * speed * speed / oil_conductivity;
+     }},
+};
+
+// --- The ranges of fields.
+
+// The word of a field's range; empty where its numbers have none. Fields of the table `speed`
+// share the word of `speed`.
+std::string word_of(const FieldInfo& field) {
+  const bool is_number = field.type == FieldType::number || field.type == FieldType::speeds;
+  const bool has_range = field.plausible_minimum != 0 || field.plausible_maximum < unbounded;
+  if (!is_number || !has_range || field.path.starts_with("speed.")) return {};
+  return std::string(scene_detail::last_part(field.path)) + "_range";
+}
+
+// For each field the word of its range.
+const std::vector<std::string>& range_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> made;
+    for (const FieldInfo& field : scene_fields()) made.push_back(word_of(field));
+    return made;
+  }();
+  return words;
+}
+
+// A unit of which one is so many of the unit of a field.
+struct Slip {
+  std::string_view unit;
+  double factor;
+};
+constexpr Slip slips[] = {{"mPa·s", 1e-3}, {"GPa", 1e9},    {"MPa", 1e6},   {"1/GPa", 1e-9},
+                          {"mm", 1e-3},    {"µm", 1e-6},    {"nm", 1e-9},   {"1/mm²", 1e6},
+                          {"mm/s", 1e-3},  {"mm²/s", 1e-6}, {"µm²", 1e-12}, {"mN", 1e-3}};
+
+// The unit that was probably meant; empty where the value would not be in range with it either.
+std::string_view likely_unit(const FieldInfo& field, double value) {
+  for (const Slip& slip : slips)
+    if (slip.unit == field.likely_unit && value * slip.factor >= field.plausible_minimum &&
+        value * slip.factor <= field.plausible_maximum)
+      return slip.unit;
+  return {};
+}
+
+bool accepts(const Scene& scene, std::string_view word) {
+  return std::find(scene.accepted.begin(), scene.accepted.end(), word) != scene.accepted.end();
+}
+
+State state_of(const Scene& scene, SceneUse use) {
+  const auto numbers = detail::numbers_of<double>(scene);
+  const ContactShape shape = scene.bodies.shape();
+  State state{
+      scene, use, shape, numbers, hertz_contact(shape, numbers), detail::speed_span(scene.speeds)};
+  if (state.solves_film() || !state.has_summits() || !(state.speeds.low > 0)) return state;
+  const MixedContact<double> contact(scene);
+  state.add(contact.solve(state.speeds.low, validity_outputs()));
+  if (state.speeds.high > state.speeds.low)
+    state.add(contact.solve(state.speeds.high, validity_outputs()));
+  return state;
+}
+
+// Which limits are taken: all assumptions, or those that are not kept.
+enum class Which : std::uint8_t { all, not_kept };
+
+template <class Take>
+void take_assumptions(const State& state, Which which, const Take& take) {
+  for (const Row& row : rows) {
+    const double value = row.value(state);
+    if (std::isnan(value)) continue;
+    double least = row.least, greatest = row.greatest;
+    if (row.is_of_film_law) {
+      const FilmLaw& law = film_law(state.scene.closures.film);
+      least = law.least_ellipticity * (1 - 1e-9);
+      greatest = law.greatest_ellipticity;
+    }
+    if (which == Which::not_kept && value >= least && value <= greatest) continue;
+    take(Validity{.word = row.word,
+                  .assumption = row.assumption,
+                  .value = value,
+                  .least = least,
+                  .greatest = greatest,
+                  .unit = row.unit,
+                  .source = row.source,
+                  .is_accepted = accepts(state.scene, row.word)});
+  }
+}
+
+// Takes the range of a field where the value is not in it.
+template <class Take>
+void take_range(const Scene& scene, const FieldInfo& field, std::string_view word, double value,
+                const Take& take) {
+  if (value >= field.plausible_minimum && value <= field.plausible_maximum) return;
+  take(Validity{.word = word,
+                .assumption = field.meaning,
+                .value = value,
+                .least = field.plausible_minimum,
+                .greatest = field.plausible_maximum,
+                .unit = field.unit,
+                .field = field.path,
+                .likely_unit = likely_unit(field, value),
+                .is_accepted = accepts(scene, word)});
+}
+
+template <class Take>
+void take_ranges(const Scene& scene, const Take& take) {
+  const auto fields = scene_fields();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string& word = range_words()[i];
+    if (word.empty()) continue;
+    if (fields[i].type != FieldType::speeds) {
+      const std::optional<double> value = scene_detail::value_in(scene, i);
+      if (value && *value != 0) take_range(scene, fields[i], word, *value, take);
+      continue;
+    }
+    const auto [low, high] = detail::speed_span(scene.speeds);
+    if (low > 0) take_range(scene, fields[i], word, low, take);
+    if (high > low) take_range(scene, fields[i], word, high, take);
+  }
+}
+
+std::vector<Validity> passed_in(const State& state) {
+  std::vector<Validity> passed;
+  const auto take = [&passed](const Validity& one) {
+    if (one.is_passed()) passed.push_back(one);
+  };
+  take_assumptions(state, Which::not_kept, take);
+  take_ranges(state.scene, take);
+  return passed;
+}
+
+}  // namespace
+
+double Validity::limit() const {
+  return value < least || !(greatest < unbounded) ? least : greatest;
+}
+
+std::span<const std::string_view> limit_words() {
+  static const std::vector<std::string_view> words = [] {
+    std::vector<std::string_view> made;
+    for (const Row& row : rows) made.push_back(row.word);
+    for (const std::string& word : range_words())
+      if (!word.empty()) made.push_back(word);
+    return made;
+  }();
+  return words;
+}
+
+std::span<const std::string_view> assumption_words() {
+  return limit_words().first(std::size(rows));
+}
+
+std::vector<Validity> validity_of(const Scene& scene, SceneUse use) {
+  std::vector<Validity> all;
+  const auto take = [&all](const Validity& one) { all.push_back(one); };
+  take_assumptions(state_of(scene, use), Which::all, take);
+  take_ranges(scene, take);
+  return all;
+}
+
+std::vector<Validity> passed_limits(const Scene& scene, SceneUse use) {
+  return passed_in(state_of(scene, use));
+}
+
+OutputSet validity_outputs() {
+  OutputSet outputs;
+  for (const Output output :
+       {Output::film, Output::film_parameter, Output::asperity_load_share, Output::real_area_ratio})
+    outputs.insert(output);
+  return outputs;
+}
+
+std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,
+                                    const OperatingPoint<double>& point) {
+  State state{scene,
+              SceneUse::one_speed,
+              scene.bodies.shape(),
+              detail::given_numbers(scene),
+              contact.hertz(),
+              {point.speed, point.speed}};
+  if (state.has_summits()) state.add(point);
+  return passed_in(state);
+}
+
+}  // namespace tribo

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits of validity as texts and as JSON: the table "is the model valid here?", and the warning of
+// the limits that scenes pass.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "messages.hpp"
+#include "tribo/validity.hpp"
+
+namespace tribo::cli {
+
+// A limit that is passed: "lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was
+// meant)", "hertz_pressure 6.8 GPa (at most 4 GPa)".
+std::string passed_text(const Validity& limit);
+
+// The table of a scene: assumption, value here, limit, whether it holds, and the word to accept it.
+void append_validity(Text& to, std::string_view id, const std::vector<Validity>& limits);
+// A row of it as JSON, in SI units.
+nlohmann::ordered_json validity_json(const std::vector<Validity>& limits);
+
+// The limits that the scenes of a command pass and do not accept.
+class Warnings {
+ public:
+  // `source`: the file, as messages name it. `id`: of the scene.
+  void add(std::string_view source, std::string_view id, const std::vector<Validity>& passed);
+  bool any() const { return !scenes_.empty(); }
+  // Says all of them in one line on stderr; nothing where there are none.
+  void tell() const;
+  // The member `warnings` of a document: an empty list where there are none.
+  nlohmann::ordered_json json() const;
+
+ private:
+  struct OfScene {
+    std::string source, id;
+    std::vector<Validity> passed;
+  };
+  std::vector<OfScene> scenes_;
+};
+
+}  // namespace tribo::cli

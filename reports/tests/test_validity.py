@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Limits of validity as a user meets them: one line that warns, `accept`, --strict, `warnings` in JSON, and the table of
+`solve --explain`."""
+
+import os
+import pathlib
+import re
+import unittest
+
+from program import Folder, quiet_scene, run, scene, with_field
+from sweeps import sweep
+
+REFERENCE = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reference"
+SHIPPED = sorted([*REFERENCE.glob("published/*.toml"), *REFERENCE.glob("scenes/*.toml")])
+LINE = {"bodies": {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2}, "load": 2000, "speed": 1.0,
+        "closures": {"film": "dowson_toyoda_central"}, "supply": None}
+
+
+class ValidityTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def write(self, tree, name="a.toml"):
+        return self.folder.write(name, tree)
+
+    def passed(self, command, tree, *more):
+        """The words that a command warns of, in its line and in its JSON alike."""
+        done = run(command, self.write(tree), "--format", "json", *more)
+        words = [one["word"] for one in done.json()["warnings"]]
+        said = re.findall(r'"(\w+)"', done.warned)
+        self.assertEqual((words, len(done.said.splitlines())), (said, 1 if words else 0), done.said)
+        return words
+
+
+class Warnings(ValidityTest):
+    def test_a_slip_of_unit_is_named_with_the_likely_unit(self):
+        done = run("solve", self.write(with_field(quiet_scene(speed=0.1), "lubricant.viscosity", 20.2)))
+        self.assertEqual((done.code, len(done.said.splitlines())), (0, 1))
+        self.assertIn("a.toml: outside of the model's limits: ", done.said)
+        self.assertIn("lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was meant)", done.said)
+        self.assertIn('accept = ["viscosity_range"] in the scene accepts them', done.said)
+
+    def test_what_the_users_tripped_over_is_told(self):
+        roller = dict(quiet_scene(**LINE), load=46e3)
+        self.assertIn("length_range", self.passed("solve", with_field(roller, "bodies.length", 10.0)))
+        self.assertIn("hertz_pressure", self.passed("solve", roller | {"load": 46e4}))
+
+    def test_several_scenes_have_one_line(self):
+        paths = [self.write(scene(surface), f"{surface}.toml") for surface in ("rough", "medium")]
+        done = run("solve", *paths)
+        self.assertEqual(len(done.said.splitlines()), 1)
+        self.assertRegex(done.warned, r"summit_offset 0\.0573 \([^)]*\) of [^ ]*rough\.toml and 1 more")
+
+    def test_each_command_of_scenes_warns_and_is_strict_where_asked(self):
+        loud, quiet = self.write(scene()), self.write(quiet_scene(), "quiet.toml")
+        line = self.write(dict(quiet_scene(**LINE), load=5e4), "line.toml")
+        still = self.write(quiet_scene(**LINE), "still.toml")
+        for command, warns, is_silent in (("solve", loud, quiet), ("curve", loud, quiet), ("onset", loud, quiet),
+                                          ("film", line, still)):
+            for more, code in (([], 0), (["--strict"], 1)):
+                with self.subTest(command=command, more=more):
+                    done = run(command, warns, *more)
+                    self.assertEqual((done.code, done.warned != ""), (code, True), done.said)
+                    self.assertEqual(done.out, run(command, warns).out)  # the result is written all the same
+                    done = run(command, is_silent, *more)
+                    self.assertEqual((done.code, done.said), (0, ""))
+        self.assertEqual(run("solve", loud, self.write(scene(load=-1), "bad.toml"), "--strict").code, 2)
+
+    def test_json_tells_value_limit_and_unit(self):
+        done = run("solve", self.write(quiet_scene(speed=0.1, load=5000)), "--format", "json")
+        found = {one["word"]: one for one in done.json()["warnings"]}
+        peak = found["hertz_pressure"]
+        self.assertEqual((peak["id"], peak["limit"], peak["unit"]), ("rough", 4e9, "Pa"))
+        self.assertAlmostEqual(peak["value"] / 1.0766e9, 100 ** (1/3), 3)
+        self.assertEqual(peak["text"], "hertz_pressure 5 GPa (at most 4 GPa)")
+        self.assertEqual(run("solve", self.write(quiet_scene()), "--format", "json").json()["warnings"], [])
+
+    def test_options_of_film_count(self):
+        tree = quiet_scene(**LINE) | {"load": 1e4}
+        self.assertIn("barus", self.passed("film", tree, "--tolerance", "1e-2"))
+        self.assertNotIn("barus", self.passed("film", tree, "--tolerance", "1e-2", "--viscosity", "roelands"))
+        self.assertIn("inlet_heating", self.passed("film", tree, "--tolerance", "1e-2", "--speed", "50"))
+
+
+class Accepted(ValidityTest):
+    def test_a_scene_that_accepts_all_it_passes_is_silent(self):
+        words = self.passed("solve", scene())
+        self.assertGreater(len(words), 2)
+        self.assertEqual(self.passed("solve", scene(accept=words)), [])
+        self.assertEqual(self.passed("solve", scene(accept=words[1:])), words[:1])
+        self.assertEqual(run("solve", self.write(scene(accept=words)), "--strict").code, 0)
+
+    def test_an_unknown_word_is_one_line_with_the_list(self):
+        done = run("solve", self.write(scene(accept=["barus", "hertz_presure"])))
+        self.assertEqual((done.code, done.out, len(done.said.splitlines())), (2, "", 1))
+        for text in ('accept[1]: "hertz_presure" is not known; allowed: a list of hertz_pressure, half_space', "smooth_film_law",
+                     "viscosity_range", "did you mean hertz_pressure?"):
+            self.assertIn(text, done.said)
+
+    def test_shipped_scenes_are_silent(self):
+        done = run("solve", *SHIPPED, "--strict", "--format", "csv")
+        self.assertEqual((done.code, done.said), (0, ""))
+        for one in ("roller", "gear_flank"):
+            done = run("film", REFERENCE / f"scenes/{one}.toml", "--speed", "1", "--strict", "--tolerance", "1e-2")
+            self.assertEqual((done.code, done.said), (0, ""))
+
+    def test_the_scene_of_the_readme_is_silent(self):
+        text = (REFERENCE.parent / "README.md").read_text(encoding="utf-8")
+        path = pathlib.Path(self.folder.path("scene.toml"))
+        path.write_text(re.search(r"(?s)## A scene\n.*?```toml\n(.*?)```", text)[1], encoding="utf-8")
+        for command in ("solve", "onset", "curve"):
+            self.assertEqual(run(command, path).said, "")
+
+
+class Explained(ValidityTest):
+    def test_the_table_follows_the_points(self):
+        tree = scene(load=5000, accept=["smooth_film_law"])
+        done = run("solve", self.write(tree), "--explain")
+        points, _, table = done.out.partition("\nrough: is the model valid here?\n")
+        self.assertEqual(points, run("solve", self.write(tree)).out)
+        rows = [re.split(r"  +", line.strip()) for line in table.splitlines()]
+        holds = {row[3]: row[0] for row in rows if len(row) >= 5}
+        self.assertEqual({holds[word] for word in ("hertz_pressure", "summit_offset")}, {"no"})
+        self.assertEqual((holds["half_space"], holds["smooth_film_law"]), ("yes", "accepted"))
+        self.assertNotIn("line_length", holds)
+
+    def test_json_has_the_same_rows(self):
+        told = run("solve", self.write(scene(load=5000)), "--explain", "--format", "json").json()
+        rows = {one["word"]: one for one in told["validity"]}
+        self.assertEqual({word for word, one in rows.items() if one["holds"] == "no"},
+                         {one["word"] for one in told["warnings"]})
+        self.assertEqual((rows["half_space"]["least"], rows["half_space"]["greatest"]), (None, 0.5))
+        for one in rows.values():
+            self.assertTrue(one["assumption"].endswith(".") and one["source"], one)
+
+    def test_it_has_no_place_in_csv(self):
+        done = run("solve", self.write(scene()), "--explain", "--format", "csv")
+        self.assertEqual((done.code, done.out, len(done.said.splitlines())), (2, "", 1))
+
+
+class Sweeps(ValidityTest):
+    def run_sweep(self, varied, *more):
+        path = self.folder.path("sweep.toml")
+        pathlib.Path(path).write_text(sweep(varied), encoding="utf-8")
+        return run("sweep", path, "-o", self.folder.path("out.h5"), "--force", *more)
+
+    def test_the_ends_of_a_grid_count_and_those_of_a_distribution_do_not(self):
+        drawn = '{ distribution = "log_normal", median = 0.02, log_sd = 0.5 }'
+        for viscosity, words in (("[0.02, 20.2]", {"viscosity_range"}), ("[0.02, 0.03]", set()), (drawn, set())):
+            with self.subTest(viscosity=viscosity):
+                done = self.run_sweep({"lubricant.viscosity": viscosity, "speed": "0.1"}, "--format", "json")
+                found = {one["word"] for one in done.json()["warnings"]}
+                self.assertEqual({word for word in found if word.endswith("_range")}, words)
+                self.assertEqual(len(done.warned), len(done.said.rstrip("\n")))
+                shown = run("sweep", "show", self.folder.path("out.h5"), "--format", "json")
+                self.assertEqual(shown.json()["warnings"], done.json()["warnings"])
+
+    def test_strict_is_exit_code_one_after_the_result(self):
+        varied = {"lubricant.viscosity": "[0.02, 20.2]", "speed": "0.1"}
+        self.assertEqual(self.run_sweep(varied).code, 0)
+        self.assertEqual(self.run_sweep(varied, "--strict").code, 1)
+        self.assertEqual(run("sweep", "show", self.folder.path("out.h5")).code, 0)
+
+    def test_shipped_sweeps_are_silent(self):
+        for path in REFERENCE.glob("published/sweeps/*.toml"):
+            done = run("sweep", path, "--estimate", "--strict")
+            self.assertEqual((done.code, done.said), (0, ""), path)
+
+
+if __name__ == "__main__":
+    unittest.main()

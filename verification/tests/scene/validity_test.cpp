@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits of validity: each is passed just beyond its bound and not before it, by numbers that are
+// computed here in another way; scenes as they are shipped pass nothing that they do not accept.
+#include "tribo/validity.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../support/threshold.hpp"
+#include "scene_text.hpp"
+#include "sweep/plan_reader.hpp"
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::scene_test {
+namespace {
+
+using std::numbers::pi;
+
+Scene scene_of(const SceneText& text, SceneUse use = SceneUse::speeds) {
+  SceneReading reading = read(Format::toml, text, use);
+  for (const InputProblem& problem : reading.errors) ADD_FAILURE() << problem.line();
+  return reading.scene.value_or(Scene{});
+}
+
+// The limit of a word where the scene makes its assumption; else one whose word is empty.
+Validity limit_of(const Scene& scene, std::string_view word, SceneUse use = SceneUse::speeds) {
+  for (const Validity& one : validity_of(scene, use))
+    if (one.word == word) return one;
+  return {};
+}
+
+SceneText with(SceneText text, std::string_view path, double value) {
+  return text.set(path, fmt::format("{}", value));
+}
+
+// Moderate in all respects: a ball with a little speed, on a fine surface.
+SceneText ordinary() {
+  SceneText text = SceneText::good().remove_section("supply");
+  text.set("surface.summit_density", "2e11").set("surface.summit_height_sd", "5e-9");
+  return text.set("surface.summit_plane_offset", "0").set("surface.summit_radius", "5e-5");
+}
+
+TEST(Validity, OrdinaryScenesPassNothing) {
+  EXPECT_EQ(words_passed(scene_of(ordinary())), std::vector<std::string_view>());
+}
+
+// Each limit that is a closed form of one number of the scene: passed from just beyond that number
+// on.
+TEST(Validity, EachLimitIsPassedJustBeyondItsBound) {
+  using enum verification::True;
+  // p₀³ = 6FE*²/(π³R²) of a circle.
+  const double modulus = 107.9e9, radius = 9.5e-3, viscosity = 0.0202;
+  const auto load_of = [&](double peak) {
+    return std::pow(pi * peak, 3) * radius * radius / (6 * modulus * modulus);
+  };
+  const double peak = std::cbrt(6 * 50 * modulus * modulus / (radius * radius)) / pi;
+  // z = α p_R/(ln η₀ + 9.67), p_R = 0.196 GPa.
+  const double of_z = (std::log(viscosity) + 9.67) / 0.196e9;
+  const SceneText ball = ordinary();
+  const SceneText roelands = SceneText(ball).set("friction.viscosity", "\"roelands\"");
+  struct Limit {
+    std::string word;
+    double limit;
+    verification::True side;
+    SceneText base;
+    std::string path;
+  };
+  for (const Limit& one : std::initializer_list<Limit>{
+           {"hertz_pressure", load_of(4e9), above, ball, "load"},
+           {"alpha_p0", 30 / peak, above, ball, "lubricant.pressure_viscosity"},
+           {"barus", load_of(1.5e9), above, ball, "load"},
+           {"roelands_index", 1.2 * of_z, above, roelands, "lubricant.pressure_viscosity"},
+           {"roelands_index", 0.2 * of_z, below, roelands, "lubricant.pressure_viscosity"},
+           {"inlet_heating", std::sqrt(10 * 0.14 / viscosity), above, ball, "speed"}}) {
+    const auto is_passed = [&one](double number) {
+      return passes(with(one.base, one.path, number), one.word);
+    };
+    EXPECT_TRUE(
+        verification::changes_at_its_limit({one.word, one.limit, one.side, is_passed, 1e-13}));
+  }
+}
+
+TEST(Validity, AnyEllipticityButOneIsNoCircle) {
+  for (const double k : {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0)})
+    EXPECT_EQ(passes(with(ordinary(), "bodies.ellipticity", k), "circular_hertz"), k != 1);
+}
+
+// The film and λ fall with the speed: both limits are passed just below the speed at which the
+// contact itself has that film.
+TEST(Validity, FilmsAreJudgedAtTheSlowestSpeed) {
+  using enum verification::True;
+  for (const bool is_film : {false, true}) {
+    const SceneText text = ordinary();
+    const MixedContact<double> contact(scene_of(text));
+    const double wanted = is_film ? 1e-9 : 0.5 * contact.summit_height_sd();
+    double low = 1e-9, high = 1;
+    while (high / low > 1 + 1e-14) {
+      const double middle = std::sqrt(low * high);
+      (contact.solve(middle).film < wanted ? low : high) = middle;
+    }
+    const auto is_passed = [&](double speed) {
+      const SceneText range = SceneText(text).set("speed", fmt::format("[1, {}, 0.5]", speed));
+      return passes(range, is_film ? "film_below_molecule" : "smooth_film_law");
+    };
+    EXPECT_TRUE(verification::changes_at_its_limit({"film", high, below, is_passed, 1e-12}));
+  }
+}
+
+// Greenwood and Tripp's load over their area is (16√2/15π) E*√(σ/β) F_{5/2}/F_2, of
+// Greenwood and Williamson (4/3π) E*√(σ/β) F_{3/2}/F_1: both from section 4 of the model, without
+// Hertz' area and load. As δ = λ these are the moments at 0, F_n(0) = 2^{n/2−1}Γ((n+1)/2)/√π.
+TEST(Validity, SummitsPressOnEachOtherWithTheirLoadOverTheirArea) {
+  const auto moment = [](double n) {
+    return std::exp2(n / 2 - 1) * std::tgamma((n + 1) / 2) / std::sqrt(pi);
+  };
+  for (const bool is_of_both : {true, false}) {
+    SceneText text = ordinary();
+    text.set("surface.summit_height_sd", "1e-7").set("surface.summit_density", "5e10");
+    text.set("surface.summit_radius", "1e-5");
+    if (!is_of_both) text.set("closures.asperity", "\"greenwood_williamson\"");
+    // The offset that the film itself has, by iteration: more offset, more film.
+    double offset = 0;
+    for (int i = 0; i < 200; ++i)
+      offset = MixedContact<double>(scene_of(with(text, "surface.summit_plane_offset", offset)))
+                   .solve(0.1)
+                   .film_parameter;
+    const Scene scene = scene_of(with(text, "surface.summit_plane_offset", offset));
+    const double scale = 107.9e9 * std::sqrt(1e-7 / 1e-5) / pi;
+    const double expected = is_of_both ? 16 * std::sqrt(2) / 15 * scale * moment(2.5) / moment(2)
+                                       : 4.0 / 3 * scale * moment(1.5) / moment(1);
+    const Validity found = limit_of(scene, "elastic_summits");
+    EXPECT_NEAR(found.value / expected, 1, 1e-9);
+    EXPECT_EQ(found.greatest, 2.8e9);
+    EXPECT_EQ(found.holds(), expected <= 2.8e9);
+  }
+}
+
+// E*√(σ/β) times a number that does not depend on E*, but for A: the limit is that of the number
+// itself, on both sides.
+TEST(Validity, ElasticSummitsArePassedBeyondTheirBound) {
+  bool seen[2] = {false, false};
+  for (double modulus = 1e10; modulus < 3e11; modulus *= 1.02) {
+    SceneText text = ordinary();
+    text.set("surface.summit_height_sd", "1e-7").set("surface.summit_density", "5e10");
+    text = with(text.set("surface.summit_radius", "1e-5"), "bodies.effective_modulus", modulus);
+    const Scene scene = scene_of(text);
+    const OperatingPoint<double> point = MixedContact<double>(scene).solve(0.1);
+    const double a = std::cbrt(3 * 50 * 9.5e-3 / (4 * modulus));
+    const double pressure = 50 * point.asperity_load_share * point.asperity_load_share /
+                            (pi * a * a * point.real_area_ratio);
+    EXPECT_EQ(passes(text, "elastic_summits"), pressure > 2.8e9) << modulus;
+    seen[pressure > 2.8e9 ? 1 : 0] = true;
+  }
+  EXPECT_TRUE(seen[0] && seen[1]);
+}
+
+// An assumption that a scene does not make is not in its table.
+TEST(Validity, LeavesOutWhatTheSceneDoesNotAssume) {
+  const SceneText ball = ordinary();
+  EXPECT_EQ(limit_of(scene_of(ball), "roelands_index").word, "");
+  EXPECT_EQ(limit_of(scene_of(ball), "line_length").word, "");
+  SceneText other = ball;
+  EXPECT_EQ(limit_of(scene_of(other.set("friction.viscosity", "\"ambient\"")), "barus").word, "");
+  EXPECT_EQ(limit_of(scene_of(SceneText(ball).set("outputs", R"(["film"])")), "barus").word, "");
+  const Scene without = scene_of(SceneText(ball).remove("speed"), SceneUse::onset);
+  for (const char* word : {"film_below_molecule", "smooth_film_law", "inlet_heating"})
+    EXPECT_EQ(limit_of(without, word, SceneUse::onset).word, "") << word;
+  // Far apart, summits carry nothing that matters.
+  EXPECT_EQ(limit_of(scene_of(SceneText(ball).set("speed", "1")), "elastic_summits").word, "");
+}
+
+// The solved film of a line follows a law of viscosity up to its peak pressure, whatever outputs
+// are asked for.
+TEST(Validity, OfASolvedFilmIsThatOfItsLine) {
+  const auto use = SceneUse::line_film;
+  SceneText line = ordinary().remove_section("surface").remove("bodies.reduced_radius");
+  line.set("bodies.radius_x", "0.01").set("bodies.length", "0.01").set("load", "1e4");
+  const Scene scene = scene_of(line, use);
+  // p₀² = FE*/(πRL)
+  const double peak = std::sqrt(1e4 * 107.9e9 / (pi * 0.01 * 0.01));
+  EXPECT_NEAR(limit_of(scene, "barus", use).value / peak, 1, 1e-14);
+  EXPECT_EQ(limit_of(scene, "smooth_film_law", use).word, "");
+  EXPECT_EQ(passes(line, "barus", use), true);
+}
+
+TEST(Validity, SlipsOfUnitsAreNamed) {
+  struct Slip {
+    const char *path, *value, *unit;
+  };
+  for (const auto& [path, value, unit] :
+       {Slip{"lubricant.viscosity", "20.2", "mPa·s"}, Slip{"bodies.reduced_radius", "9.5", "mm"},
+        Slip{"bodies.effective_modulus", "107.9", "GPa"},
+        Slip{"surface.summit_density", "50000", "1/mm²"}, Slip{"surface.summit_radius", "10", "µm"},
+        Slip{"surface.summit_height_sd", "25", "nm"},
+        Slip{"lubricant.pressure_viscosity", "20", "1/GPa"},
+        Slip{"lubricant.eyring_stress", "2.5", "MPa"}, Slip{"speed", "600", "mm/s"},
+        Slip{"lubricant.viscosity", "1e9", ""}}) {
+    const std::string word = std::string(path).substr(std::string(path).rfind('.') + 1) + "_range";
+    const Validity limit = limit_of(scene_of(ordinary().set(path, value)), word);
+    EXPECT_EQ(limit.field, path);
+    EXPECT_EQ(limit.likely_unit, unit) << path;
+    EXPECT_FALSE(limit.holds());
+  }
+}
+
+// From a watch's jewel to a bearing of three metres, joints and gears: no range is left.
+TEST(Validity, RealContactsKeepTheRangesOfFields) {
+  struct Contact {
+    const char* what;
+    std::vector<std::pair<const char*, const char*>> fields;
+  };
+  for (const Contact& one : std::initializer_list<Contact>{
+           {"pivot in a watch's jewel, 1 mm²",
+            {{"load", "2e-3"}, {"bodies.reduced_radius", "4e-5"}, {"speed", "1e-3"}}},
+           {"ball of a slewing bearing of 3 m",
+            {{"load", "5e4"}, {"bodies.reduced_radius", "3e-2"}, {"lubricant.viscosity", "1.5"}}},
+           {"hip joint, metal on metal",
+            {{"load", "2500"}, {"bodies.reduced_radius", "4"}, {"lubricant.viscosity", "9e-4"}}},
+           {"rubber in water",
+            {{"bodies.effective_modulus", "2e6"},
+             {"lubricant.viscosity", "1e-3"},
+             {"lubricant.pressure_viscosity", "5e-10"}}},
+           {"aircraft gear", {{"speed", "200"}, {"lubricant.viscosity", "3e-3"}}},
+           {"open gear's oil in the cold", {{"lubricant.viscosity", "9"}, {"speed", "0.05"}}}}) {
+    SceneText text = ordinary();
+    for (const auto& [path, value] : one.fields) text.set(path, value);
+    for (const std::string_view word : limit_words()) {
+      if (!word.ends_with("_range")) continue;
+      EXPECT_EQ(passes(text, word), false) << one.what << ": " << word;
+    }
+  }
+}
+
+// --- accept
+
+TEST(Accept, EachWordIsTakenAndSilencesItsLimitAlone) {
+  const Scene loud = scene_of(SceneText::good()
+                                  .set("lubricant.viscosity", "20.2")
+                                  .set("load", "1e6")
+                                  .set("bodies.ellipticity", "3"));
+  const std::vector<std::string_view> before = words_passed(loud);
+  EXPECT_GT(before.size(), 5u);
+  std::set<std::string_view> seen;
+  for (const std::string_view word : limit_words()) {
+    EXPECT_TRUE(seen.insert(word).second) << word;
+    Scene scene = scene_of(SceneText::good().set("accept", fmt::format("[\"{}\"]", word)));
+    EXPECT_EQ(scene.accepted, std::vector<std::string_view>{word});
+    Scene quiet = loud;
+    quiet.accepted = scene.accepted;
+    std::vector<std::string_view> left = before;
+    std::erase(left, word);
+    EXPECT_EQ(words_passed(quiet), left) << word;
+  }
+  EXPECT_EQ(assumption_words().size(), 15u);
+  for (const std::string_view word : assumption_words()) EXPECT_FALSE(word.ends_with("_range"));
+}
+
+TEST(Accept, OtherWordsAreRefusedWithTheListAndTheNearest) {
+  EXPECT_TRUE(refused(SceneText::good().set("accept", R"(["baruss"])"), "accept[0]",
+                      "did you mean barus?"));
+  EXPECT_TRUE(refused(SceneText::good().set("accept", R"(["barus", 3])"), "accept[1]",
+                      "3 is a number; allowed: a list of hertz_pressure, half_space"));
+  EXPECT_TRUE(refused(SceneText::good().set("accept", "\"barus\""), "accept", "a list of"));
+  EXPECT_TRUE(accepted(SceneText::good().set("accept", "[]")));
+  EXPECT_TRUE(accepted(SceneText::good().set("accept", R"(["barus", "barus"])")));
+}
+
+// --- Shipped scenes
+
+void expect_silent(const std::filesystem::path& folder, std::size_t least) {
+  std::size_t files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    if (file.path().extension() != ".toml") continue;
+    ++files;
+    const bool is_sweep = folder.filename() == "sweeps";
+    const std::string path = file.path().string();
+    const SceneReading reading = is_sweep ? SceneReading() : read_scene(path, SceneUse::speeds);
+    const std::vector<Validity> passed =
+        is_sweep ? sweep::read_sweep(path).passed : passed_limits(reading.scene.value());
+    for (const Validity& limit : passed) ADD_FAILURE() << path << ": " << limit.word;
+    if (is_sweep) continue;
+    // Words that are not passed are not accepted, so that a mistake in the scene is told.
+    for (const std::string_view word : reading.scene->accepted) {
+      Scene scene = *reading.scene;
+      std::erase(scene.accepted, word);
+      EXPECT_EQ(words_passed(scene), std::vector<std::string_view>{word}) << path;
+    }
+  }
+  EXPECT_GE(files, least);
+}
+
+TEST(ShippedScenes, PassNothingThatTheyDoNotAccept) {
+  const std::filesystem::path reference = TRIBOCHECK_SOURCE_DIR "/reference";
+  expect_silent(reference / "published", 6);
+  expect_silent(reference / "published" / "sweeps", 4);
+  expect_silent(reference / "scenes", 4);
+}
+
+}  // namespace
+}  // namespace tribo::scene_test
