@@ -62,11 +62,10 @@ void write_curves(const std::string& format, const LoadedScenes& loaded, OutputS
 std::vector<Comparison> compared(const Scene& scene,
                                  const std::vector<MeasuredNumber>& measurements) {
   const MixedContact<double> contact(scene);
-  const OutputSet outputs = protocol::needed_for(scene.outputs);
+  const SmoothContact smooth(contact);
   std::vector<Comparison> comparisons;
   for (const MeasuredNumber& one : measurements) {
-    const protocol::OutputValue computed =
-        protocol::value_of(contact.solve(one.speed, outputs), one.output);
+    const protocol::OutputValue computed = value_at(contact.solve(one.speed), smooth, one.output);
     const bool has_both = computed.undefined.empty() && one.value > 0;
     comparisons.push_back({one, computed,
                            has_both ? 100 * (computed.number / one.value - 1)
@@ -86,14 +85,13 @@ std::string fault_of(const CurveArguments& arguments, const std::vector<Scene>& 
                        scenes.size());
   if (arguments.data.empty() && drawn_outputs(scenes, {}).empty())
     return "--picture draws friction, film and asperity_load_share, and the `outputs` of the "
-           "scenes "
-           "have none of them";
+           "scenes have none of them";
   return {};
 }
 
 int curve(const CurveArguments& arguments, OutputStream& output) {
-  const LoadedScenes loaded = load_scenes(
-      arguments.paths, SceneUse::speeds, [](const Scene& scene) { return fault_of(scene); });
+  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds,
+                                          [](const Scene& scene) { return fault_of(scene); });
   if (loaded.scenes.empty()) return exit_bad;
   if (const std::string fault = fault_of(arguments, loaded.scenes); !fault.empty())
     return fail(exit_bad, fault);
@@ -103,7 +101,8 @@ int curve(const CurveArguments& arguments, OutputStream& output) {
   } else {
     const Scene& scene = loaded.scenes.front();
     comparisons = compared(scene, read_measured(arguments.data, scene.outputs));
-    write_comparisons(arguments.format, scene.id, arguments.data, comparisons, output);
+    write_comparisons(arguments.format, scene.id, arguments.data, comparisons,
+                      loaded.warnings.json(), output);
   }
   output.flush();
   const bool is_drawn =

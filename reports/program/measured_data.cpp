@@ -301,7 +301,8 @@ ordered_json json_number(double value) {
 }
 
 ordered_json comparison_json(std::string_view scene_id, const std::string& path,
-                             const std::vector<Comparison>& comparisons) {
+                             const std::vector<Comparison>& comparisons,
+                             const ordered_json& warnings) {
   ordered_json points = ordered_json::array(), quantities = ordered_json::array();
   for (const Comparison& one : comparisons) {
     const bool is_defined = one.computed.undefined.empty();
@@ -324,7 +325,8 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
   return document("curve-data/1", {{"id", scene_id},
                                    {"data", path},
                                    {"points", std::move(points)},
-                                   {"quantities", std::move(quantities)}});
+                                   {"quantities", std::move(quantities)},
+                                   {"warnings", warnings}});
 }
 
 }  // namespace
@@ -372,10 +374,11 @@ std::vector<DeviationSummary> summaries_of(const std::vector<Comparison>& compar
 }
 
 void write_comparisons(std::string_view format, std::string_view scene_id, const std::string& path,
-                       const std::vector<Comparison>& comparisons, OutputStream& output) {
+                       const std::vector<Comparison>& comparisons, const ordered_json& warnings,
+                       OutputStream& output) {
   Text& text = output.text();
   if (format == "json")
-    append(text, comparison_json(scene_id, path, comparisons)
+    append(text, comparison_json(scene_id, path, comparisons, warnings)
                          .dump(1, ' ', false, ordered_json::error_handler_t::replace) +
                      '\n');
   else if (format == "csv")
