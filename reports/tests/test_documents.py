@@ -30,8 +30,8 @@ class Document(typing.NamedTuple):
 DOCUMENTS = [
     Document("solve", "solve SCENE"), Document("solve", "solve ALL"), Document("solve", "solve COLLAPSED BAD", 2),
     Document("solve", "solve HUGE"), Document("solve", "curve SCENE"), Document("solve", "solve ALL LOUD --explain"),
-    Document("curve-data", "curve COLLAPSED --data MEASURED"),
-    Document("solve-about", "solve ALL ROLLER --about"), Document("solve-about", "solve BAD SCENE --about", 2),
+    Document("curve-data", "curve COLLAPSED --data MEASURED"), Document("curve-data", "curve LOUD --data MEASURED"),
+    Document("solve-about", "solve ALL ROLLER LOUD --about"), Document("solve-about", "solve BAD SCENE --about", 2),
     Document("contact", "contact ALL ROLLER SPEEDLESS"), Document("contact", "contact BAD HUGE", 2),
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
     Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
@@ -63,8 +63,7 @@ def files_in(folder):
                        bodies={"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2})
     few = quiet_scene(id="few", speed=[0.1, 1], outputs=["film", "regime"])
     made = {"SCENE": quiet_scene(), "ALL": few | {"closures": {"asperity": "greenwood_williamson"}}, "BAD": scene(load=-1),
-            "COLLAPSED": scene("smooth", speed=[3, 4]), "FLOODED": scene(supply=None),
-            "LOUD": scene(id="loud", load=5000),
+            "COLLAPSED": scene("smooth", speed=[3, 4]), "FLOODED": scene(supply=None), "LOUD": scene(id="loud", load=5000),
             "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
             "RIGID": line | {"speed": 1e10},
             "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}
