@@ -212,10 +212,8 @@ class SceneBinder {
     const FieldInfo& info = scene_fields()[field];
     if (entry.elements.size() != 2) return refuse(info, info.path, entry.value);
     std::array<std::optional<double>, 2> faces;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const std::string name = element_name(info.path, i);
-      faces[i] = number_of(info, entry.elements[i], name);
-    }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      faces[i] = number_of(info, entry.elements[i], element_name(info.path, i));
     if (faces[0] && faces[1]) store_of(field)(scene_, composite_roughness(*faces[0], *faces[1]));
   }
 

@@ -361,12 +361,9 @@ OutputSet validity_outputs() {
 
 std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,
                                     const OperatingPoint<double>& point) {
-  State state{scene,
-              SceneUse::one_speed,
-              scene.bodies.shape(),
-              detail::given_numbers(scene),
-              contact.hertz(),
-              {point.speed, point.speed}};
+  State state{
+      scene,           SceneUse::one_speed,       scene.bodies.shape(), contact.scene_numbers(),
+      contact.hertz(), {point.speed, point.speed}};
   if (state.has_summits()) state.add(point);
   return passed_in(state);
 }

@@ -61,6 +61,7 @@ struct ContactAccount {
   std::string_view id;
   Facts contact, surfaces;
   std::vector<AtSpeed> speeds;
+  std::vector<Validity> validity;
 };
 
 // A scene, and what all parts of its account are computed from.
@@ -240,7 +241,11 @@ AtSpeed account_at(const Asked& asked, double speed) {
 // At the slowest and the fastest speed of the scene, at one where they are the same, and at none
 // where the scene has no speed.
 ContactAccount account_of(const Asked& asked) {
-  ContactAccount account{asked.scene.id, contact_of(asked), surfaces_of(asked), {}};
+  ContactAccount account{asked.scene.id,
+                         contact_of(asked),
+                         surfaces_of(asked),
+                         {},
+                         validity_of(asked.scene, SceneUse::onset)};
   if (asked.scene.speeds.empty()) return account;
   const auto [low, high] = detail::speed_span(asked.scene.speeds);
   account.speeds.push_back(account_at(asked, low));
@@ -328,6 +333,8 @@ void append_table(Text& to, const ContactAccount& account) {
     append(to, "\n  Films and regimes need a speed, which this scene does not have.\n");
   else
     append(to, fmt::format("\n{}", about_ratios));
+  append(to, "\n");
+  append_validity(to, account.id, account.validity);
 }
 
 // --- CSV and JSON
@@ -393,7 +400,8 @@ void append_json(Text& to, const ContactAccount& account) {
   const ordered_json told{{"id", account.id},
                           {"contact", json_of(account.contact)},
                           {"surfaces", json_of(account.surfaces)},
-                          {"speeds", std::move(speeds)}};
+                          {"speeds", std::move(speeds)},
+                          {"validity", validity_json(account.validity)}};
   append(to, without_controls(told.dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
 }
 
@@ -409,8 +417,8 @@ int tell_contacts(const SceneArguments& arguments, OutputStream& output) {
     (is_json ? append_json : is_csv ? append_csv : append_table)(text, account_of(Asked(scene)));
     output.end_row();
   }
-  if (is_json) append(text, list_end);
-  return loaded.all_good ? exit_done : exit_bad;
+  if (is_json) append(text, list_end_with({{"warnings", loaded.warnings.json()}}));
+  return loaded.exit_code(arguments);
 }
 
 constexpr const char* footer =

@@ -49,12 +49,14 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
                  });
 }
 
-void write_curves(const std::string& format, const LoadedScenes& loaded, OutputStream& output) {
+void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
+                  OutputStream& output) {
+  const std::vector<Scene>& scenes = loaded.scenes;
   std::size_t total = 0;
-  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
+  for (const Scene& scene : scenes) total += scene.speeds.size();
   Progress progress(total);
-  PointWriter writer(format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) draw_scene(scene, writer, progress);
+  PointWriter writer(arguments.format, output, scenes);
+  for (const Scene& scene : scenes) draw_scene(scene, writer, progress);
   writer.finish({{"warnings", loaded.warnings.json()}});
 }
 
@@ -97,7 +99,7 @@ int curve(const CurveArguments& arguments, OutputStream& output) {
     return fail(exit_bad, fault);
   std::vector<Comparison> comparisons;
   if (arguments.data.empty()) {
-    write_curves(arguments.format, loaded, output);
+    write_curves(arguments, loaded, output);
   } else {
     const Scene& scene = loaded.scenes.front();
     comparisons = compared(scene, read_measured(arguments.data, scene.outputs));
@@ -127,8 +129,8 @@ line names the columns with their units, separated by commas, semicolons or tabs
   0.01,7.4,0.049
   0.1,,0.046
 Columns beside the speed are those `outputs` of the scene that are numbers: lengths in m, mm, µm, um
-or nm, pressures in Pa, MPa or GPa, numbers without a unit also in %. An empty cell was not measured, a line that begins with # is
-not read. In place of the curve each number is printed with the model's at that speed, also where it
+or nm, pressures in Pa, MPa or GPa, numbers without a unit also in %. An empty cell was not measured,
+a line that begins with # is not read. In place of the curve each number is printed with the model's at that speed, also where it
 lies outside of the curve, and with their deviation, (computed − measured)/measured; below, or in the
 lines "median" of CSV, is the median of each column. With --picture the points are drawn over the
 curve.
