@@ -64,9 +64,10 @@ void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
 std::vector<Comparison> compared(const Scene& scene,
                                  const std::vector<MeasuredNumber>& measurements) {
   const MixedContact<double> contact(scene);
+  const SmoothContact smooth(contact);
   std::vector<Comparison> comparisons;
   for (const MeasuredNumber& one : measurements) {
-    const protocol::OutputValue computed = protocol::value_of(contact.solve(one.speed), one.output);
+    const protocol::OutputValue computed = value_at(contact.solve(one.speed), smooth, one.output);
     const bool has_both = computed.undefined.empty() && one.value > 0;
     comparisons.push_back({one, computed,
                            has_both ? 100 * (computed.number / one.value - 1)
@@ -86,8 +87,7 @@ std::string fault_of(const CurveArguments& arguments, const std::vector<Scene>& 
                        scenes.size());
   if (arguments.data.empty() && drawn_outputs(scenes, {}).empty())
     return "--picture draws friction, film and asperity_load_share, and the `outputs` of the "
-           "scenes "
-           "have none of them";
+           "scenes have none of them";
   return {};
 }
 
@@ -129,8 +129,8 @@ line names the columns with their units, separated by commas, semicolons or tabs
   0.01,7.4,0.049
   0.1,,0.046
 Columns beside the speed are those `outputs` of the scene that are numbers: lengths in m, mm, µm, um
-or nm, numbers without a unit also in %. An empty cell was not measured, a line that begins with # is
-not read. In place of the curve each number is printed with the model's at that speed, also where it
+or nm, pressures in Pa, MPa or GPa, numbers without a unit also in %. An empty cell was not measured,
+a line that begins with # is not read. In place of the curve each number is printed with the model's at that speed, also where it
 lies outside of the curve, and with their deviation, (computed − measured)/measured; below, or in the
 lines "median" of CSV, is the median of each column. With --picture the points are drawn over the
 curve.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "point_writers.hpp"
 #include "protocol/answers.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/stribeck_walk.hpp"
@@ -18,23 +19,22 @@ using nlohmann::ordered_json;
 constexpr std::size_t drawn_points = 400;  // so close that a line looks smooth
 constexpr Output usual_panels[] = {Output::friction, Output::film, Output::asperity_load_share};
 
-ordered_json drawn_value(const OperatingPoint<double>& point, Output output) {
-  const protocol::OutputValue value = protocol::value_of(point, output);
-  return value.undefined.empty() ? ordered_json(value.number) : ordered_json(nullptr);
-}
-
-// Null for the outputs that the scene does not ask for.
-ordered_json drawn_values(const OperatingPoint<double>& point, const Scene& scene,
-                          const std::vector<Output>& panels) {
+// Null for what is undefined, and for the outputs that the scene does not ask for.
+ordered_json drawn_values(const OperatingPoint<double>& point, const SmoothContact& smooth,
+                          const Scene& scene, const std::vector<Output>& panels) {
   ordered_json values = ordered_json::array();
-  for (const Output output : panels)
-    values.push_back(scene.outputs.contains(output) ? drawn_value(point, output)
-                                                    : ordered_json(nullptr));
+  for (const Output output : panels) {
+    values.push_back(nullptr);
+    if (!scene.outputs.contains(output)) continue;
+    const protocol::OutputValue value = value_at(point, smooth, output);
+    if (value.undefined.empty()) values.back() = value.number;
+  }
   return values;
 }
 
 ordered_json drawn_scene(const Scene& scene, const std::vector<Output>& panels) {
   const MixedContact<double> contact(scene);
+  const SmoothContact smooth(contact);
   OutputSet outputs;
   for (const Output output : panels)
     if (scene.outputs.contains(output)) outputs.insert(output);
@@ -46,7 +46,7 @@ ordered_json drawn_scene(const Scene& scene, const std::vector<Output>& panels) 
   stribeck_curve(contact, span.low, span.high, drawn_points, outputs,
                  [&](const OperatingPoint<double>& point) {
                    speeds.push_back(point.speed);
-                   rows.push_back(drawn_values(point, scene, panels));
+                   rows.push_back(drawn_values(point, smooth, scene, panels));
                    collapsed.push_back(point.inlet == Inlet::collapsed);
                  });
   ordered_json mark = nullptr;
@@ -54,7 +54,7 @@ ordered_json drawn_scene(const Scene& scene, const std::vector<Output>& panels) 
       onset(contact, scene, OnsetCriterion::film_maximum, default_departure);
   if (starts.exists && starts.speed >= span.low && starts.speed <= span.high)
     mark = {{"speed", starts.speed},
-            {"values", drawn_values(contact.solve(starts.speed), scene, panels)}};
+            {"values", drawn_values(contact.solve(starts.speed), smooth, scene, panels)}};
   return {{"id", scene.id},
           {"speed", std::move(speeds)},
           {"values", std::move(rows)},

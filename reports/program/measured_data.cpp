@@ -43,12 +43,16 @@ constexpr auto written_units = std::to_array<WrittenUnit>({{"m", "m", 1},
                                                            {"m", "nm", 1e9},
                                                            {"m/s", "m/s", 1},
                                                            {"m/s", "mm/s", 1e3},
+                                                           {"Pa", "Pa", 1},
+                                                           {"Pa", "MPa", 1e-6},
+                                                           {"Pa", "GPa", 1e-9},
                                                            {"", "-", 1},
                                                            {"", "%", 100}});
 
 std::string units_for(std::string_view si) {
   if (si == "m/s") return "m/s or mm/s";
-  return si == "m" ? "m, mm, µm, um or nm" : "- or %, or no unit";
+  if (si == "m") return "m, mm, µm, um or nm";
+  return si == "Pa" ? "Pa, MPa or GPa" : "- or %, or no unit";
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -297,7 +301,8 @@ ordered_json json_number(double value) {
 }
 
 ordered_json comparison_json(std::string_view scene_id, const std::string& path,
-                             const std::vector<Comparison>& comparisons) {
+                             const std::vector<Comparison>& comparisons,
+                             const ordered_json& warnings) {
   ordered_json points = ordered_json::array(), quantities = ordered_json::array();
   for (const Comparison& one : comparisons) {
     const bool is_defined = one.computed.undefined.empty();
@@ -320,7 +325,8 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
   return document("curve-data/1", {{"id", scene_id},
                                    {"data", path},
                                    {"points", std::move(points)},
-                                   {"quantities", std::move(quantities)}});
+                                   {"quantities", std::move(quantities)},
+                                   {"warnings", warnings}});
 }
 
 }  // namespace
@@ -371,10 +377,10 @@ void write_comparisons(std::string_view format, std::string_view scene_id, const
                        const std::vector<Comparison>& comparisons, const ordered_json& warnings,
                        OutputStream& output) {
   Text& text = output.text();
-  ordered_json told = comparison_json(scene_id, path, comparisons);
-  told["warnings"] = warnings;
   if (format == "json")
-    append(text, told.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+    append(text, comparison_json(scene_id, path, comparisons, warnings)
+                         .dump(1, ' ', false, ordered_json::error_handler_t::replace) +
+                     '\n');
   else if (format == "csv")
     append_comparison_csv(text, scene_id, comparisons);
   else

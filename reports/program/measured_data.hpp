@@ -45,7 +45,7 @@ struct DeviationSummary {
 // In the order of the outputs.
 std::vector<DeviationSummary> summaries_of(const std::vector<Comparison>& comparisons);
 
-// format: "table", "csv" or "json".
+// format: "table", "csv" or "json", which has the `warnings` of the scene too.
 void write_comparisons(std::string_view format, std::string_view scene_id, const std::string& path,
                        const std::vector<Comparison>& comparisons,
                        const nlohmann::ordered_json& warnings, OutputStream& output);

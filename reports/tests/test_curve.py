@@ -77,6 +77,14 @@ class Data(CurveTest):
             self.assertIn(f"  - {one['quantity']}: median of 2 deviations {one['median_deviation_percent']:+.2f} %, the least "
                           f"{one['least_deviation_percent']:+.2f} %, the greatest {one['greatest_deviation_percent']:+.2f} %", table)
 
+    def test_outputs_that_a_scene_asks_for_by_name_are_compared_too(self):
+        tree = quiet_scene("smooth", outputs=["film", "minimum_film", "peak_pressure"])
+        told = self.compared("speed [m/s],minimum_film [nm],peak_pressure [MPa]\n0.1,15,650\n", tree, "--format", "json").json()["points"]
+        point, = self.solved(tree, [0.1])
+        self.assertEqual([(one["quantity"], one["unit"], one["computed"]) for one in told],
+                         [("minimum_film", "m", point["minimum_film"]), ("peak_pressure", "Pa", point["peak_pressure"])])
+        self.assertTrue(math.isclose(told[1]["measured"], 650e6))
+
     def test_files_as_programs_write_them(self):
         def numbers(text):
             return [(one["speed"], one["quantity"], one["measured"]) for one in self.compared(text, None, "--format", "json").json()["points"]]

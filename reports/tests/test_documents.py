@@ -30,7 +30,7 @@ class Document(typing.NamedTuple):
 DOCUMENTS = [
     Document("solve", "solve SCENE"), Document("solve", "solve ALL"), Document("solve", "solve COLLAPSED BAD", 2),
     Document("solve", "solve HUGE"), Document("solve", "curve SCENE"), Document("solve", "solve ALL LOUD --explain"),
-    Document("curve-data", "curve COLLAPSED --data MEASURED"),
+    Document("curve-data", "curve COLLAPSED --data MEASURED"), Document("curve-data", "curve LOUD --data MEASURED"),
     Document("solve-about", "solve ALL ROLLER LOUD --about"), Document("solve-about", "solve BAD SCENE --about", 2),
     Document("contact", "contact ALL ROLLER LOUD SPEEDLESS"), Document("contact", "contact BAD HUGE", 2),
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
