@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <forward_list>
 #include <optional>
 #include <span>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "scene/fault_text.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
+#include "scene/units.hpp"
 #include "tribo/friction.hpp"
 
 namespace tribo::scene_detail {
@@ -26,6 +28,7 @@ struct NamedFields {
   std::size_t speed = field_at("speed"), speed_from = field_at("speed.from");
   std::size_t speed_to = field_at("speed.to"), outputs = field_at("outputs");
   std::size_t film = field_at("closures.film");
+  std::size_t summit_density = field_at("surface.summit_density");
   FieldPlaces of_speed, of_supply;  // all fields of the tables `speed` and `supply`
 
   NamedFields() {
@@ -49,10 +52,11 @@ class SceneBinder {
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
     for (const GroupPlaces& group : group_places())
-      if (!may_be_without(group)) check_group(group);
+      if (!is_of_smooth(group)) check_group(group);
     for (std::size_t field = 0; field < scene_fields().size(); ++field) take(field);
     check_supply();
     if (!is_of_line_film()) check_outputs();
+    check_smooth();
     check_speed_range();
     check_roelands();
     if (problems_.any()) return;
@@ -86,7 +90,8 @@ class SceneBinder {
 
   void place_field(const Entry& entry, std::size_t field) {
     if (given_[field] != nullptr) return problems_.error(entry.path, {Fault::once});
-    given_[field] = &entry;
+    auto number = in_si(entry, scene_fields()[field]);
+    given_[field] = number ? &in_si_.emplace_front(std::move(*number)) : &entry;
     is_given_.set(field);
   }
 
@@ -140,6 +145,8 @@ class SceneBinder {
         return take_speeds(info, *given_[field]);
       case FieldType::outputs:
         return take_outputs(info, *given_[field]);
+      case FieldType::viscosities:
+        return take_viscosities(info, *given_[field]);
     }
   }
 
@@ -173,7 +180,7 @@ class SceneBinder {
     const std::optional<Fault::Rule> rule = broken_rule(info, value);
     if (!rule) return value.number + 0.0;  // −0 becomes 0
     if (rule == Fault::kind)
-      refuse(info, name, value);
+      problems_.error(name, no_number(value, info.unit, allowed_text(info)));
     else
       problems_.error(name, {*rule, value_text(value), "", allowed_text(info)});
     return std::nullopt;
@@ -220,6 +227,27 @@ class SceneBinder {
     if (value.kind != ValueKind::text) return problems_.error("id", wrong_kind(value, "a text"));
     reading_.id = value.text;
     scene_.id = value.text;
+  }
+
+  // --- The oil.
+
+  void take_viscosities(const FieldInfo& info, const Entry& entry) {
+    if (entry.elements.size() != 2 || entry.inner.size() != 2)
+      return refuse(info, info.path, entry.value);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::vector<Value>& pair = entry.inner[i].elements;
+      if (pair.size() != 2) return refuse(info, element_name(info.path, i), entry.inner[i].value);
+      KinematicViscosity& to = scene_.lubricant.oil.viscosities[i];
+      to.temperature = part_of_pair(pair[0], "K", i, 0).value_or(0);
+      to.viscosity = part_of_pair(pair[1], "m²/s", i, 1).value_or(0);
+    }
+  }
+
+  std::optional<double> part_of_pair(const Value& value, std::string_view unit, std::size_t pair,
+                                     std::size_t part) {
+    const FieldInfo number{.path = "", .unit = unit};
+    return number_of(number, in_si(value, unit),
+                     element_name(element_name("lubricant.kinematic_viscosity", pair), part));
   }
 
   // --- Speeds.
@@ -316,6 +344,23 @@ class SceneBinder {
     }
   }
 
+  // Refuses what is a ratio to σ_s where the bodies are smooth.
+  void check_smooth() {
+    if (has_section("surface") || explained_[named().summit_density]) return;
+    const auto refuse_ratio = [this](std::string_view field, std::string_view name,
+                                     std::string_view allowed) {
+      problems_.error(field, {Fault::together, std::string(name),
+                              ": it is a ratio to σ_s, and without [surface] the bodies are smooth",
+                              std::string(allowed) + ", or a table surface"});
+    };
+    if (given_[named().outputs] == nullptr)
+      scene_.outputs.erase(Output::film_parameter);
+    else if (scene_.outputs.contains(Output::film_parameter) && !is_of_line_film())
+      refuse_ratio("outputs", "film_parameter", "other outputs");
+    if (is_given("supply.inlet_film_ratio") && !is_of_line_film())
+      refuse_ratio("supply.inlet_film_ratio", "this", "inlet_film or inlet_flow");
+  }
+
   // --- Rules on several fields.
 
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
@@ -326,10 +371,10 @@ class SceneBinder {
     return is_of_line_film() && info.path == "lubricant.pressure_viscosity" &&
            value.kind == ValueKind::number && value.fault == NumberFault::none && value.number == 0;
   }
-  // The film of a smooth line asks nothing of the surface.
-  bool may_be_without(const GroupPlaces& group) const {
-    return is_of_line_film() && !has_section("surface") &&
-           group.fields[field_at("surface.summit_density")];
+  // A scene without [surface] is of smooth bodies.
+  bool is_of_smooth(const GroupPlaces& group) const {
+    return group.fields[named().summit_density] && !has_section("surface") &&
+           (explained_ & group.fields).none();
   }
 
   // Refuses a group unless all fields of one of its sets are given, and none of the other sets.
@@ -388,14 +433,17 @@ class SceneBinder {
     problems_.error(path, {Fault::presence, "", " beside " + std::string(first), sets_text(group)});
   }
 
-  // Puts the numbers that follow from two bodies, or from spectral moments, into the scene, as if
-  // they had been given.
+  // Puts the numbers that follow from two bodies, from spectral moments, or from an oil into the
+  // scene, as if they had been given.
   void complete(const detail::SceneNumbers<double>& numbers) {
     Surface& surface = scene_.surface;
-    surface.summit_density = numbers.summit_density;
-    surface.summit_radius = numbers.summit_radius;
-    surface.summit_height_sd = numbers.summit_height_sd;
-    surface.summit_plane_offset = numbers.summit_plane_offset;
+    if (!surface.is_smooth()) {
+      surface.summit_density = numbers.summit_density;
+      surface.summit_radius = numbers.summit_radius;
+      surface.summit_height_sd = numbers.summit_height_sd;
+      surface.summit_plane_offset = numbers.summit_plane_offset;
+    }
+    scene_.lubricant.viscosity = numbers.viscosity;
     Bodies& bodies = scene_.bodies;
     bodies.effective_modulus = numbers.effective_modulus;
     if (bodies.shape() == ContactShape::circle) return;
@@ -441,8 +489,9 @@ class SceneBinder {
   SceneReading& reading_;
   Scene scene_;
   std::array<const Entry*, field_capacity> given_{};
-  FieldPlaces is_given_;   // whether there is one
-  FieldPlaces explained_;  // an error already says why the field is not there
+  std::forward_list<Entry> in_si_;  // entries that were given as texts with units
+  FieldPlaces is_given_;            // whether there is one
+  FieldPlaces explained_;           // an error already says why the field is not there
   bool supply_explained_ = false;
   std::array<std::string_view, sections.size()> sections_;  // the tables that were given
   std::size_t section_count_ = 0;

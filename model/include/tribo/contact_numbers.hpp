@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tribo/hertz_ellipse.hpp"
+#include "tribo/oil.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/spectral_moments.hpp"
 #include "tribo/starvation.hpp"
@@ -14,13 +15,13 @@ namespace tribo::detail {
 // Numbers of one surface under one load. T is double, or a vector of many surfaces' numbers.
 template <class T>
 struct SurfaceNumbers {
-  T stiffness;           // K
-  T offset;              // δ
-  T floor;               // λ_b, 0 without one
-  T floor_argument;      // λ_b − δ, without the rounding of the difference
-  T hazard;              // −d ln A/dλ at the floor: positive; 0 if there is no floor
-  T floor_up_to;         // λ = λ_b to half an ulp for λ₀ from 0 to here
-  T film_from;           // λ = λ₀ to half an ulp for λ₀ from here on
+  T stiffness;       // K
+  T offset;          // δ
+  T floor;           // λ_b, 0 without one
+  T floor_argument;  // λ_b − δ, without the rounding of the difference
+  T hazard;          // −d ln A/dλ at the floor: positive; 0 if there is no floor
+  T floor_up_to;     // λ = λ_b to half an ulp for λ₀ from 0 to here
+  T film_from;       // λ = λ₀ to half an ulp for λ₀ from here on; below 0: smooth, always
   T film_at_unit_speed;  // λ₀/u^a; NaN of a contact beyond the kernels' range
 };
 
@@ -52,8 +53,9 @@ struct SceneNumbers {
   T viscosity, pressure_viscosity, eyring_stress;
   T supply;
   T boundary_coefficient, slide_roll_ratio, damiens_exponent;
-  T across;                    // R_y of an ellipse, L of a line; not used of a circle
-  EllipseOfCircle<T> ellipse;  // not used of a circle and of a line
+  T across;                                 // R_y of an ellipse, L of a line; not used of a circle
+  T conductivity, temperature_coefficient;  // of a heated inlet
+  EllipseOfCircle<T> ellipse;               // not used of a circle and of a line
 
   // The ellipse and its k, which follow from R_x and R_y.
   void set_ellipse() {
@@ -70,6 +72,7 @@ struct ContactWords {
   FluidShear fluid;
   ViscosityLaw viscosity;
   const FilmLaw* film;
+  ThermalInlet thermal = ThermalInlet::none;
 
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
@@ -84,16 +87,21 @@ InletLaw<T> inlet_law(const ContactWords& words, const Numbers<T>& numbers) {
 ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
 
+// Smooth bodies have no summits, n = 0, so that K and A are 0. In place of their σ_s stands this
+// unit of λ, a power of two, which leaves all digits of a film as they are. m
+inline constexpr double smooth_height_unit = 0x1p-24;
+
 // The numbers of a scene as they are given, without the ellipse. A sweep writes its values into
 // them (Access::number of scene/schema.hpp): a field is handed on unchanged.
 inline SceneNumbers<double> given_numbers(const Scene& scene) {
   const Surface& surface = scene.surface;
   const Bodies& bodies = scene.bodies;
   const ContactShape shape = bodies.shape();
+  const bool is_smooth = surface.is_smooth();
   return {.load = scene.load,
           .summit_density = surface.summit_density,
-          .summit_radius = surface.summit_radius,
-          .summit_height_sd = surface.summit_height_sd,
+          .summit_radius = is_smooth ? 1 : surface.summit_radius,
+          .summit_height_sd = is_smooth ? smooth_height_unit : surface.summit_height_sd,
           .summit_plane_offset = surface.summit_plane_offset,
           .offset_planes = static_cast<double>(surface.offset_planes),
           .effective_modulus = bodies.effective_modulus,
@@ -107,6 +115,8 @@ inline SceneNumbers<double> given_numbers(const Scene& scene) {
           .slide_roll_ratio = scene.friction.slide_roll_ratio,
           .damiens_exponent = scene.closures.damiens_exponent,
           .across = shape == ContactShape::line ? bodies.length : bodies.radius_y,
+          .conductivity = scene.lubricant.conductivity,
+          .temperature_coefficient = scene.lubricant.temperature_coefficient,
           .ellipse = {}};
 }
 
@@ -130,6 +140,8 @@ SceneNumbers<T> numbers_by(const SceneNumbers<double>& n, Convert&& convert) {
           .slide_roll_ratio = convert(n.slide_roll_ratio),
           .damiens_exponent = convert(n.damiens_exponent),
           .across = convert(n.across),
+          .conductivity = convert(n.conductivity),
+          .temperature_coefficient = convert(n.temperature_coefficient),
           .ellipse = {}};
 }
 
@@ -157,6 +169,8 @@ SceneNumbers<T> numbers_of(const Scene& scene) {
     numbers.summit_height_sd = T(summits.summit_height_sd * rise);
     numbers.summit_plane_offset = T(summits.summit_plane_offset / rise);
   }
+  if (scene.lubricant.oil.is_given())
+    numbers.viscosity = T(oil_viscosity<Wide>(scene.lubricant.oil));
   if (first.modulus > 0)
     numbers.effective_modulus =
         T(effective_modulus(Wide(first.modulus), Wide(first.poisson_ratio), Wide(second.modulus),

@@ -16,8 +16,9 @@
 
 namespace tribo {
 
-// `speeds` is a number, a list of numbers, or a table whose fields are `speed.from` and so on.
-enum class FieldType : std::uint8_t { number, integer, text, choice, speeds, outputs };
+// `speeds` is a number, a list of numbers, or a table whose fields are `speed.from` and so on;
+// `viscosities` is a list of two pairs of a temperature and a kinematic viscosity.
+enum class FieldType : std::uint8_t { number, integer, text, choice, speeds, outputs, viscosities };
 
 // One field of the schema. `path` is dotted: "surface.summit_density".
 struct FieldInfo {
