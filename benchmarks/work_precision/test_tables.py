@@ -30,7 +30,7 @@ class Tables(unittest.TestCase):
 
     def run_with(self, *options):
         return subprocess.run([os.environ["TRIBOCHECK_WORK_PRECISION"], "--quick", "--out", self.out, *options], capture_output=True,
-                              text=True, timeout=300)
+                              text=True)
 
     def measured(self, *options):
         done = self.run_with("--jobs", JOB, *options)

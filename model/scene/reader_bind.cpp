@@ -17,6 +17,7 @@
 #include "scene/text.hpp"
 #include "scene/units.hpp"
 #include "tribo/friction.hpp"
+#include "tribo/roughness.hpp"
 
 namespace tribo::scene_detail {
 namespace {
@@ -28,15 +29,21 @@ struct NamedFields {
   std::size_t speed = field_at("speed"), speed_from = field_at("speed.from");
   std::size_t speed_to = field_at("speed.to"), outputs = field_at("outputs");
   std::size_t film = field_at("closures.film");
-  std::size_t summit_density = field_at("surface.summit_density");
+  std::size_t rms_roughness = field_at("surface.rms_roughness");
   FieldPlaces of_speed, of_supply;  // all fields of the tables `speed` and `supply`
+  FieldPlaces of_roughness;         // Rq is given by one of these
+  FieldPlaces of_summits;           // all fields of the table `surface` but Rq and Ra
 
   NamedFields() {
     for (std::size_t field = 0; field < scene_fields().size(); ++field) {
       const std::string_view section = section_of(scene_fields()[field].path);
       of_speed.set(field, section == "speed");
       of_supply.set(field, section == "supply");
+      of_summits.set(field, section == "surface" && !scene_fields()[field].takes_both_faces);
     }
+    for (const std::string_view path :
+         {"surface.m0", "surface.rms_roughness", "surface.average_roughness"})
+      of_roughness.set(field_at(path));
   }
 };
 const NamedFields& named() {
@@ -52,9 +59,10 @@ class SceneBinder {
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
     for (const GroupPlaces& group : group_places())
-      if (!is_of_smooth(group)) check_group(group);
+      if (!(is_smooth() && (group.fields & named().of_summits).any())) check_group(group);
     for (std::size_t field = 0; field < scene_fields().size(); ++field) take(field);
     check_supply();
+    check_roughness();
     if (!is_of_line_film()) check_outputs();
     check_smooth();
     check_speed_range();
@@ -132,6 +140,8 @@ class SceneBinder {
       case FieldType::number:
       case FieldType::integer:
         if (is_without_rise(info, value)) return store_of(field)(scene_, 0);
+        if (info.takes_both_faces && value.kind == ValueKind::list)
+          return take_both_faces(field, *given_[field]);
         if (const auto number = number_of(info, value, info.path)) {
           store_of(field)(scene_, *number);
           warn_if_implausible(info, *number, info.path);
@@ -199,6 +209,18 @@ class SceneBinder {
     const bool low = info.exclusive_minimum ? number <= info.minimum : number < info.minimum;
     if (low || (info.maximum && number > *info.maximum)) return Fault::range;
     return std::nullopt;
+  }
+
+  void take_both_faces(std::size_t field, const Entry& entry) {
+    const FieldInfo& info = scene_fields()[field];
+    if (entry.elements.size() != 2) return refuse(info, info.path, entry.value);
+    std::array<std::optional<double>, 2> faces;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const std::string name = element_name(info.path, i);
+      faces[i] = number_of(info, entry.elements[i], name);
+      if (faces[i]) warn_if_implausible(info, *faces[i], name);
+    }
+    if (faces[0] && faces[1]) store_of(field)(scene_, composite_roughness(*faces[0], *faces[1]));
   }
 
   void warn_if_implausible(const FieldInfo& info, double number, std::string_view name) {
@@ -342,16 +364,33 @@ class SceneBinder {
       else
         scene_.outputs.erase(*info.needed_by);
     }
+    if (scene_.outputs.contains(Output::lambda_ratio) && !has_roughness())
+      report_missing(named().rms_roughness,
+                     ": lambda_ratio needs it, or average_roughness, or the moments of a profile");
+  }
+
+  bool has_roughness() const { return (is_given_ & named().of_roughness).any(); }
+  void check_roughness() {
+    if ((is_given_ & named().of_roughness).count() < 2) return;
+    std::string_view first;
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
+      if (!is_given_[field] || !named().of_roughness[field]) continue;
+      const std::string_view path = scene_fields()[field].path;
+      if (first.empty())
+        first = path;
+      else
+        refuse_beside(path, first, "exactly one of m0, rms_roughness and average_roughness");
+    }
   }
 
   // Refuses what is a ratio to σ_s where the bodies are smooth.
   void check_smooth() {
-    if (has_section("surface") || explained_[named().summit_density]) return;
+    if (!is_smooth()) return;
     const auto refuse_ratio = [this](std::string_view field, std::string_view name,
                                      std::string_view allowed) {
       problems_.error(field, {Fault::together, std::string(name),
-                              ": it is a ratio to σ_s, and without [surface] the bodies are smooth",
-                              std::string(allowed) + ", or a table surface"});
+                              ": it is a ratio to σ_s, and without summits the bodies are smooth",
+                              std::string(allowed) + ", or the summits in a table surface"});
     };
     if (given_[named().outputs] == nullptr)
       scene_.outputs.erase(Output::film_parameter);
@@ -371,10 +410,10 @@ class SceneBinder {
     return is_of_line_film() && info.path == "lubricant.pressure_viscosity" &&
            value.kind == ValueKind::number && value.fault == NumberFault::none && value.number == 0;
   }
-  // A scene without [surface] is of smooth bodies.
-  bool is_of_smooth(const GroupPlaces& group) const {
-    return group.fields[named().summit_density] && !has_section("surface") &&
-           (explained_ & group.fields).none();
+  // A scene is of smooth bodies where [surface] is not there, or has the roughness for Λ alone.
+  bool is_smooth() const {
+    return ((is_given_ | explained_) & named().of_summits).none() &&
+           (!has_section("surface") || has_roughness());
   }
 
   // Refuses a group unless all fields of one of its sets are given, and none of the other sets.
@@ -444,6 +483,7 @@ class SceneBinder {
       surface.summit_plane_offset = numbers.summit_plane_offset;
     }
     scene_.lubricant.viscosity = numbers.viscosity;
+    surface.rms_roughness = numbers.rms_roughness;
     Bodies& bodies = scene_.bodies;
     bodies.effective_modulus = numbers.effective_modulus;
     if (bodies.shape() == ContactShape::circle) return;

@@ -140,6 +140,12 @@ constexpr Row ratio_row(std::string_view path, std::string_view meaning, Access 
       {.path = path, .minimum = -1, .maximum = 0.5, .plausible_maximum = 0.5, .meaning = meaning},
       access};
 }
+// A number of both faces together, or one of each.
+constexpr Row roughness_row(std::string_view path, std::string_view meaning, Access access) {
+  Row row = number_row(path, "m", {1e-10, 1e-4}, meaning, access);
+  row.info.takes_both_faces = true;
+  return row;
+}
 constexpr Row face_row(std::string_view path, std::string_view meaning, Access access) {
   return {{.path = path,
            .unit = "m",
@@ -188,6 +194,14 @@ constexpr auto rows = std::to_array<Row>({
                at<&Scene::surface, &Surface::moments, &SpectralMoments::m2>),
     number_row("surface.m4", "1/m²", {1, 1e18}, "m₄, mean square of the profile's curvatures",
                at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>),
+    roughness_row("surface.rms_roughness",
+                  "Rq, root-mean-square roughness of both faces together, or [Rq₁, Rq₂] of each; "
+                  "only lambda_ratio needs it, and follows from average_roughness or m0 too",
+                  at_number<&Numbers::rms_roughness, &Scene::surface, &Surface::rms_roughness>),
+    roughness_row("surface.average_roughness",
+                  "Ra, of both faces together, or [Ra₁, Ra₂] of each, in place of Rq: Rq = √(π/2) "
+                  "Ra of Gaussian heights",
+                  at<&Scene::surface, &Surface::average_roughness>),
 
     number_row("bodies.effective_modulus", "Pa", {1e3, 2e12},
                "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*",
@@ -449,6 +463,7 @@ std::string allowed_number(const FieldInfo& field) {
     text += number_text(field.minimum);
   }
   if (!field.unit.empty()) text += ", in " + std::string(field.unit);
+  if (field.takes_both_faces) text += "; or a list of two such numbers, one of each face";
   return text;
 }
 

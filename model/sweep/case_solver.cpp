@@ -11,6 +11,7 @@
 #include "ehl/solved_film.hpp"
 #include "scene/schema.hpp"
 #include "tribo/onset.hpp"
+#include "tribo/smooth_contact.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -69,8 +70,10 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
       if (is_stopped()) throw Stopped();
       if (curves) {
         points_.resize(speeds_.size(), sweep_.outputs);
-        tribo::solve(contacts_[contact_of_[i]], speeds_, sweep_.outputs, points_);
-        put_points(to.subspan(i * width, point_width_), 1);
+        const MixedContact<double> contact = contacts_[contact_of_[i]];
+        tribo::solve(contact, speeds_, sweep_.outputs, points_);
+        put_points(to.subspan(i * width, point_width_), 1,
+                   [&](std::size_t) -> const MixedContact<double>& { return contact; });
       }
       if (!sweep_.criteria.empty())
         find_onsets(values.subspan(i * count, count), contacts_[contact_of_[i]],
@@ -137,7 +140,8 @@ void CaseSolver::add(std::span<const double> values) {
 void CaseSolver::solve_speeds(std::span<const double> speeds, std::span<double> results) {
   points_.resize(speeds.size(), sweep_.outputs);
   tribo::solve(*only_contact_, speeds, sweep_.outputs, points_);
-  put_points(results, speeds.size());
+  put_points(results, speeds.size(),
+             [this](std::size_t) -> const MixedContact<double>& { return *only_contact_; });
 }
 
 void CaseSolver::solve_few_speeds(std::span<const double> variables, std::span<double> results) {
@@ -154,12 +158,15 @@ void CaseSolver::solve_few_speeds(std::span<const double> variables, std::span<d
     }
   points_.resize(point_speeds_.size(), sweep_.outputs);
   contacts_.solve(contact_of_point_, point_speeds_, sweep_.outputs, points_);
-  put_points(results, cases);
+  put_points(results, cases,
+             [this](std::size_t point) { return contacts_[contact_of_point_[point]]; });
 }
 
 // Copies the points of `cases` cases, which lie case after case, to the results: output o of point
 // j of a case goes to place o·speeds + j of that case's results.
-void CaseSolver::put_points(std::span<double> results, std::size_t cases) const {
+template <class ContactAt>
+void CaseSolver::put_points(std::span<double> results, std::size_t cases,
+                            const ContactAt& contact_at) const {
   const std::size_t speeds = points_.size() / cases, width = results.size() / cases;
   std::size_t column = 0;
   const auto put = [&](const auto& value_at) {
@@ -175,6 +182,11 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases) const 
     put([&](std::size_t i) { return static_cast<double>(points_.regime[i]); });
   if (!points_.inlet.empty())
     put([&](std::size_t i) { return static_cast<double>(points_.inlet[i]); });
+  for (const Output output : asked_)
+    if (info(output).is_of_smooth_contact)
+      put([&](std::size_t i) {
+        return SmoothContact(contact_at(i)).value(output, points_.speed[i]);
+      });
 }
 
 // Computes the inlet's onsets. They depend on its law alone, so that they are computed anew only

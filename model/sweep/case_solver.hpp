@@ -33,7 +33,9 @@ class CaseSolver {
   void add(std::span<const double> values);  // adds a case to those in hand
   // The results of the only contact, at the speeds of the cases.
   void solve_speeds(std::span<const double> speeds, std::span<double> results);
-  void put_points(std::span<double> results, std::size_t cases) const;
+  // contact_at(i): the contact of point i.
+  template <class ContactAt>
+  void put_points(std::span<double> results, std::size_t cases, const ContactAt& contact_at) const;
   void solve_few_speeds(std::span<const double> variables, std::span<double> results);
   void prepare_inlet(const InletLaw<double>& law);
   // The solved films of a case at its speeds.

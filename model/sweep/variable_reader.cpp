@@ -296,7 +296,9 @@ class VariableReader {
 
 bool varies(const Entry& entry) {
   if (entry.path == "outputs") return false;
-  return entry.value.kind == ValueKind::table || entry.value.kind == ValueKind::list;
+  if (entry.value.kind != ValueKind::list) return entry.value.kind == ValueKind::table;
+  const auto field = scene_detail::find_field(entry.path);
+  return !field || !scene_fields()[*field].takes_both_faces;  // else one number of each face
 }
 
 std::optional<Variable> read_variable(const Entry& entry, const FieldInfo& field,

@@ -124,6 +124,9 @@ Table moes_lines() {
     table.add({}, {speed, viscosity, alpha, load, modulus, radius}, moes_film,
               moes_film_by_logarithms, usual ? "ordinary" : "far");
   }
+  for (const Numbers& x :
+       steps({0.7, 0.02, 2e-8, 1e5, 1.1e11, 0.01}, {2, 0.09, 1.2e-8, 3e5, 1.6e11, 0.025}))
+    table.add({}, x, moes_film, moes_film_by_logarithms, "ordinary");
   return table;
 }
 
@@ -133,6 +136,11 @@ Table regime_films() {
                "powers", "bisection on whole powers; the arc of a cosine",
                "regime,viscosity_parameter,elasticity_parameter,radius_ratio,ellipticity"},
               "fr"};
+  const auto add = [&table](std::size_t regime, const Numbers& numbers, const char* region) {
+    table.add(
+        {regimes[regime]}, numbers, [=](const Balls& x) { return regime_film(regime, x); },
+        [=](const Balls& x) { return regime_film_by_roots(regime, x); }, region);
+  };
   Sampler sampler(1521);
   for (std::size_t regime = 0; regime < regimes.size(); ++regime)
     for (int i = 0; i < 24; ++i) {
@@ -143,12 +151,13 @@ Table regime_films() {
       const double viscosity = group(), elasticity = group();
       const double ratio = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 80);
       const double k = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 20);
-      table.add(
-          {regimes[regime]}, {viscosity, elasticity, ratio, k},
-          [=](const Balls& x) { return regime_film(regime, x); },
-          [=](const Balls& x) { return regime_film_by_roots(regime, x); },
-          usual ? "ordinary" : "far");
+      add(regime, {viscosity, elasticity, ratio, k}, usual ? "ordinary" : "far");
     }
+  // There and back, so that the next regime begins where this one ends.
+  const Numbers one{2e4, 300, 3, 2}, other{9e5, 4000, 12, 5};
+  for (std::size_t regime = 0; regime < regimes.size(); ++regime)
+    for (const Numbers& x : regime % 2 == 0 ? steps(one, other) : steps(other, one))
+      add(regime, x, "ordinary");
   return table;
 }
 
@@ -178,6 +187,9 @@ Table thermal_reductions() {
     table.add({}, {pressure, modulus, sliding, beta, viscosity, speed, conductivity}, thermal,
               thermal_by_roots, usual ? "ordinary" : "far");
   }
+  for (const Numbers& x :
+       steps({6e8, 1.1e11, 0.1, 0.03, 0.02, 2, 0.12}, {9e8, 1.6e11, 0.5, 0.05, 0.09, 5, 0.15}))
+    table.add({}, x, thermal, thermal_by_roots, "ordinary");
   return table;
 }
 

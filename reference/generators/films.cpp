@@ -91,6 +91,14 @@ Table film_table(const Law& law) {
                                         : sampler.log_uniform(0.1, 20);
     table.add([x, &law, usual] { return row_of(law, x, usual ? "ordinary" : "far"); });
   }
+  const double first_load = law.is_of_lines ? 1e5 : 40, second_load = law.is_of_lines ? 3e5 : 250;
+  const double scale = is_soft ? 1e-4 : 1;
+  for (const Numbers& x : steps({0.7, 0.02, 2e-8, first_load, scale * 1.1e11, 0.01, 1},
+                                {2, 0.09, is_soft ? 2e-8 : 1.2e-8, second_load, scale * 1.6e11,
+                                 0.025, law.is_of_lines ? 1.0 : 4.0}))
+    table.add([contact = Contact{x[0], x[1], x[2], x[3], x[4], x[5], x[6]}, &law] {
+      return row_of(law, contact, "ordinary");
+    });
   return table;
 }
 

@@ -20,26 +20,28 @@ Table circular_contact_values() {
        "output,load,effective_modulus,reduced_radius"},
       "h"};
   Sampler sampler(404);
-  for (int i = 0; i < 40; ++i) {
-    const double f = i == 0 ? 50 : sampler.log_uniform(1e-6, 1e6);
-    const double e = i == 0 ? 107.9e9 : sampler.log_uniform(1e6, 1e12);
-    const double r = i == 0 ? 9.5e-3 : sampler.log_uniform(1e-6, 10);
+  std::vector<Numbers> contacts{{50, 107.9e9, 9.5e-3}};
+  while (contacts.size() < 40) {
+    const double f = sampler.log_uniform(1e-6, 1e6), e = sampler.log_uniform(1e6, 1e12);
+    contacts.push_back({f, e, sampler.log_uniform(1e-6, 10)});
+  }
+  for (const Numbers& x : steps({40, 1.1e11, 0.01}, {250, 1.6e11, 0.025})) contacts.push_back(x);
+  for (const Numbers& x : contacts)
     for (int k = 0; k < 4; ++k)
       table.add([=] {
-        const Ball load(f), modulus(e), radius(r);
+        const Ball load(x[0]), modulus(x[1]), radius(x[2]);
         const Ball cube = 3 * load * radius / (4 * modulus);
         const Ball a = pow(cube, fraction(1, 3));
         const Ball b =
-            zero_between([&](const Ball& x) { return x * x * x - cube; }, Ball(1e-12), Ball(1e4));
+            zero_between([&](const Ball& y) { return y * y * y - cube; }, Ball(1e-12), Ball(1e4));
         const Ball mean = load / (ball_pi() * a * a);
         const Ball values[] = {a, mean, mean * 3 / 2, a * a / radius};
         const Ball others[] = {
             b, 4 * b * modulus / (3 * ball_pi() * radius), 2 * b * modulus / (ball_pi() * radius),
             pow(9 * load * load / (16 * modulus * modulus * radius), fraction(1, 3))};
         constexpr const char* names[] = {"radius", "mean_pressure", "peak_pressure", "approach"};
-        return Row{{names[k]}, {f, e, r}, values[k], others[k], Ball(1), "ordinary"};
+        return Row{{names[k]}, x, values[k], others[k], Ball(1), "ordinary"};
       });
-  }
   return table;
 }
 
@@ -75,6 +77,8 @@ std::vector<EllipticalContact> elliptical_contacts() {
     const double radius = sampler.log_uniform(1e-60, 1e60);
     all.push_back({load, modulus, radius, radius * sampler.log_uniform(1e-30, 1e30), "far"});
   }
+  for (const Numbers& x : steps({40, 1.1e11, 0.01, 0.03}, {250, 1.6e11, 0.025, 0.07}))
+    all.push_back({x[0], x[1], x[2], x[3], "ordinary"});
   return all;
 }
 
@@ -182,20 +186,23 @@ Table line_contact_values() {
        "output,load_per_length,effective_modulus,reduced_radius"},
       "l"};
   Sampler sampler(909);
-  for (int i = 0; i < 40; ++i) {
-    const bool far = i >= 30;
-    const auto pick = [&](double first, double low, double high) {
-      return i == 0 ? first
-             : far  ? sampler.log_uniform(1e-90, 1e90)
-                    : sampler.log_uniform(low, high);
+  std::vector<Numbers> contacts{{1e5, 107.9e9, 9.5e-3}};
+  while (contacts.size() < 40) {
+    const bool far = contacts.size() >= 30;
+    const auto pick = [&](double low, double high) {
+      return far ? sampler.log_uniform(1e-90, 1e90) : sampler.log_uniform(low, high);
     };
-    const double f = pick(1e5, 1e-3, 1e8), e = pick(107.9e9, 1e5, 1e12), r = pick(9.5e-3, 1e-6, 10);
+    const double f = pick(1e-3, 1e8), e = pick(1e5, 1e12);
+    contacts.push_back({f, e, pick(1e-6, 10)});
+  }
+  for (const Numbers& x : steps({1e5, 1.1e11, 0.01}, {3e5, 1.6e11, 0.025})) contacts.push_back(x);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k)
-      table.add([=] {
-        const Ball load(f), modulus(e), radius(r), pi = ball_pi();
+      table.add([x = contacts[i], k, far = i >= 30 && i < 40] {
+        const Ball load(x[0]), modulus(x[1]), radius(x[2]), pi = ball_pi();
         const Ball square = 4 * load * radius / (pi * modulus);
         const Ball width = sqrt(square), peak = 2 * load / (pi * width);
-        const Ball found = zero_between([&](const Ball& x) { return x * x - square; },
+        const Ball found = zero_between([&](const Ball& y) { return y * y - square; },
                                         pow(Ball(10), Ball(-150)), pow(Ball(10), Ball(150)));
         const Ball other_peak = sqrt(load * modulus / (pi * radius));
         const auto shear = [](const Ball& z) { return z - z * z / sqrt(1 + z * z); };
@@ -211,10 +218,8 @@ Table line_contact_values() {
                                shear(other_depth) * other_peak};
         constexpr const char* names[] = {"half_width", "mean_pressure", "peak_pressure",
                                          "peak_shear"};
-        return Row{{names[k]}, {f, e, r},      values[k],
-                   others[k],  fraction(3, 2), far ? "far" : "ordinary"};
+        return Row{{names[k]}, x, values[k], others[k], fraction(3, 2), far ? "far" : "ordinary"};
       });
-  }
   return table;
 }
 

@@ -103,6 +103,10 @@ Table pressure_viscosities(bool is_barus) {
                is_barus ? "bisection on the logarithm" : "a power of eta0 over 6.315e-5 Pa s",
                "viscosity,pressure_viscosity,pressure"},
               is_barus ? "lb" : "lr"};
+  const auto add = [&](const Numbers& numbers, const char* region) {
+    table.add({}, numbers, is_barus ? barus : roelands,
+              is_barus ? barus_by_logarithm : roelands_by_pole, region);
+  };
   Sampler sampler(is_barus ? 1531 : 1532);
   while (table.rows.size() < 60) {
     const bool usual = table.rows.size() < 48;
@@ -110,9 +114,9 @@ Table pressure_viscosities(bool is_barus) {
     const double alpha = sampler.log_uniform(1e-9, 5e-8);
     const double p = table.rows.size() % 12 == 0 ? 0 : sampler.log_uniform(1e5, 4e9);
     if (alpha * p > (usual ? 40 : 200)) continue;
-    table.add({}, {viscosity, alpha, p}, is_barus ? barus : roelands,
-              is_barus ? barus_by_logarithm : roelands_by_pole, usual ? "ordinary" : "far");
+    add({viscosity, alpha, p}, usual ? "ordinary" : "far");
   }
+  for (const Numbers& x : steps({0.02, 2e-8, 3e8}, {0.09, 1.2e-8, 7e8})) add(x, "ordinary");
   return table;
 }
 
@@ -138,6 +142,9 @@ Table temperature_viscosities() {
     table.add({}, {first, thick, second, thin, at}, astm_d341, astm_d341_in_decimals,
               usual ? "ordinary" : "far");
   }
+  for (const Numbers& x :
+       steps({313.15, 68e-6, 373.15, 8.7e-6, 330}, {303.15, 120e-6, 363.15, 10.5e-6, 350}))
+    table.add({}, x, astm_d341, astm_d341_in_decimals, "ordinary");
   return table;
 }
 
@@ -152,6 +159,12 @@ Table summits_of_moments() {
               "sm"};
   constexpr std::array names{"bandwidth", "summit_density", "summit_radius", "summit_height_sd",
                              "summit_plane_offset"};
+  const auto add = [&](const Numbers& numbers, const char* region) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+      table.add(
+          {names[k]}, numbers, [=](const Balls& x) { return summits(k, x); },
+          [=](const Balls& x) { return summits_by_squares(k, x); }, region);
+  };
   Sampler sampler(1534);
   for (int i = 0; i < 32; ++i) {
     const bool usual = i < 24;
@@ -159,11 +172,9 @@ Table summits_of_moments() {
     const double bandwidth =
         usual ? sampler.log_uniform(1.5, 500) : 0.8968 * (1 + sampler.log_uniform(1e-9, 0.5));
     const double m4 = bandwidth * m2 * m2 / m0;
-    for (std::size_t k = 0; k < names.size(); ++k)
-      table.add(
-          {names[k]}, {m0, m2, m4}, [=](const Balls& x) { return summits(k, x); },
-          [=](const Balls& x) { return summits_by_squares(k, x); }, usual ? "ordinary" : "far");
+    add({m0, m2, m4}, usual ? "ordinary" : "far");
   }
+  for (const Numbers& x : steps({4e-15, 3e-4, 1e8}, {9e-15, 5e-4, 2e8})) add(x, "ordinary");
   return table;
 }
 

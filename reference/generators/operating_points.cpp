@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -10,7 +11,7 @@ namespace tribo::reference {
 namespace {
 
 // Circles with the default law first, then, up to scene_count, all shapes with each law.
-constexpr int circle_count = 320, scene_count = 480;
+constexpr std::size_t circle_count = 320, scene_count = 480;
 
 // Chooses another shape, or another law of circles.
 void choose_shape(Inputs& in, Sampler& sampler) {
@@ -54,6 +55,53 @@ Inputs random_inputs(Sampler& sampler) {
       {Inlet::flooded_inlet, Inlet::starved_inlet, Inlet::printed_exponents, Inlet::damiens});
   v[Inputs::inlet_exponent] = sampler.uniform(1, 5);
   return in;
+}
+
+// Neighbours: one number after the other is exchanged, then one word after the other.
+void add_steps(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
+  Inputs in;
+  in.shape = shape;
+  in.film = film;
+  in.inlet = Inlet::damiens;
+  in.supply_kind = Supply::inlet_film;
+  const double across = shape == Shape::circle ? 1 : shape == Shape::ellipse ? 0.03 : 0.008;
+  const double load = shape == Shape::line ? 2000 : 50;
+  for (const Numbers& x : steps({load, 0.05, 1e11, 1e-5, 5e-8, 1, 1.1e11, 0.01, across, 0.05, 2e-8,
+                                 5e6, 6e-8, 0.1, 0.5, 3},
+                                {1.6 * load, 0.08, 8e10, 1.5e-5, 6e-8, 1.2, 1.6e11, 0.015,
+                                 1.5 * across, 0.08, 1.5e-8, 8e6, 8e-8, 0.12, 0.8, 2})) {
+    std::copy(x.begin(), x.end(), in.value.begin());
+    scenes.push_back(in);
+  }
+  const auto exchange = [&](auto& one, auto another) {
+    one = another;
+    scenes.push_back(in);
+  };
+  exchange(in.planes, 0);
+  exchange(in.rough, Rough::williamson);
+  exchange(in.shear, Shear::limiting);
+  exchange(in.law, Viscosity::roelands);
+  exchange(in.inlet, Inlet::starved_inlet);
+  if (shape != Shape::circle || film != 0) exchange(in.film, film + 1);
+  in.supply_kind = Supply::inlet_flow;
+  for (const double flow : {5e-9, 4e-9}) exchange(in.value[Inputs::supply], flow);
+  in.supply_kind = Supply::inlet_film_ratio;
+  for (const double ratio : {1.2, 0.9}) exchange(in.value[Inputs::supply], ratio);
+}
+
+// The random ones, then those of each way of asking for the point.
+std::vector<Inputs> all_inputs() {
+  std::vector<Inputs> scenes;
+  Sampler sampler(505), shapes(507);
+  while (scenes.size() < scene_count) {
+    scenes.push_back(random_inputs(sampler));
+    if (scenes.size() > circle_count) choose_shape(scenes.back(), shapes);
+  }
+  add_steps(scenes, Shape::circle, 0);
+  add_steps(scenes, Shape::circle, 1);
+  add_steps(scenes, Shape::ellipse, 0);
+  add_steps(scenes, Shape::line, 4);
+  return scenes;
 }
 
 std::vector<std::string> words_of(const Inputs& in) {
@@ -120,10 +168,7 @@ std::vector<Table> operating_points() {
        "radius_x,across,viscosity,pressure_viscosity,eyring_stress,supply,"
        "boundary_coefficient,slide_roll_ratio,damiens_exponent"},
       "p"};
-  Sampler sampler(505), shapes(507);
-  for (int scene = 0; scene < scene_count; ++scene) {
-    Inputs in = random_inputs(sampler);
-    if (scene >= circle_count) choose_shape(in, shapes);
+  for (int scene = 0; const Inputs& in : all_inputs()) {
     auto solved = std::make_shared<std::optional<Solved>>();
     for (std::size_t k = 0; k < output_names.size(); ++k)
       table.add(fmt::format("p{:04}.{}", scene, k), [=] {
@@ -148,6 +193,7 @@ std::vector<Table> operating_points() {
                    : floored         ? "floor"
                                      : "film"};
       });
+    ++scene;
   }
   return {table};
 }

@@ -39,27 +39,31 @@ Table starvation_ratios() {
                "bisection on y in ball arithmetic (damiens: the other form, rho = 1/r)",
                "closure,flooded_over_inlet,damiens_exponent"},
               "s"};
+  const auto add = [&table](Inlet inlet, double r, double gamma) {
+    table.add([=] {
+      const Ball y = film_ratio_by_inlet_length(inlet, Ball(r), Ball(gamma));
+      const bool collapsed = inlet == Inlet::flooded_inlet && r >= 1;
+      return Row{{name(inlet)},
+                 {r, gamma},
+                 y,
+                 film_ratio_by_bisection(inlet, Ball(r), Ball(gamma)),
+                 collapsed ? Ball(1) : ratio_condition(inlet, Ball(r), Ball(gamma), y),
+                 collapsed             ? "collapsed"
+                 : r < 1e-3 || r > 1e3 ? "far"
+                                       : "ordinary"};
+    });
+  };
   Sampler sampler(303);
   for (const Inlet inlet : inlets) {
     std::vector<double> ratios{0.5, 1 - 0x1p-30, 1, 0.6327757634209, 0.6962389029717};
     for (int i = 0; i < 60; ++i) ratios.push_back(sampler.log_uniform(1e-3, 1e3));
     for (int i = 0; i < 30; ++i) ratios.push_back(sampler.log_uniform(1e-12, 1e12));
-    for (const double r : ratios) {
-      const double gamma = sampler.uniform(0.5, 6);
-      table.add([=] {
-        const Ball y = film_ratio_by_inlet_length(inlet, Ball(r), Ball(gamma));
-        const bool collapsed = inlet == Inlet::flooded_inlet && r >= 1;
-        return Row{{name(inlet)},
-                   {r, gamma},
-                   y,
-                   film_ratio_by_bisection(inlet, Ball(r), Ball(gamma)),
-                   collapsed ? Ball(1) : ratio_condition(inlet, Ball(r), Ball(gamma), y),
-                   collapsed             ? "collapsed"
-                   : r < 1e-3 || r > 1e3 ? "far"
-                                         : "ordinary"};
-      });
-    }
+    for (const double r : ratios) add(inlet, r, sampler.uniform(0.5, 6));
   }
+  // There and back, so that the next closure begins where this one ends.
+  for (std::size_t i = 0; i < std::size(inlets); ++i)
+    for (const Numbers& x : i % 2 == 0 ? steps({0.8, 3}, {0.4, 2}) : steps({0.4, 2}, {0.8, 3}))
+      add(inlets[i], x[0], x[1]);
   return table;
 }
 

@@ -50,6 +50,20 @@ inline std::string line(const std::string& id, const Row& row) {
 }
 
 using Balls = std::vector<Ball>;
+
+// The inputs on the way from one row to another, exchanged one after the other: by such neighbours
+// a solver is found that takes no notice of one input. Those that are the same are passed over.
+using Numbers = std::vector<double>;
+inline std::vector<Numbers> steps(Numbers from, const Numbers& to) {
+  std::vector<Numbers> all{from};
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from[i] == to[i]) continue;
+    from[i] = to[i];
+    all.push_back(from);
+  }
+  return all;
+}
+
 using Formula = std::function<Ball(const Balls& inputs)>;
 
 // The sum of |d ln value/d ln input| by steps of 2^-100, at least 1.

@@ -60,6 +60,8 @@ std::vector<Pair> pairs() {
     all.push_back({{1e9, above - 1}, {1e9, 0.3}, "far"});
     all.push_back({{2e11, above - 1}, {3e8, above - 1}, "far"});
   }
+  for (const Numbers& x : steps({206e9, 0.3, 72e9, 0.22}, {110e9, 0.34, 310e9, 0.26}))
+    all.push_back({{x[0], x[1]}, {x[2], x[3]}, "ordinary"});
   return all;
 }
 
@@ -140,6 +142,8 @@ std::vector<Faces> faces() {
     if (i % 2 == 1) *std::max_element(radii.begin(), radii.begin() + 2) *= -1;
     all.push_back({radii, "far"});
   }
+  for (const Numbers& x : steps({10e-3, 25e-3, 12e-3, 40e-3}, {15e-3, 30e-3, 18e-3, 60e-3}))
+    all.push_back({{x[0], x[1], x[2], x[3]}, "ordinary"});
   return all;
 }
 

@@ -81,9 +81,16 @@ std::string csv_cell(const CaseColumn& column, double value) {
   return std::isnan(value) ? "" : exact(value);
 }
 
-std::string plain_cell(const CaseColumn& column, double value) {
+std::string plain_cell(const CaseColumn& column, double value, double factor) {
   if (!column.words.empty()) return word_of(column, value);
-  return std::isnan(value) ? "–" : rounded(value, 5);
+  return std::isnan(value) ? "–" : rounded(factor * value, 5);
+}
+
+ReadableUnit unit_of(const CaseColumn& column) {
+  double greatest = 0;
+  for (const double value : column.values)
+    if (std::isfinite(value)) greatest = std::max(greatest, std::abs(value));
+  return readable_unit(column.unit, greatest);
 }
 
 nlohmann::ordered_json json_cell(const CaseColumn& column, double value) {
@@ -144,16 +151,19 @@ void write_table(const CaseTable& table, const Told& told) {
                  {true},
                  {},
                  ""};
+  std::vector<double> factors;
   for (const CaseColumn& column : table.columns) {
-    text.headings.push_back(fmt::format(
-        "{}{}", column.name, column.unit.empty() ? "" : fmt::format(", {}", column.unit)));
+    const ReadableUnit unit = unit_of(column);
+    factors.push_back(unit.factor);
+    text.headings.push_back(
+        fmt::format("{}{}", column.name, unit.name.empty() ? "" : fmt::format(", {}", unit.name)));
     text.is_number.push_back(column.words.empty());
   }
   for (std::size_t row = 0; row < shown; ++row) {
     const std::size_t i = row / table.speeds, s = row % table.speeds;
     std::vector<std::string> cells{std::to_string(i)};
-    for (const CaseColumn& column : table.columns)
-      cells.push_back(plain_cell(column, column.at(i, s)));
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      cells.push_back(plain_cell(table.columns[c], table.columns[c].at(i, s), factors[c]));
     text.rows.push_back(std::move(cells));
   }
   told(plain_table(text));

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <numeric>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "page/sweep_tables.hpp"
 #include "sweep/output_file.hpp"
@@ -11,26 +16,53 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// A grid of one field alone whose film can be drawn as a map over speed and that field.
-bool is_map(const sweep::SceneResult& scene) {
-  const sweep::ColumnResult* const film = scene.column("film");
-  return scene.design == "factorial" && scene.has_points && scene.inputs.size() == 1 &&
-         scene.inputs.front().words.empty() && film != nullptr && film->values.size() >= 3 &&
-         film->values.size() == scene.speeds.size();
+// Columns that are drawn over the fields of a grid.
+constexpr auto drawn_films =
+    std::to_array<std::string_view>({"film", "solved_film.central", "solved_film.minimum"});
+
+// A grid of one or two fields that are numbers, each case of which is there.
+bool is_grid(const sweep::SceneResult& scene) {
+  const auto is_number = [](const sweep::InputResult& input) { return input.words.empty(); };
+  return scene.design == "factorial" && scene.has_points && !scene.speeds.empty() &&
+         (scene.inputs.size() == 1 || scene.inputs.size() == 2) &&
+         std::ranges::all_of(scene.inputs, is_number);
 }
 
-// The field of each case, and its film at each speed.
-ordered_json map_json(const sweep::SceneResult& scene, const sweep::ResultFile& result) {
-  const auto field = result.input(scene.id, scene.inputs.front().path);
-  const auto films = result.column(scene.id, "film");
-  const std::size_t speeds = scene.speeds.size();
-  if (films.size() != field.size() * speeds)
-    throw std::runtime_error(result.path() + " has a torn film");
-  ordered_json rows = ordered_json::array();
-  for (auto first = films.begin(); first != films.end();
-       first += static_cast<std::ptrdiff_t>(speeds))
-    rows.push_back(std::vector(first, first + static_cast<std::ptrdiff_t>(speeds)));
-  return {{"field", field}, {"film", std::move(rows)}};
+// The places of the speeds that are drawn: all, but of two fields, which have a map at each speed,
+// the first, the middle and the last one.
+std::vector<std::size_t> drawn_speeds(const sweep::SceneResult& scene) {
+  const std::size_t count = scene.speeds.size();
+  if (scene.inputs.size() == 2 && count > 3) return {0, count / 2, count - 1};
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+// The fields of each case, and its films at the speeds that are drawn. Null without a film.
+ordered_json grid_json(const sweep::SceneResult& scene, const sweep::ResultFile& result) {
+  const std::vector<std::size_t> places = drawn_speeds(scene);
+  ordered_json fields = ordered_json::array(), speeds = ordered_json::array();
+  ordered_json films = ordered_json::object();
+  for (const sweep::InputResult& input : scene.inputs)
+    fields.push_back(result.input(scene.id, input.path));
+  for (const std::size_t place : places) speeds.push_back(scene.speeds[place]);
+  for (const std::string_view name : drawn_films) {
+    const sweep::ColumnResult* const column = scene.column(name);
+    if (column == nullptr || column->values.size() != scene.speeds.size()) continue;
+    const auto values = result.column(scene.id, std::string(name));
+    if (values.size() != scene.cases * scene.speeds.size())
+      throw std::runtime_error(result.path() + " has a torn film");
+    ordered_json rows = ordered_json::array();
+    for (std::size_t first = 0; first < values.size(); first += scene.speeds.size()) {
+      ordered_json row = ordered_json::array();
+      for (const std::size_t place : places) row.push_back(values[first + place]);
+      rows.push_back(std::move(row));
+    }
+    films[std::string(name)] = std::move(rows);
+  }
+  if (films.empty()) return nullptr;
+  return {
+      {"fields", std::move(fields)}, {"speeds", std::move(speeds)}, {"films", std::move(films)}};
 }
 
 }  // namespace
@@ -41,7 +73,8 @@ Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::Res
     make_folder(folder);
     ordered_json json = sweep_json(result);
     for (std::size_t i = 0; i < result.scenes.size(); ++i)
-      if (is_map(result.scenes[i])) json["scenes"][i]["map"] = map_json(result.scenes[i], source);
+      if (is_grid(result.scenes[i]))
+        json["scenes"][i]["grid"] = grid_json(result.scenes[i], source);
     const sweep::PartFile file(std::filesystem::path(folder) / "result.json");  // goes again
     file.write(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
     return run_script(usual_places(), "sweep_pictures.py", {file.path(), folder});

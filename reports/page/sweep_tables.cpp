@@ -25,18 +25,12 @@ std::string number(double value, double factor = 1) {
   return std::isnan(value) ? "–" : rounded(factor * value, digits);
 }
 
-// A unit that leaves few zeros, for people: nm where all values are films.
-struct ReadableUnit {
-  std::string name;
-  double factor;  // multiplies a number in the column's unit
-};
-ReadableUnit readable_unit(const ColumnResult& column) {
+ReadableUnit unit_of(const ColumnResult& column) {
   double greatest = 0;
   for (const ColumnResult::Value& value : column.values)
     if (std::isfinite(value.greatest) && std::isfinite(value.least))
       greatest = std::max({greatest, std::abs(value.greatest), std::abs(value.least)});
-  if (column.unit != "m" || greatest == 0 || greatest >= 1e-2) return {column.unit, 1};
-  return greatest < 1e-5 ? ReadableUnit{"nm", 1e9} : ReadableUnit{"µm", 1e6};
+  return readable_unit(column.unit, greatest);
 }
 
 // "0.712 ± 0.011"
@@ -103,7 +97,7 @@ TextTable number_table(const SceneResult& scene) {
   table.is_number.resize(table.headings.size(), true);
   for (const ColumnResult& column : scene.columns) {
     if (!column.words.empty()) continue;
-    const ReadableUnit unit = readable_unit(column);
+    const ReadableUnit unit = unit_of(column);
     for (const std::size_t i : chosen(column.values.size())) {
       const ColumnResult::Value& value = column.values[i];
       std::vector<std::string> row{column.name, unit.name.empty() ? "–" : unit.name,
@@ -225,6 +219,11 @@ TextTable index_table(const SceneResult& scene, const Columns& columns) {
 }
 
 }  // namespace
+
+ReadableUnit readable_unit(const std::string& unit, double greatest) {
+  if (unit != "m" || greatest == 0 || greatest >= 1e-2) return {unit, 1};
+  return greatest < 1e-5 ? ReadableUnit{"nm", 1e9} : ReadableUnit{"µm", 1e6};
+}
 
 std::vector<TextTable> sweep_tables(const SweepResult& result) {
   std::vector<TextTable> tables;

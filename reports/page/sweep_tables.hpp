@@ -15,6 +15,14 @@
 
 namespace tribo::report {
 
+// The unit in which a table for people has numbers of an SI unit that are at most `greatest`: one
+// that leaves few zeros, nm where all values are films.
+struct ReadableUnit {
+  std::string name;
+  double factor;  // multiplies a number in the SI unit
+};
+ReadableUnit readable_unit(const std::string& unit, double greatest);
+
 // The numbers, the words and the Sobol indices of each scene.
 std::vector<TextTable> sweep_tables(const sweep::SweepResult& result);
 

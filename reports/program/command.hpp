@@ -25,6 +25,7 @@ using AddCommand = Command (*)(CLI::App& program);
 int run_program(std::span<const AddCommand> commands, int count, char** arguments);
 
 Command add_solve(CLI::App& program);
+Command add_contact(CLI::App& program);
 Command add_curve(CLI::App& program);
 Command add_onset(CLI::App& program);
 Command add_film(CLI::App& program);

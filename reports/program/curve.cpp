@@ -3,36 +3,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "command.hpp"
+#include "curve_picture.hpp"
+#include "measured_data.hpp"
 #include "messages.hpp"
+#include "picture.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
 #include "protocol/answers.hpp"
 #include "scene_arguments.hpp"
+#include "tribo/onset.hpp"
 #include "tribo/stribeck_walk.hpp"
 
 namespace tribo::cli {
 namespace {
 
-struct Span {
-  double from, to;
+struct CurveArguments : SceneArguments {
+  std::string data;     // a file of measured points; empty: none
+  std::string picture;  // empty: none
 };
 
-Span span_of(const Speeds& speeds) {
-  if (speeds.list.empty()) return {speeds.from, speeds.to};
-  const auto [least, greatest] = std::minmax_element(speeds.list.begin(), speeds.list.end());
-  return {*least, *greatest};
-}
-
 bool is_curve(const Scene& scene) {
-  const Span span = span_of(scene.speeds);
-  if (span.from < span.to) return true;
+  const detail::SpeedSpan span = detail::speed_span(scene.speeds);
+  if (span.low < span.high) return true;
   complain(
       fmt::format("{}: speed: {} alone is no curve; allowed: a range, or a list of at least two "
                   "different speeds",
-                  scene.id, span.from));
+                  scene.id, span.low));
   return false;
 }
 
@@ -46,26 +49,77 @@ void keep_curves(LoadedScenes& loaded) {
 
 void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
-  const Span span = span_of(scene.speeds);
-  writer.begin_scene(scene);
-  stribeck_curve(contact, span.from, span.to, scene.speeds.size(),
+  const detail::SpeedSpan span = detail::speed_span(scene.speeds);
+  writer.begin_scene(scene, contact);
+  stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
                  protocol::needed_for(scene.outputs), [&](const OperatingPoint<double>& point) {
                    writer.add(point);
                    progress.step();
                  });
 }
 
-int curve(const SceneArguments& arguments, OutputStream& output) {
+void write_curves(const CurveArguments& arguments, const std::vector<Scene>& scenes,
+                  OutputStream& output) {
+  std::size_t total = 0;
+  for (const Scene& scene : scenes) total += scene.speeds.size();
+  Progress progress(total);
+  PointWriter writer(arguments.format, output, scenes);
+  for (const Scene& scene : scenes) draw_scene(scene, writer, progress);
+  writer.finish();
+}
+
+// The scene at the speeds of what was measured, which may lie beyond its own.
+std::vector<Comparison> compared(const Scene& scene,
+                                 const std::vector<MeasuredNumber>& measurements) {
+  const MixedContact<double> contact(scene);
+  std::vector<Comparison> comparisons;
+  for (const MeasuredNumber& one : measurements) {
+    const protocol::OutputValue computed = protocol::value_of(contact.solve(one.speed), one.output);
+    const bool has_both = computed.undefined.empty() && one.value > 0;
+    comparisons.push_back({one, computed,
+                           has_both ? 100 * (computed.number / one.value - 1)
+                                    : std::numeric_limits<double>::quiet_NaN()});
+  }
+  return comparisons;
+}
+
+// Why these scenes cannot be drawn, or compared with what was measured; empty if they can.
+std::string fault_of(const CurveArguments& arguments, const std::vector<Scene>& scenes) {
+  if (!arguments.data.empty() && scenes.size() > 1)
+    return fmt::format("--data is compared with one scene, and these are {}; allowed: one scene",
+                       scenes.size());
+  if (arguments.picture.empty()) return {};
+  if (scenes.size() > most_drawn_scenes)
+    return fmt::format("--picture draws at most {} scenes, and these are {}", most_drawn_scenes,
+                       scenes.size());
+  if (arguments.data.empty() && drawn_outputs(scenes, {}).empty())
+    return "--picture draws friction, film and asperity_load_share, and the `outputs` of the "
+           "scenes "
+           "have none of them";
+  return {};
+}
+
+int curve(const CurveArguments& arguments, OutputStream& output) {
   LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
   keep_curves(loaded);
   if (loaded.scenes.empty()) return exit_bad;
-  std::size_t total = 0;
-  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
-  Progress progress(total);
-  PointWriter writer(arguments.format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) draw_scene(scene, writer, progress);
-  writer.finish();
-  return loaded.all_good ? exit_done : exit_bad;
+  if (const std::string fault = fault_of(arguments, loaded.scenes); !fault.empty())
+    return fail(exit_bad, fault);
+  std::vector<Comparison> comparisons;
+  if (arguments.data.empty()) {
+    write_curves(arguments, loaded.scenes, output);
+  } else {
+    const Scene& scene = loaded.scenes.front();
+    comparisons = compared(scene, read_measured(arguments.data, scene.outputs));
+    write_comparisons(arguments.format, scene.id, arguments.data, comparisons, output);
+  }
+  output.flush();
+  const bool is_drawn =
+      arguments.picture.empty() ||
+      draw_picture("curve_picture.py", curve_picture(loaded.scenes, comparisons).dump(),
+                   arguments.picture);
+  if (!loaded.all_good) return exit_bad;
+  return is_drawn ? exit_done : exit_failed;
 }
 
 constexpr const char* curve_footer =
@@ -73,8 +127,27 @@ constexpr const char* curve_footer =
 logarithm of speed, also where the scene gives a list or a range spaced otherwise. Columns and
 formats are those of `tribocheck solve`.
 
+--picture draws friction, film and the asperities' share of the load against speed, as far as the
+scenes ask for them, and marks the onset of starvation (film_maximum) and the end of the film.
+
+--data compares one scene with what was measured. Each line of the file is a point, and its first
+line names the columns with their units, separated by commas, semicolons or tabs:
+  speed [m/s],film [nm],friction
+  0.01,7.4,0.049
+  0.1,,0.046
+Columns beside the speed are those `outputs` of the scene that are numbers: lengths in m, mm, µm, um
+or nm, numbers without a unit also in %. An empty cell was not measured, a line that begins with # is
+not read. In place of the curve each number is printed with the model's at that speed, also where it
+lies outside of the curve, and with their deviation, (computed − measured)/measured; below, or in the
+lines "median" of CSV, is the median of each column. With --picture the points are drawn over the
+curve.
+
+Exit code 0: done; 1: the picture is missing; 2: bad usage or input.
+
 Example:
-  tribocheck curve reference/published/rough.toml --format csv > curve.csv)";
+  tribocheck curve reference/published/rough.toml --format csv > curve.csv
+  tribocheck curve reference/published/rough.toml --picture rough.png
+  tribocheck curve reference/published/rough.toml --data measured.csv --picture measured.png)";
 
 }  // namespace
 
@@ -82,8 +155,13 @@ Command add_curve(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("curve", "the Stribeck curve over a scene's range of speeds");
   app->footer(footer_with_scenes(curve_footer));
-  const auto arguments = std::make_shared<SceneArguments>();
+  const auto arguments = std::make_shared<CurveArguments>();
   add_scene_arguments(*app, *arguments);
+  app->add_option(
+      "--data", arguments->data,
+      "compare one scene with the measured points in this file of comma-separated values");
+  add_picture_option(*app, arguments->picture,
+                     "friction, film and load share against speed, with the measured points");
   return {app, [arguments](OutputStream& output) { return curve(*arguments, output); }};
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,8 +12,7 @@
 #include "film_case.hpp"
 #include "messages.hpp"
 #include "options.hpp"
-#include "page/project_files.hpp"
-#include "page/rendering.hpp"
+#include "picture.hpp"
 #include "progress.hpp"
 #include "scene_arguments.hpp"
 #include "stop_signal.hpp"
@@ -84,22 +82,6 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
   return loaded;
 }
 
-// Draws the film's picture. Returns whether it was drawn.
-bool draw(const FilmCase& film, const FilmArguments& arguments) {
-  try {
-    const sweep::PartFile data(arguments.picture);  // removed at the end
-    data.write(film_json(film, arguments.settings, true).dump());
-    const report::Rendering drawn = report::run_script(report::usual_places(), "film_picture.py",
-                                                       {data.path(), arguments.picture});
-    for (const std::string& why : drawn.undrawn) complain(why);
-    for (const std::string& picture : drawn.written) complain("drew " + picture);
-    return drawn.undrawn.empty();
-  } catch (const std::runtime_error& error) {
-    complain(error.what());
-    return false;
-  }
-}
-
 class FilmRun {
  public:
   FilmRun(const FilmArguments& arguments, std::size_t total, OutputStream& output)
@@ -148,7 +130,9 @@ class FilmRun {
   void add(const FilmCase& film) {
     writer_.add(film);
     output_.flush();
-    if (!arguments_.picture.empty() && film.is_solved) all_solved_ = draw(film, arguments_);
+    if (!arguments_.picture.empty() && film.is_solved)
+      all_solved_ = draw_picture(
+          "film_picture.py", film_json(film, arguments_.settings, true).dump(), arguments_.picture);
   }
 
   const FilmArguments& arguments_;
@@ -236,14 +220,7 @@ Command add_film(CLI::App& program) {
       "this one speed in m/s in place of the scenes' own");
   app->add_flag("--profile", arguments->with_profile,
                 "pressure and film across the contact too; in CSV in place of the films");
-  app->add_option("--picture", arguments->picture,
-                  "draw pressure and film of one contact: a file .png or .svg (needs gnuplot)")
-      ->check([](const std::string& name) {
-        const std::string ending = std::filesystem::path(name).extension().string();
-        return ending == ".png" || ending == ".svg"
-                   ? std::string()
-                   : name + " is not allowed; allowed: a name that ends in .png or .svg";
-      });
+  add_picture_option(*app, arguments->picture, "pressure and film of one contact");
   return {app, [arguments](OutputStream& output) { return solve_films(*arguments, output); }};
 }
 

@@ -29,8 +29,10 @@ PointWriter::PointWriter(std::string_view format, OutputStream& output,
                          const std::vector<Scene>& scenes)
     : rows_(format, output, columns_of(scenes), {"solve/1", "points"}) {}
 
-void PointWriter::begin_scene(const Scene& scene) {
+void PointWriter::begin_scene(const Scene& scene, const MixedContact<double>& contact) {
   scene_ = &scene;
+  smooth_.reset();
+  if (scene.outputs.contains_any(smooth_outputs())) smooth_.emplace(contact);
   const std::size_t count = scene.speeds.size();
   const std::vector<Column> columns = columns_of({&scene, 1});
   cells_.assign(columns.size(), {});
@@ -44,7 +46,9 @@ void PointWriter::add(const OperatingPoint<double>& point) {
   std::size_t column = 0;  // made in place, as a copy of what was just written takes long
   for (const OutputInfo& info : output_infos)
     if (scene_->outputs.contains(info.output))
-      new (&cells_[++column]) protocol::OutputValue(protocol::value_of(point, info.output));
+      new (&cells_[++column]) protocol::OutputValue(
+          info.is_of_smooth_contact ? protocol::value_of(*smooth_, info.output, point.speed)
+                                    : protocol::value_of(point, info.output));
   rows_.add(cells_);
 }
 

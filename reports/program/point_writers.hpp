@@ -2,12 +2,14 @@
 // Operating points of scenes as rows: the speed, and the outputs that each scene asks for.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "table.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene.hpp"
+#include "tribo/smooth_contact.hpp"
 
 namespace tribo::cli {
 
@@ -17,13 +19,14 @@ class PointWriter {
   PointWriter(std::string_view format, OutputStream& output, const std::vector<Scene>& scenes);
 
   // Called once before the points of each scene; `scene` must live until the next call.
-  void begin_scene(const Scene& scene);
+  void begin_scene(const Scene& scene, const MixedContact<double>& contact);
   void add(const OperatingPoint<double>& point);
   void finish() { rows_.finish(); }
 
  private:
   RowWriter rows_;
   const Scene* scene_ = nullptr;
+  std::optional<SmoothContact> smooth_;  // where the scene asks for its outputs
   std::vector<protocol::OutputValue> cells_;
 };
 

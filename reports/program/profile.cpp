@@ -21,13 +21,12 @@
 #include "conformance/conformance.hpp"
 #include "options.hpp"
 #include "page/project_files.hpp"
-#include "page/rendering.hpp"
 #include "page/text_table.hpp"
 #include "page/texts.hpp"
+#include "picture.hpp"
 #include "profiler.hpp"
 #include "scene/schema.hpp"
 #include "stop_signal.hpp"
-#include "sweep/output_file.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -272,17 +271,6 @@ std::string json_text(const Profile& profile, std::size_t most) {
          "\n";
 }
 
-// Returns whether the picture was drawn.
-bool draw(const Profile& profile, const ProfileArguments& arguments) {
-  const sweep::PartFile data(arguments.picture);  // removed at the end
-  data.write(json_text(profile, arguments.most));
-  const report::Rendering drawn = report::run_script(report::usual_places(), "profile_picture.py",
-                                                     {data.path(), arguments.picture});
-  for (const std::string& why : drawn.undrawn) complain(why);
-  for (const std::string& picture : drawn.written) complain("drew " + picture);
-  return drawn.undrawn.empty();
-}
-
 // --- The command.
 
 int measure(const ProfileArguments& arguments, OutputStream& output) {
@@ -331,7 +319,10 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
   else
     append_table(output.text(), profile, arguments.most);
   output.flush();
-  return arguments.picture.empty() || draw(profile, arguments) ? exit_done : exit_failed;
+  const bool is_drawn =
+      arguments.picture.empty() ||
+      draw_picture("profile_picture.py", json_text(profile, arguments.most), arguments.picture);
+  return is_drawn ? exit_done : exit_failed;
 }
 
 constexpr const char* profile_footer =
@@ -366,14 +357,7 @@ Command add_profile(CLI::App& program) {
   app->add_option("--format", arguments->format, "how to write them (default: table)")
       ->check(CLI::IsMember({"table", "json"}));
   app->add_option("--out", arguments->out, "keep the file of the tool in this folder");
-  app->add_option("--picture", arguments->picture,
-                  "draw the shares: a file .png or .svg (needs gnuplot)")
-      ->check([](const std::string& name) {
-        const std::string ending = fs::path(name).extension().string();
-        return ending == ".png" || ending == ".svg"
-                   ? std::string()
-                   : name + " is not allowed; allowed: a name that ends in .png or .svg";
-      });
+  add_picture_option(*app, arguments->picture, "the shares");
   app->add_option("--seconds", arguments->seconds, "keep the solver busy so long (default: 1)")
       ->check(CLI::Range(0.01, 1e5));
   app->add_option("--start-timeout", arguments->start_timeout,

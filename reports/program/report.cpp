@@ -48,6 +48,8 @@ index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg 
 scenes of reference/scenes, shows what reference/exact and reference/baselines have, and says what is
 missing. The folders' defaults lie in the project that the current folder, or else the program, is
 part of.
+A report does not replace one of more sections: where that is in the folder, it goes to a folder below,
+named by its sections (reports/out/claims/index.html). The last line says where the page is.
 Exit code 1: python3 is missing, or figures are, because gnuplot is or because it failed.
 
 Example:

@@ -50,7 +50,7 @@ void in_chunks(const Scene& scene, const Solve& solve) {
 void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const OutputSet outputs = protocol::needed_for(scene.outputs);
-  writer.begin_scene(scene);
+  writer.begin_scene(scene, contact);
   OperatingPoints points;
   in_chunks(scene, [&](const std::vector<double>& speeds) {
     points.resize(speeds.size(), outputs);

@@ -92,7 +92,10 @@ void update_baseline(const BaselineUse& use, const nlohmann::json& before,
       baseline_of(verdict.result, use.force ? nlohmann::json(nullptr) : before);
   const bool is_new = before.is_null() || !hold_the_same(before, after);
   if (is_new) report::write_file(use.file, baseline_text(after, program_commit(), today()));
-  if (!verdict.changes) return complain("baseline written: " + use.file);
+  if (!verdict.changes) {
+    verdict.changes = compare(verdict.result, after);
+    return complain("baseline written: " + use.file);
+  }
   const auto tell = [](const char* what, const std::vector<BaselineChange>& changes) {
     for (const BaselineChange& one : changes)
       complain(fmt::format("baseline {}: {}", what, one.text));
@@ -141,6 +144,10 @@ int show(const std::optional<Subject>& subject, const std::vector<std::string>& 
     complain_of(last_errors, result.conversation.error_lines);
   }
   output.flush();
+  if (subject && !any_failed)
+    complain(
+        "all of it holds where each case is asked alone, of a new process; if a verdict says that "
+        "a case fails, the solver keeps something from the cases before it");
   return any_failed ? exit_failed : exit_done;
 }
 

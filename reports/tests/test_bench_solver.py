@@ -56,7 +56,7 @@ class Rows(OfSolvers):
         found = self.document("--subject", self.subject())
         self.assertEqual([(row["job"], row["family"], row["name"], row["cases"], row["measured"]) for row in found["rows"]],
                          [(job, "subject", "python3 solver.py", cases, "reported over texts/1")
-                          for job, cases in (("hertz_point", 32), ("hertz_line", 30))])
+                          for job, cases in (("hertz_point", 32), ("hertz_line", 32))])
         for row in found["rows"]:
             self.assertAlmostEqual(row["ns"], 1e5)
             self.assertLessEqual(row["over_control_low"], row["over_control"])

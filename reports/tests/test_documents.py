@@ -12,7 +12,7 @@ import unittest
 import jsonschema
 
 from conformance import altered
-from program import Folder, quiet_scene, run, scene, strict_json, with_field
+from program import Folder, quiet_scene, run, scene, strict_json, with_field, without_field
 from sweeps import UNIFORM, sweep
 from test_usage import COMMANDS, commands_in
 
@@ -30,7 +30,9 @@ class Document(typing.NamedTuple):
 DOCUMENTS = [
     Document("solve", "solve SCENE"), Document("solve", "solve ALL"), Document("solve", "solve COLLAPSED BAD", 2),
     Document("solve", "solve HUGE"), Document("solve", "curve SCENE"),
+    Document("curve-data", "curve COLLAPSED --data MEASURED"),
     Document("solve-about", "solve ALL ROLLER --about"), Document("solve-about", "solve BAD SCENE --about", 2),
+    Document("contact", "contact ALL ROLLER SPEEDLESS"), Document("contact", "contact BAD HUGE", 2),
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
     Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
     Document("film", "film RIGID BAD --tolerance 1e-2", 2), Document("film", "film RIGID --tolerance 1e-2", 1),
@@ -42,7 +44,7 @@ DOCUMENTS = [
     Document("sweep", "sweep merge FIRST SECOND -o MERGED"),
     Document("sweep-diff", "sweep diff OUT MORE_LOAD --most 1000", 1), Document("sweep-diff", "sweep diff OUT OUT"),
     Document("verify-baseline", "verify --subject RIGHT --sample 5 --baseline BASE --update-baseline", file="BASE"),
-    Document("verify-baseline", "verify --subject WRONG --sample 5 --baseline WRONG_BASE --update-baseline", 1, "WRONG_BASE"),
+    Document("verify-baseline", "verify --subject WRONG --sample 5 --baseline WRONG_BASE --update-baseline", file="WRONG_BASE"),
     Document("verify-subject", "verify --subject RIGHT --sample 5"),
     Document("verify-subject", "verify --subject WRONG --sample 5", 1),
     Document("verify-subject", "verify --subject WRONG --sample 5 --baseline BASE", 1),
@@ -61,10 +63,12 @@ def files_in(folder):
                        bodies={"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2})
     few = quiet_scene(id="few", speed=[0.1, 1], outputs=["film", "regime"])
     made = {"SCENE": quiet_scene(), "ALL": few | {"closures": {"asperity": "greenwood_williamson"}}, "BAD": scene(load=-1),
-            "COLLAPSED": scene("smooth", speed=3), "FLOODED": scene(supply=None),
+            "COLLAPSED": scene("smooth", speed=[3, 4]), "FLOODED": scene(supply=None),
             "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
-            "RIGID": line | {"speed": 1e10}}
+            "RIGID": line | {"speed": 1e10},
+            "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}
     paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
+    paths["MEASURED"] = folder.write("measured.csv", "speed [m/s],film [nm],friction\n0.1,30,\n4,0,0.1\n")
     paths["DRAWN"] = folder.write("drawn.toml", sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]",
                                                        "outputs": '["film", "regime"]'},
                                                       onset='["film_maximum"]', draws=64, sensitivity="true"))

@@ -67,11 +67,14 @@ class Examples(ProgramTest):
     def test_of_the_program_itself(self):
         self.run_examples()
 
-    def test_of_solve_curve_onset_and_stream(self):
-        for command in ["solve", "curve", "onset", "stream"]:
+    def test_of_contact_solve_curve_onset_and_stream(self):
+        self.folder.write("measured.csv", "speed [m/s],film [nm],friction\n0.1,30,0.1\n")
+        for command in ["contact", "solve", "curve", "onset", "stream"]:
             self.run_examples(command)
         with open(self.folder.path("rough.csv"), encoding="utf-8") as file:
             self.assertEqual(len(file.readlines()), 201)
+        for picture in ["rough.png", "measured.png"]:
+            self.assertTrue(os.path.exists(self.folder.path(picture)), picture)
 
     def test_of_film(self):
         self.run_examples("film")
@@ -150,9 +153,6 @@ class Elsewhere(ProgramTest):
             self.assertTrue(os.path.isfile(file), file)
 
 
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-
-
 def has_fma():
     """Without fused multiply-add last digits may differ."""
     off = os.environ.get("GLIBC_TUNABLES", "")
@@ -160,15 +160,21 @@ def has_fma():
     return " fma " in flags and "-FMA" not in off and "-AVX2" not in off
 
 
-class OfTheReadme(unittest.TestCase):
-    """`tribocheck COMMAND scene.toml …` with what it prints: the README's own scene, to the last digit.
-    A last line "…" stands for all further lines."""
+def page(path):
+    return (ROOT / path).read_text(encoding="utf-8")
 
-    COMMANDS = "solve", "onset", "curve"
 
-    def shown(self):
-        return re.findall(rf"`tribocheck ((?:{'|'.join(self.COMMANDS)}) scene\.toml[^`\n]*)`[^`]*\n```\n(.*?)```",
-                          README, re.S)
+FIRST, COMMANDS, SWEEPS = map(page, ["README.md", "reports/program/README.md", "model/sweep/README.md"])
+
+
+class OfTheReadmes(unittest.TestCase):
+    """Commands that the READMEs show with what they print, to the last digit. A last line "…" stands for all further lines."""
+
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+        scene, = re.findall(r"(?s)## A scene\n.*?```toml\n(.*?)```", FIRST)
+        self.scene = self.folder.write("scene.toml", scene)
 
     def assert_shown(self, printed, shown):
         if shown.endswith("…\n"):
@@ -182,27 +188,76 @@ class OfTheReadme(unittest.TestCase):
             if one != other:
                 self.assertAlmostEqual(float(one)/float(other), 1, delta=1e-12)
 
-    def test_it_shows_what_is_printed(self):
-        scene, = re.findall(r"(?s)## A scene\n\n```toml\n(.*?)```", README)
-        folder = Folder()
-        self.addCleanup(folder.cleanup)
-        path = folder.write("scene.toml", scene)
-        examples_shown = self.shown()
-        self.assertEqual(sorted({line.split()[0] for line, _ in examples_shown}), sorted(self.COMMANDS))
-        for line, shown in examples_shown:
+    def test_a_command_and_the_block_below_it(self):
+        shown = re.findall(r"`tribocheck ((?:contact|solve|onset|curve) scene\.toml[^`\n]*|reproduce)`[^`]*\n```\n(.*?)```",
+                           FIRST + COMMANDS, re.S)
+        self.assertEqual([line.split()[0] for line, _ in shown], ["solve", "onset", "contact", "curve", "reproduce"])
+        for line, answer in shown:
             with self.subTest(line=line):
-                done = run(*line.replace("scene.toml", path).split())
+                done = run(*line.replace("scene.toml", self.scene).split())
+                self.assertEqual((done.code, done.err), (0, ""))
+                self.assert_shown(done.out, answer)
+
+    def answered(self, text):
+        """A line after "$", run by a shell in the folder, and what the page shows below it."""
+        (line, shown), = re.findall(r"(?s)```\n\$ ([^\n]*)\n(.*?)```", text)
+        environment = {**ENVIRONMENT, "PATH": f"{os.path.dirname(PROGRAM)}:{os.environ['PATH']}"}
+        done = subprocess.run(["sh", "-c", line], cwd=os.path.dirname(self.scene), env=environment, timeout=TIMEOUT,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_shown(done.stdout, shown)
+
+    def test_a_line_of_json(self):
+        self.answered(COMMANDS)
+
+    def test_an_uncertain_input(self):
+        changed, added = re.search(r"(?s)```toml\n(viscosity[^\n]*)\n(.*?)```", SWEEPS).groups()
+        scene, count = re.subn(r"(?m)^viscosity = .*$", changed, page("reference/published/smooth.toml"))
+        self.assertEqual(count, 1)
+        self.folder.write("smooth.toml", scene + added)
+        self.answered(SWEEPS)
+
+    def test_how_many_readings_there_are(self):
+        counted, = re.findall(r"There are ([\d\s]+) readings", run("reproduce", "--section", "ranking").out)
+        for text in (COMMANDS, page("verification/README.md")):
+            self.assertEqual([told.split() for told in re.findall(r"(?i)all ([\d\s]+) readings", text)], [counted.split()])
+
+    def test_what_one_types_for_a_question(self):
+        lines = [line for line in re.findall(r"(?m)^\| [^|]*\| `tribocheck ([^`]*)` \|", FIRST) if "my_solver" not in line]
+        self.assertGreater(len(lines), 5)
+        for line in lines:
+            with self.subTest(line=line):
+                for name, path in {"reference/": f"{ROOT}/reference/", " scene.toml": f" {self.scene}",
+                                   "onset.h5": self.folder.path("onset.h5")}.items():
+                    line = line.replace(name, path)
+                done = run(*line.split())
                 self.assertEqual(done.code, 0, done.err)
-                self.assert_shown(done.out, shown)
+                if self.scene in line:
+                    self.assertEqual(done.err, "")
+
+    def test_a_mistake(self):
+        shown, = re.findall(r"```\n(tribocheck: bad\.toml.*\n)```", COMMANDS)
+        bad = self.folder.write("bad.toml", pathlib.Path(self.scene).read_text(encoding="utf-8").replace(
+            "[surface]", "[surface]\nsumit_radius = -1\n#"))
+        done = run("solve", bad)
+        self.assertEqual((done.code, done.err.replace(bad, "bad.toml")), (2, shown))
+
+    def test_the_table_of_commands_has_all_of_them_with_their_formats(self):
+        rows = dict(re.findall(r"(?m)^\| \[?`([\w-]+)`.*\| ([^|]*)\|$", COMMANDS))
+        self.assertEqual(list(rows), [name for name, in subcommands()])
+        for name, formats in rows.items():
+            told = re.search(r"--format TEXT:\{(\S+)\}[^(]*\(default: (\w+)\)", run(name, "--help").out)
+            self.assertEqual(re.findall(r"`(\w+)`", formats), told[1].split(",") if told else [], name)
+            self.assertIn(told and told[2], [None, *re.findall(r"\w+", formats)[:1]])
 
 
 class Outputs(unittest.TestCase):
     """The meaning of an output is one text, wherever it is told."""
 
     def test_the_readme_of_the_model_and_the_help_say_the_same(self):
-        rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|–) \| (.*) \|$",
+        rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|Pa|–) \| (.*) \|$",
                           (ROOT / "model/README.md").read_text(encoding="utf-8").partition("### Outputs\n")[2])
-        self.assertEqual(len(rows), 11)
+        self.assertEqual(len(rows), 15)
         told = " ".join(run("solve", "--help").out.split())
         for name, meaning in rows:
             self.assertIn(f" {name} {meaning} ", told)

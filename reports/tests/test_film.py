@@ -80,7 +80,7 @@ class Numbers(FilmTest):
         self.assertLess(loose["cells"], fine["cells"])
 
     def test_the_readme_shows_what_is_printed(self):
-        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        readme = (ROOT / "reports/program/README.md").read_text(encoding="utf-8")
         shown, = re.findall(r"(?s)```\n(roller: line contact at 0\.586 m/s\n.*?)```", readme)
         done = run("film", str(ROOT / "reference/scenes/roller.toml"), "--speed", "0.586")
         self.assertEqual(done.out, shown)

@@ -166,9 +166,17 @@ class SmoothBodies(GivenTest):
         self.assertIn("smooth", maximum["undefined"]["film_parameter"])
         self.assertIn("smooth", onsets["asperity_minimum"]["undefined"]["speed"])
 
+    def test_a_roughness_for_the_ratio_alone_leaves_them_smooth(self):
+        rough = smooth_scene(surface={"rms_roughness": ["40 nm", 3e-8]}, outputs=["film", "minimum_film", "lambda_ratio"])
+        for point, smooth in zip(self.points(rough), self.points(smooth_scene())):
+            self.assertEqual(point["film"], smooth["film"])
+            self.assertAlmostEqual(point["lambda_ratio"] / (point["minimum_film"] / 5e-8), 1, delta=1e-12)
+        told = json.loads(self.answer("contact", rough, "--format", "json"))
+        self.assertIn("smooth", json.dumps(told))
+
     def test_what_needs_the_roughness_is_refused(self):
-        self.assert_scene_refused(smooth_scene(outputs=["film", "film_parameter"]), "outputs", "film_parameter", "[surface]")
-        self.assert_scene_refused(smooth_scene(supply={"inlet_film_ratio": 4}), "supply.inlet_film_ratio", "[surface]")
+        self.assert_scene_refused(smooth_scene(outputs=["film", "film_parameter"]), "outputs", "film_parameter", "smooth")
+        self.assert_scene_refused(smooth_scene(supply={"inlet_film_ratio": 4}), "supply.inlet_film_ratio", "smooth")
         self.assert_scene_refused(smooth_scene(surface={"summit_density": 5e10, "summit_radius": 1e-5}),
                                   "surface.summit_height_sd", "missing")
         self.points(smooth_scene(outputs=["film"]))

@@ -30,7 +30,7 @@ draws = 8192
 
 # Each form: the command, the arguments that make this form of it, and the options that belong to the form itself.
 FORMS = [
-    ("solve", ["SCENE"], ()), ("solve", ["SCENE", "--about"], {"--about"}), ("curve", ["SCENE"], ()), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
+    ("contact", ["SCENE"], ()), ("solve", ["SCENE"], ()), ("solve", ["SCENE", "--about"], {"--about"}), ("curve", ["SCENE"], ()), ("curve", ["SCENE", "--data", "DATA"], {"--data"}), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
     ("onset", ["SCENE"], ()), ("onset", ["SCENE", "--criterion", "film_maximum"], {"--criterion"}),
     ("onset", ["SCENE", "--criterion", "film_departure"], {"--criterion"}),
     ("stream", [], ()), ("plugin-host", ["PLUGIN"], ()),
@@ -62,7 +62,7 @@ FORMS = [
 VALUES = {
     "--format": ["json"], "--about": [], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
-    "--profile": [], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--for": ["gitlab"],
+    "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--for": ["gitlab"],
     "--out": ["DIR/other"],
     "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
@@ -104,7 +104,7 @@ class Ignored(unittest.TestCase):
         line = quiet_scene(bodies={"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2}, load=2000,
                            speed=1.0, closures={"film": "dowson_toyoda_central"})
         cls.words = {"SCENE": cls.folder.write("scene.toml", quiet_scene()), "LINE": cls.folder.write("line.toml", line),
-                     "SWEEP": cls.folder.write("sweep.toml", SWEEP), "PLUGIN": str(BUILT / "c_plugin.so"),
+                     "SWEEP": cls.folder.write("sweep.toml", SWEEP), "PLUGIN": str(BUILT / "c_plugin.so"), "DATA": cls.folder.write("measured.csv", "speed [m/s],film [nm]\n0.1,30\n"),
                      # Its first answer takes longer than the limits that are tried.
                      "SUBJECT": altered(cls.folder, """answer = answer if name else {"id": case, "skip": "no points"}
     if "first" not in globals():

@@ -105,6 +105,16 @@ class Baselines(unittest.TestCase):
         self.assertEqual((done.code, done.out), (2, ""))
         self.assertIn("sweeps is not one of figures, comparison", done.err)
 
+    def test_a_report_of_more_sections_is_left_alone(self):
+        self.page(["gates", "environment"])
+        out = self.project / "reports/out"
+        before = {path: path.read_bytes() for path in out.rglob("*") if path.is_file()}
+        done = report("--section", "gates", cwd=self.project)
+        self.assertEqual({path: path.read_bytes() for path in before}, before)
+        self.assertIn(f": {out}/gates/", done.out.splitlines()[-1])
+        self.assertEqual(json.loads((out / "gates/report.json").read_text())["sections"], ["gates"])
+        self.page(["environment", "gates", "skipped-work"])  # one of no fewer sections takes its place
+
     def test_one_that_is_not_json(self):
         path = self.project / "reference/baselines/stress.json"
         path.write_text(path.read_text()[:1000])

@@ -54,6 +54,13 @@ class Cases(SweepTest):
         self.assertIn("the first 100 of 300 points", lines[0])
         self.assertEqual(len(lines), 102)
 
+    def test_a_table_has_films_in_the_unit_of_the_summaries(self):
+        self.assertRegex(self.swept(sweep({"load": "[20, 50]", "speed": "0.1", "outputs": '["film"]'})).out, r"(?m)^film +nm ")
+        row = self.cases().splitlines()[2].split()
+        self.assertIn("film, nm", self.cases())
+        film, = run("sweep", "show", self.path("out.h5"), "--cases", "--format", "csv").rows()[:1]
+        self.assertAlmostEqual(float(row[-1]) / (1e9 * float(film["film [m]"])), 1, delta=1e-4)
+
     def test_a_grid_has_no_mean(self):
         told = self.swept(GRID).out
         self.assertIn("least  greatest", told)

@@ -15,6 +15,7 @@ from page_tables import quantile
 from program import ENVIRONMENT, run
 from report_files import ROOT
 from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
+from test_sweep_film import LINES
 
 SPEEDS = "{ from = 1e-4, to = 3, count = 40 }"
 LEVELS = (0.001, 0.01, 0.025, 0.05, 0.16, 0.25, 0.5, 0.75, 0.84, 0.95, 0.975, 0.99, 0.999)
@@ -269,6 +270,52 @@ class Pictures(SweepTest):
                 self.assertLess(shares[0], 0.999)
             else:
                 self.assertGreater(shares[speeds <= end].min(), 0.99)
+
+    def cases(self):
+        return run("sweep", "show", self.path("out.h5"), "--format", "csv", "--cases").rows()
+
+    def assert_map(self, name, x, y, column, cases):
+        """The map has the film (nm) of each case at its two fields; `x` and `y` are their columns."""
+        _, rows, *_ = self.blocks(name)
+        wanted = sorted((float(case[x]), float(case[y]), 1e9 * float(case[column])) for case in cases)
+        drawn = sorted((float(row["speed"]), float(row["field"]), float(row["film_nm"])) for row in rows)
+        self.assertEqual(len(drawn), len(wanted))
+        for mine, other in zip(drawn, wanted):
+            for a, b in zip(mine, other):
+                self.assertTrue(math.isclose(a, b, rel_tol=1e-9), (mine, other))
+
+    def test_a_grid_of_two_fields_is_a_map_at_each_speed(self):
+        pictures = self.drawn(sweep({"load": "[20, 50, 100, 200]", "lubricant.viscosity": "[0.01, 0.02, 0.04]", "speed": "[0.01, 0.1]",
+                                     "outputs": '["film"]'}))
+        self.assertEqual(pictures, ["film_map", "film_map_speed_2"])
+        for name, speed in (("film_map", 0.01), ("film_map_speed_2", 0.1)):
+            self.assert_map(name, "lubricant.viscosity [Pa·s]", "load [N]", "film [m]",
+                            [case for case in self.cases() if float(case["speed [m/s]"]) == speed])
+            self.assertIn(f"3 × 4 points at {speed:g}", self.svg_text(name))
+        for words in ("load (N)", "viscosity (Pa·s)", "film h* (nm)"):
+            self.assertIn(words, self.svg_text("film_map"))
+
+    def test_a_grid_of_solved_films_is_drawn(self):
+        lines = pathlib.Path(self.folder.write("lines.toml", LINES.replace("[500, 5000]", "[500, 2000, 5000]").replace(
+            "[0.5, 2]", "0.5").replace("[2e-9, 1.5e-8]", "[2e-9, 8e-9, 1.5e-8]") + "[sweep]\nsolved_film = true\n")).read_text()
+        self.assertEqual(self.drawn(lines), ["film_map_central", "film_map_minimum"])
+        for name in ("central", "minimum"):
+            self.assert_map(f"film_map_{name}", "lubricant.pressure_viscosity [1/Pa]", "load [N]", f"solved_film.{name} [m]", self.cases())
+            self.assertIn(f"solved {name} film (nm)", self.svg_text(f"film_map_{name}"))
+
+    def test_too_few_values_for_a_map_are_curves(self):
+        pictures = self.drawn(sweep({"load": "[20, 50, 100]", "lubricant.viscosity": "[0.01, 0.02]", "speed": "0.1", "outputs": '["film"]'}))
+        self.assertEqual(pictures, ["film_curves"])
+        _, names, *curves = self.blocks("film_curves")
+        told = {row["legend"]: [tuple(map(float, point.values())) for point in curve] for row, curve in zip(names, curves, strict=True)}
+        wanted = {}
+        for case in self.cases():
+            name = f"film h* at 0.100 m/s, viscosity {float(case['lubricant.viscosity [Pa·s]']):.4f} Pa·s"
+            wanted.setdefault(name, []).append((float(case["load [N]"]), 1e9 * float(case["film [m]"])))
+        self.assertEqual(set(told), set(wanted))
+        for name, points in wanted.items():
+            for (at, film), drawn in zip(sorted(points), told[name], strict=True):
+                self.assertTrue(math.isclose(drawn[0], at) and math.isclose(drawn[-1], film, rel_tol=1e-9), (name, drawn, at, film))
 
     def test_names_with_any_signs(self):
         id = "'''a_b{c}^2 @ \"q\" & <x> \\\\ ~ %s %d '''"

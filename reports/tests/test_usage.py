@@ -40,7 +40,7 @@ class Help(unittest.TestCase):
                              arguments)
 
     def test_help_of_the_program_names_every_command(self):
-        for command in ["solve", "curve", "onset", "film", "stream"]:
+        for command in ["contact", "solve", "curve", "onset", "film", "stream"]:
             self.assertIn(command, COMMANDS)
 
     def test_every_command_tells_the_version(self):
@@ -133,12 +133,12 @@ class BadUsage(unittest.TestCase):
         self.assertIn("shwo: nothing varies", result.err)
 
     def test_scenes_are_needed(self):
-        for command in ["solve", "curve", "onset", "film"]:
+        for command in ["contact", "solve", "curve", "onset", "film"]:
             self.assert_refused(command)
             self.assert_refused(command, "")
 
     def test_bad_options(self):
-        for command in ["solve", "curve", "onset", "film"]:
+        for command in ["contact", "solve", "curve", "onset", "film"]:
             self.assert_refused(command, self.file, "--format", "xml")
             self.assert_refused(command, self.file, "--format")
             self.assert_refused(command, self.file, "--format", "csv", "--format", "json")

@@ -451,8 +451,48 @@ std::string pattern(const Part& part) {
                      in_words(greatest), in_words(middle));
 }
 
+// The inputs in which two cases differ: "surface.summit_density".
+std::vector<std::string> different_inputs(const AnsweredCase& one, const AnsweredCase& other) {
+  const nlohmann::json inputs = one.question.asked->inputs.flatten();
+  const nlohmann::json others = other.question.asked->inputs.flatten();
+  std::vector<std::string> found;
+  for (const auto& [pointer, value] : inputs.items()) {
+    if (others.value(pointer, nlohmann::json()) == value) continue;
+    std::string name = pointer.substr(1);
+    std::replace(name.begin(), name.end(), '/', '.');
+    found.push_back(std::move(name));
+  }
+  return found;
+}
+
+// Empty, unless each wrong answer is the right one of a case that differs in the same input alone.
+std::string kept_answers(const Part& part) {
+  std::string input, example;
+  for (const Part::Number& wrong : part.all) {
+    if (!wrong.answered->is_left()) continue;
+    const bool is_kept =
+        std::any_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+          if (one.answered->is_wrong || one.answered->got != wrong.answered->got) return false;
+          const std::vector<std::string> different = different_inputs(*wrong.of, *one.of);
+          if (different.size() != 1 || (!input.empty() && different[0] != input)) return false;
+          if (input.empty())
+            example = fmt::format("{} is answered as {}", wrong.of->question.asked->id,
+                                  one.of->question.asked->id);
+          input = different[0];
+          return true;
+        });
+    if (!is_kept) return {};
+  }
+  if (input.empty()) return {};
+  return fmt::format(
+      "This is the answer to a case that differs in {} alone ({}): the solver keeps answers, as a "
+      "cache does, and looks for them without {}.",
+      input, example, input);
+}
+
 Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   std::string text = pattern(part);
+  if (const std::string kept = kept_answers(part); !kept.empty()) return {text + ". " + kept, true};
   if (part.wrong.size() < part.all.size())
     if (const std::string where = where_wrong(part); !where.empty()) text += ": " + where;
   text += '.';

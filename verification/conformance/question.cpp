@@ -117,7 +117,8 @@ std::vector<ResultName> results_of(const catalogue::Function* function) {
   if (function != nullptr)
     for (const catalogue::Result& one : function->results) results.push_back({one.name, one.unit});
   else
-    for (const OutputInfo& one : output_infos) results.push_back({one.name, one.unit});
+    for (const OutputInfo& one : output_infos)
+      if (!one.is_of_smooth_contact) results.push_back({one.name, one.unit});
   return results;
 }
 

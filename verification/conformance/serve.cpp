@@ -66,6 +66,7 @@ std::optional<OutputValue> of_balance(double number, const PointResult& point) {
 std::optional<OutputValue> value_of(const PointResult& point, Output output) {
   if (output == Output::regime) return value_of(point.regime);
   if (output == Output::inlet) return value_of(point.inlet);
+  if (info(output).is_of_smooth_contact) return std::nullopt;  // solvers are not asked for it
   const double number = point.numbers[static_cast<std::size_t>(output)];
   return balance_outputs().contains(output) ? of_balance(number, point) : value_of(number);
 }

@@ -42,8 +42,14 @@ void append_scene_answer(Text& to, const SceneReading& reading) {
   const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
   AnswerObject answer(to, reading.id);
   for (const OutputInfo& output : output_infos)
-    if (scene.outputs.contains(output.output))
+    if (scene.outputs.contains(output.output) && !output.is_of_smooth_contact)
       answer.value(output.name, value_of(point, output.output));
+  if (scene.outputs.contains_any(smooth_outputs())) {
+    const SmoothContact smooth(contact);
+    for (const OutputInfo& output : output_infos)
+      if (scene.outputs.contains(output.output) && output.is_of_smooth_contact)
+        answer.value(output.name, value_of(smooth, output.output, point.speed));
+  }
   answer.close();
   to.push_back('\n');
 }
@@ -71,6 +77,10 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output) {
   if (has_collapsed && balance_outputs().contains(output))
     return {.undefined = film_collapsed, .word = {}};
   return number(numbers_of(point)[static_cast<std::size_t>(output)]);
+}
+
+OutputValue value_of(const SmoothContact& contact, Output output, double speed) {
+  return number(contact.value(output, speed));
 }
 
 OutputSet needed_for(OutputSet asked) {

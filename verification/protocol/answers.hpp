@@ -19,6 +19,7 @@
 #include "protocol/text_streams.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene_reader.hpp"
+#include "tribo/smooth_contact.hpp"
 
 namespace tribo::protocol {
 
@@ -34,7 +35,9 @@ struct OutputValue {
   double number = 0;
 };
 
+// The output is none of smooth_outputs(), which a point does not hold.
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
+OutputValue value_of(const SmoothContact& contact, Output output, double speed);
 
 // The outputs to compute so that value_of() can tell a word that rests on an overflow.
 OutputSet needed_for(OutputSet asked);

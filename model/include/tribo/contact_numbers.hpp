@@ -6,6 +6,7 @@
 
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/oil.hpp"
+#include "tribo/roughness.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/spectral_moments.hpp"
 #include "tribo/starvation.hpp"
@@ -54,6 +55,7 @@ struct SceneNumbers {
   T supply;
   T boundary_coefficient, slide_roll_ratio, damiens_exponent;
   T across;                                 // R_y of an ellipse, L of a line; not used of a circle
+  T rms_roughness;                          // Rq of both faces, 0 where it is not given
   T conductivity, temperature_coefficient;  // of a heated inlet
   EllipseOfCircle<T> ellipse;               // not used of a circle and of a line
 
@@ -115,6 +117,7 @@ inline SceneNumbers<double> given_numbers(const Scene& scene) {
           .slide_roll_ratio = scene.friction.slide_roll_ratio,
           .damiens_exponent = scene.closures.damiens_exponent,
           .across = shape == ContactShape::line ? bodies.length : bodies.radius_y,
+          .rms_roughness = surface.rms_roughness,
           .conductivity = scene.lubricant.conductivity,
           .temperature_coefficient = scene.lubricant.temperature_coefficient,
           .ellipse = {}};
@@ -140,6 +143,7 @@ SceneNumbers<T> numbers_by(const SceneNumbers<double>& n, Convert&& convert) {
           .slide_roll_ratio = convert(n.slide_roll_ratio),
           .damiens_exponent = convert(n.damiens_exponent),
           .across = convert(n.across),
+          .rms_roughness = convert(n.rms_roughness),
           .conductivity = convert(n.conductivity),
           .temperature_coefficient = convert(n.temperature_coefficient),
           .ellipse = {}};
@@ -168,9 +172,12 @@ SceneNumbers<T> numbers_of(const Scene& scene) {
     numbers.summit_radius = T(summits.summit_radius);
     numbers.summit_height_sd = T(summits.summit_height_sd * rise);
     numbers.summit_plane_offset = T(summits.summit_plane_offset / rise);
+    numbers.rms_roughness = T(sqrt(Wide(m.m0)) * rise);
   }
   if (scene.lubricant.oil.is_given())
     numbers.viscosity = T(oil_viscosity<Wide>(scene.lubricant.oil));
+  if (scene.surface.average_roughness > 0)
+    numbers.rms_roughness = T(rms_from_average_roughness(Wide(scene.surface.average_roughness)));
   if (first.modulus > 0)
     numbers.effective_modulus =
         T(effective_modulus(Wide(first.modulus), Wide(first.poisson_ratio), Wide(second.modulus),

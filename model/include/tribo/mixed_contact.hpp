@@ -301,6 +301,7 @@ class MixedContact<double> {
 
   const detail::ContactWords& words() const { return words_; }
   const detail::ContactNumbers<double>& numbers() const { return numbers_; }
+  const detail::SceneNumbers<double>& scene_numbers() const { return scene_; }
   // The same contact in another number type, from the same scene.
   template <class T>
   MixedContact<T> in() const {

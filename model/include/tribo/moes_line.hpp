@@ -34,6 +34,22 @@ T joined(const T& x, const T& y, bool is_of_greater, const Power& power, const R
 
 }  // namespace detail
 
+// The films of the four limits, as H.
+template <class T>
+struct MoesFilms {
+  T rigid, elastic;                            // RI, EI
+  T rigid_piezoviscous, elastic_piezoviscous;  // RP, EP
+};
+
+// At M > 0 and L, which may be 0. Error: 4 ulp.
+template <class T>
+MoesFilms<T> moes_films(const T& load_number, const T& material_number) {
+  return {T(3 / load_number), T(ratio<T>(2621, 1000) * decimal_power(load_number, Fraction{-1, 5})),
+          T(ratio<T>(1287, 1000) * decimal_power(material_number, Fraction{2, 3})),
+          T(ratio<T>(1311, 1000) * decimal_power(load_number, Fraction{-1, 8}) *
+            decimal_power(material_number, Fraction{3, 4}))};
+}
+
 // H at M > 0 and L > 0. Error: 12 ulp.
 template <class T>
 T moes_line_number(const T& load_number, const T& material_number) {
@@ -42,14 +58,11 @@ T moes_line_number(const T& load_number, const T& material_number) {
   const auto powers = [](const Fraction& f) {
     return [f](const T& x) { return decimal_power(x, f); };
   };
-  const T rigid = 3 / load_number;
-  const T elastic = ratio<T>(2621, 1000) * decimal_power(load_number, Fraction{-1, 5});
+  const auto [rigid, elastic, rigid_piezoviscous, elastic_piezoviscous] =
+      moes_films(load_number, material_number);
   const T isoviscous = detail::joined(rigid, elastic, true, powers({7, 3}), powers({3, 7}));
-  const T piezoviscous =
-      detail::joined(T(ratio<T>(1287, 1000) * decimal_power(material_number, Fraction{2, 3})),
-                     T(ratio<T>(1311, 1000) * decimal_power(load_number, Fraction{-1, 8}) *
-                       decimal_power(material_number, Fraction{3, 4})),
-                     false, powers({7, 2}), powers({-2, 7}));
+  const T piezoviscous = detail::joined(rigid_piezoviscous, elastic_piezoviscous, false,
+                                        powers({7, 2}), powers({-2, 7}));
   const T s = (7 + 8 * exp(T(-2 * (elastic / rigid)))) / 5;
   return detail::joined(
       isoviscous, piezoviscous, true, [&](const T& x) { return T(pow(x, s)); },

@@ -23,6 +23,10 @@ enum class Output : std::uint8_t {
   friction,
   regime,
   inlet,
+  peak_pressure,
+  mean_pressure,
+  minimum_film,
+  lambda_ratio,
 };
 
 // The words of the outputs that are words. `collapsed`: no film; as a regime also no floor that
@@ -47,9 +51,11 @@ struct OutputInfo {
   std::string_view unit;  // empty: dimensionless
   std::string_view meaning;
   std::span<const std::string_view> words = {};  // empty: a number
+  bool is_of_smooth_contact = false;             // computed only where a scene asks by its name
 };
 
-// In the order of Output, numbers first. The columns of tables and files follow it.
+// In the order of Output: numbers of operating points first, then words, then the outputs of the
+// smooth contact. The columns of tables and files follow it.
 inline constexpr auto output_infos = std::to_array<OutputInfo>({
     {Output::film_flooded, "film_flooded", "m",
      "h_ff, film of the fully flooded contact with load sharing; the film law's h₀, which is that "
@@ -73,9 +79,30 @@ inline constexpr auto output_infos = std::to_array<OutputInfo>({
      "undefined",
      regime_words},
     {Output::inlet, "inlet", "", "flooded, starved, or collapsed: without a film", inlet_words},
+    {.output = Output::peak_pressure,
+     .name = "peak_pressure",
+     .unit = "Pa",
+     .meaning = "p₀, greatest pressure of Hertz' dry, smooth contact",
+     .is_of_smooth_contact = true},
+    {.output = Output::mean_pressure,
+     .name = "mean_pressure",
+     .unit = "Pa",
+     .meaning = "p̄, mean pressure of Hertz' dry, smooth contact",
+     .is_of_smooth_contact = true},
+    {.output = Output::minimum_film,
+     .name = "minimum_film",
+     .unit = "m",
+     .meaning = "h_min, least film of the smooth, fully flooded contact, by the law of the least "
+                "film that belongs to closures.film",
+     .is_of_smooth_contact = true},
+    {.output = Output::lambda_ratio,
+     .name = "lambda_ratio",
+     .unit = "",
+     .meaning = "Λ = h_min/Rq, Rq the composite roughness of both faces; not λ* = h*/σ_s",
+     .is_of_smooth_contact = true},
 });
 
-// How many outputs are numbers.
+// How many outputs are numbers of an operating point.
 inline constexpr std::size_t number_count = [] {
   std::size_t count = 0;
   while (output_infos[count].words.empty()) ++count;
@@ -96,9 +123,11 @@ constexpr std::optional<Output> output_by_name(std::string_view name) {
 class OutputSet {
  public:
   constexpr OutputSet() = default;
+  // All outputs of an operating point. Those of the smooth contact are asked for by name.
   static constexpr OutputSet all() {
     OutputSet set;
-    for (const OutputInfo& row : output_infos) set.insert(row.output);
+    for (const OutputInfo& row : output_infos)
+      if (!row.is_of_smooth_contact) set.insert(row.output);
     return set;
   }
   constexpr void insert(Output output) { bits_ |= bit(output); }
@@ -114,6 +143,15 @@ class OutputSet {
   }
   std::uint32_t bits_ = 0;
 };
+
+// The outputs that follow without the balance of the load (smooth_contact.hpp). An operating point
+// does not hold them.
+constexpr OutputSet smooth_outputs() {
+  OutputSet set;
+  for (const OutputInfo& row : output_infos)
+    if (row.is_of_smooth_contact) set.insert(row.output);
+  return set;
+}
 
 // The outputs that depend on the balance of the load: an output that is computed from A belongs
 // here.

@@ -14,11 +14,13 @@ set tmargin at screen 1 - 78.0/tall
 set key noenhanced
 
 # Ticks for a logarithmic axis from `low` to `high`: commands for eval. 1, 2 and 5 of each decade,
-# more where there is hardly one, and powers of ten alone where there are many.
+# more where there is hardly one, and powers of ten alone where there are many. Without labels where
+# has_labels is 0.
+has_labels = 1
 tick_text(value) = value > 0.9e-4 && value < 1.1e4 ? sprintf("%g", value) : \
   gprintf(value/10.0**floor(log10(value) + 1e-9) > 1.5 ? "%.0t×10^{%T}" : "10^{%T}", value*(1 + 1e-12))
 tick(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
-  sprintf("set %stics add ('%s' %.9g); ", axis, tick_text(value), value)
+  sprintf("set %stics add ('%s' %.9g); ", axis, has_labels ? tick_text(value) : "", value)
 minor(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
   sprintf("set %stics add ('' %.9g 1); ", axis, value)
 minors(axis, from, times, low, high) = times > 9 ? "" : \

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# One output over speed: median and 95 % band of each scene.
+# One output over speed, or over a field: median and 95 % band of each scene, or a line where the band has no width.
 # Blocks: 0 the axes; 1 the scenes; then the curve of each scene.
 load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
-  is_log = column(5), label = strcol(6), 0) nooutput
+  is_log = column(5), label = strcol(6), \
+  label_across = strcol(7), 0) nooutput
 array names[128]
 array colours[128]
 stats data index 1 using (names[int($1)] = strcol(4), colours[int($1)] = column(3), \
@@ -19,7 +20,7 @@ set yrange [bottom:top]
 if (high/low > 3) { eval log_ticks("x", low, high) }
 if (int(is_log)) { eval log_ticks("y", bottom, top) }
 set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
-set xlabel "entrainment speed u (m/s)" offset 0, x_words
+set xlabel label_across offset 0, x_words noenhanced
 set ylabel label offset y_words
 set key at screen 0.54, screen 4.0/tall center bottom horizontal maxcols columns Left reverse samplen 3 \
   spacing 1.25 font small

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# The film over speed and one other field, as colours with contour lines.
-# Blocks: 0 the axes; 1 speed × field → film (nm), a blank line after each value of the field; 2 the
+# The film over speed and a field, or over two fields, as colours with contour lines.
+# Blocks: 0 the axes; 1 speed (or field) × field → film (nm), a blank line after each value of the second; 2 the
 # greatest film of each value of the field, where it lies within the speeds; 3, where some of the map is
 # a floor: the speed up to which each value of the field has it.
 load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
-  is_log = column(5), least = column(6), most = column(7), label = strcol(8), 0) nooutput
+  is_log = column(5), least = column(6), most = column(7), label = strcol(8), \
+  label_across = strcol(9), is_log_across = column(10), film = strcol(11), label_every = column(12), \
+  interpolated = column(13), 0) nooutput
 stats data nooutput name "all"
 set lmargin at screen 0.13
 set rmargin at screen 0.84
@@ -41,23 +43,25 @@ do for [one in ticks] {
 set xrange [low:high]
 set yrange [bottom:top]
 set cbrange [least:most]
-eval log_ticks("x", low, high)
+if (int(is_log_across)) { eval log_ticks("x", low, high) }
 if (int(is_log)) { eval log_ticks("y", bottom, top) }
-set xlabel "entrainment speed u (m/s)" offset 0, x_words
+set xlabel label_across offset 0, x_words noenhanced
 set ylabel label offset y_words - 2 noenhanced
-set cblabel "film h* (nm)" offset 1
+set cblabel film offset 1 noenhanced
 set bmargin at screen 84.0/tall
 set colorbox user origin screen 0.86, screen 84.0/tall size screen 0.025, screen 1 - 162.0/tall
 # Cividis: from blue to yellow, even in lightness, for every eye.
 set palette defined (0 "#00224e", 0.125 "#123570", 0.25 "#3b496c", 0.375 "#575d6d", 0.5 "#707173", \
   0.625 "#8a8678", 0.75 "#a59c74", 0.875 "#c3b369", 1 "#fee838")
-set pm3d corners2color geomean border retrace
+set pm3d corners2color geomean border retrace interpolate int(interpolated),int(interpolated)
+set title offset 0, 0.7
 set view map
 set style textbox opaque noborder margins 0.6, 0.6 fillcolor rgb "#ffffff"
 unset key
 # A label now and then on each line, elsewhere on the next one.
-turn(level) = 20*(int(floor(3*log10(level) + 0.5)) % 3)
-labelled(level) = (int(column(0)) + turn(level)) % 60 == 25 ? 1 : NaN
+every = int(label_every)
+turn(level) = every/3*(int(floor(3*log10(level) + 0.5)) % 3)
+labelled(level) = (int(column(0)) + turn(level)) % every == 5*every/12 ? 1 : NaN
 splot \
   data index 1 using 1:2:3 with pm3d, \
   $contours using 1:2:(most) with lines linewidth 1 linecolor rgb "#ffffff", \

@@ -104,6 +104,17 @@ def sections_of(names):
     return [name for name in SECTIONS if not names or name in names]
 
 
+def folder_of(out, sections):
+    """The folder to write to: `out`, or one below it, named by the sections, where `out` has a report of more sections, which
+    is left alone."""
+    asked = sections_of(sections)
+    try:
+        there = json.loads((out / "report.json").read_text(encoding="utf-8"))["sections"]
+        return out / "-".join(asked) if len(there) > len(asked) else out
+    except (OSError, ValueError, KeyError, TypeError):
+        return out  # no report, or none that can be read
+
+
 def section_of(group):
     """The section of a group; among several, one in which the group comes first."""
     return next(name for place in (0, 1) for name, section in SECTIONS.items() if section.groups[place:place + 1] == (group,))
@@ -208,6 +219,7 @@ def main():
     path, *words = sys.argv[1:]
     places, built, sections = Places(*map(pathlib.Path, words[:5])), environment.Built(*words[5:9]), words[9:]
     try:
+        places = places._replace(out=folder_of(places.out, sections))
         with Program(path) as program, concurrent.futures.ThreadPoolExecutor(1) as beside:
             written, verdict, warnings = make(sections, places, built, program, beside)
     except (OutputFailed, Refused) as stopped:

@@ -2,6 +2,7 @@
 """Draws the figures with gnuplot, each as SVG and as PNG, and puts an SVG into the page."""
 import argparse
 import contextlib
+import errno
 import html
 import json
 import pathlib
@@ -104,6 +105,8 @@ def draw_one(description, name, blocks, drawn):
     arguments = parser.parse_args()
     data = read_data(arguments.data)
     try:
+        if not arguments.picture.parent.is_dir():
+            raise FileNotFoundError(errno.ENOENT, f"there is no folder {arguments.picture.parent}")
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, f"{name}.blocks.tsv").write_text(blocks(data), encoding="utf-8")
             why = draw(drawn(data, folder), folder, arguments.picture)

@@ -4,12 +4,13 @@
 
   onset_distribution    histograms of the onset speed by each criterion, a lane each
   sensitivity_<column>  Sobol indices of a scalar column, the greatest on top
-  film_map              the film over speed and one field, where a scene is a grid of that field alone, has three
-                        speeds or more and keeps its points
+  film_map…             the film over speed and one field, where a scene is a grid of that field alone, has three
+                        speeds or more and keeps its points; the film over the two fields of a grid of two
+  film_curves…          the film over one field of a grid, where there are too few values for a map
   curve_band_<column>   median and 95 % band of an output over speed, where fields are drawn
 
 `tribocheck sweep --pictures` calls this; the report draws two of them. RESULT is what
-`tribocheck sweep show --format json` prints, with the grids of `map`; - is stdin. Prints what was drawn, as JSON.
+`tribocheck sweep show --format json` prints, with the cases of `grid`; - is stdin. Prints what was drawn, as JSON.
 """
 import argparse
 import json
@@ -334,8 +335,8 @@ def curve_band(result, name):
     return Picture(file_name("curve_band", name), "sweep_curve_band.gp", with_capital(words + " over speed"),
                    "lines: medians; bands: 95 % of the cases " +
                    ("that have a value, where most cases have one" if is_part else "at each speed"), 640,
-                   "# low\thigh\tbottom\ttop\tlog\tlabel\n" +
-                   row(min(speeds), max(speeds), *ends, 1 if is_log else 0, axis_label(words, unit)) +
+                   "# low\thigh\tbottom\ttop\tlog\tlabel\tlabel_across\n" +
+                   row(min(speeds), max(speeds), *ends, 1 if is_log else 0, axis_label(words, unit), "entrainment speed u (m/s)") +
                    "\n\n# number\tscene\tcolour\tlegend\n" + scenes + curves)
 
 
@@ -383,49 +384,146 @@ def is_face(path):
     return re.fullmatch(r"bodies\.(first|second)_radius_[xy]", path) is not None
 
 
-def film_map(scene, number=1):
-    if "map" not in scene:
-        return None
-    field, film = scene["inputs"][0], column_of(scene, "film")
-    speeds = [value["speed"] for value in film["values"]]
+FILMS = {"film": "film h*", "solved_film.central": "solved central film", "solved_film.minimum": "solved minimum film"}
+LEAST_VALUES = 3  # of an axis of a map
+MOST_CURVES = 8
+SMOOTH = 48  # A map of fewer values is interpolated between them, so that its colours look smooth.
+
+
+class Axis(typing.NamedTuple):
+    """An axis of a map: its title and the places of the values, in the order in which they are drawn."""
+    label: str
+    words: str
+    values: list
+    factor: float = 1  # from SI units
+    is_speed: bool = False
+
+    def shown(self):
+        return [self.factor * one for one in self.values]
+
+    def is_log(self):
+        return self.values[0] > 0 and self.values[-1] > 3 * self.values[0]
+
+
+def axis_of(field, values):
+    """The axis of a field; None where it has too few values, or where they pass through infinity."""
     # A flat face has no place on an axis of radii: its radius is infinite, null in JSON. From convex to concave faces
     # the radius passes through infinity, not through 0, so that no axis has both.
-    grid = sorted(((at, films) for at, films in zip(scene["map"]["field"], scene["map"]["film"]) if at is not None),
-                  key=lambda one: one[0])
-    flat = len(scene["map"]["field"]) - len(grid)
-    if len(grid) < 3 or not grid[0][0] < grid[-1][0] or is_face(field["path"]) and grid[0][0] < 0 < grid[-1][0]:
+    values = sorted({at for at in values if at is not None})
+    if not values or is_face(field["path"]) and values[0] < 0 < values[-1]:
         return None
-    unit, factor = readable_unit(field["unit"], [grid[0][0], grid[-1][0]])
+    unit, factor = readable_unit(field["unit"], [values[0], values[-1]])
+    words = field_words(field["path"])
+    return Axis(axis_label(words, unit), words, values, factor)
+
+
+def speed_axis(speeds):
+    return Axis("entrainment speed u (m/s)", "speed", speeds, is_speed=True)
+
+
+def at_speed(speed):
+    return f" at {rounded(speed, 3)} m/s"
+
+
+def film_map(scene, stem, column, across, up, films, where):
+    """`films`: the film (m) at each pair of values of the two axes."""
+    label = FILMS[column]
     shown, table, ridge, floor, has_gaps, has_ridge, on_floor = [], "", "", "", False, False, 0
-    for i in thinned(len(grid), MOST_ROWS):
-        at, films = factor * grid[i][0], grid[i][1]
-        for j in thinned(len(speeds), MOST_COLUMNS):
-            here = 1e9 * films[j] if films[j] > 0 else NAN  # a collapsed film is a hole, as on any logarithmic scale
+    for i in thinned(len(up.values), MOST_ROWS):
+        at, row_of_films = up.shown()[i], [films.get((x, up.values[i]), NAN) for x in across.values]
+        row_of_films = [NAN if one is None else one for one in row_of_films]
+        for j in thinned(len(across.values), MOST_COLUMNS):
+            here = 1e9 * row_of_films[j] if row_of_films[j] > 0 else NAN  # a collapsed film is a hole, as on any logarithmic scale
             has_gaps = has_gaps or math.isnan(here)
             shown += [] if math.isnan(here) else [here]
-            table += row(speeds[j], at, here)
+            table += row(across.shown()[j], at, here)
         table += "\n"
-        greatest = speed_of_greatest(speeds, films)
+        greatest = speed_of_greatest(across.values, row_of_films) if across.is_speed else NAN
         has_ridge = has_ridge or not math.isnan(greatest)
         ridge += row(greatest, at)
-        end = end_of_floor(speeds, films)
+        end = end_of_floor(across.values, row_of_films) if column == "film" and across.is_speed else NAN
         floor += row(end, at)
-        on_floor += sum(speed <= end for speed in speeds) / len(speeds)
+        on_floor += sum(x <= end for x in across.values) / len(across.values)
     if not shown or not min(shown) < max(shown):
         return None
-    low, high = factor * grid[0][0], factor * grid[-1][0]
-    words = field_words(field["path"])
-    floor_part = percent(on_floor / len(thinned(len(grid), MOST_ROWS)), 2)
-    subtitle = (f"{drawing.enhanced(cell(scene['id']))}: {len(speeds)} × {len(grid)} points" +
-                ("; flat faces are left out" if flat else "") + ("; orange: the greatest film" if has_ridge else "") + ("; white: it has collapsed" if has_gaps else "") +
+    floor_part = percent(on_floor / len(thinned(len(up.values), MOST_ROWS)), 2)
+    has_flat = any(None in values for values in scene["grid"]["fields"])
+    gap = "it has collapsed" if column == "film" else "not solved"
+    subtitle = (f"{drawing.enhanced(cell(scene['id']))}: {len(across.values)} × {len(up.values)} points{where}" +
+                ("; flat faces are left out" if has_flat else "") + ("; orange: the greatest film" if has_ridge else "") +
+                (f"; white: {gap}" if has_gaps else "") +
                 (f"; left of black, {floor_part}: a floor, asperities carry the load" if on_floor else ""))
-    return Picture("film_map" if number == 1 else f"film_map_{number}", "sweep_film_map.gp",
-                   f"Film over speed and {words}", subtitle, 720,
-                   "# low\thigh\tbottom\ttop\tlog\tleast\tgreatest\tlabel\n" +
-                   row(speeds[0], speeds[-1], low, high, 1 if low > 0 and high > 3 * low else 0, min(shown), max(shown),
-                       axis_label(words, unit)) +
+    heading = "Film" if column == "film" else with_capital(label)
+    return Picture(stem, "sweep_film_map.gp", f"{heading} over {across.words} and {up.words}", subtitle, 720,
+                   "# low\thigh\tbottom\ttop\tlog\tleast\tgreatest\tlabel\tlabel_across\tlog_across\tfilm\tlabel_every\tinterpolated\n" +
+                   row(across.shown()[0], across.shown()[-1], up.shown()[0], up.shown()[-1], int(up.is_log()), min(shown),
+                       max(shown), up.label, across.label, int(across.is_speed or across.is_log()), axis_label(label, "nm"),
+                       max(4, min(60, len(across.values))), max(1, SMOOTH // max(len(across.values), len(up.values)))) +
                    "\n\n# speed\tfield\tfilm_nm\n" + table + "\n# speed\tfield, of the greatest film\n" + ridge +
                    ("\n\n# speed\tfield, at the end of the floor\n" + floor if on_floor else ""))
+
+
+def film_curves(scene, stem, across, curves):
+    """`curves`: the films (m) over the values of the axis, by their names."""
+    shown = [1e9 * one for films in curves.values() for one in films if one is not None and one > 0]
+    if not shown or not 0 < len(curves) <= MOST_CURVES:
+        return None
+    low, high = min(shown), max(shown)
+    is_log = high > LOG_FROM_RATIO * low
+    scenes = text = ""
+    for number, (name, films) in enumerate(curves.items(), 1):
+        scenes += row(number, cell(scene["id"], 24), OKABE_ITO[number - 1], cell(name, 60))
+        text += "\n\n# field\tfilm_nm\tfilm_nm\tfilm_nm\n" + "".join(
+            row(at, *[1e9 * film if film is not None and film > 0 else NAN] * 3) for at, film in zip(across.shown(), films))
+    return Picture(stem, "sweep_curve_band.gp", f"Film over {across.words}", drawing.enhanced(cell(scene["id"])), 640,
+                   "# low\thigh\tbottom\ttop\tlog\tlabel\tlabel_across\n" +
+                   row(across.shown()[0], across.shown()[-1], *(with_room(low, high, 0.03) if is_log else linear_range(low, high)),
+                       int(is_log), "film (nm)", across.label) +
+                   "\n\n# number\tscene\tcolour\tlegend\n" + scenes + text)
+
+
+def value_text(field, value):
+    unit, factor = readable_unit(field["unit"], [value])
+    return f"{field_words(field['path'])} {rounded(factor * value, 3)} {unit}".rstrip(" ")
+
+
+def grid_pictures(scene, number):
+    """Maps of a grid over speed and its field, or over its two fields; curves where an axis has too few values."""
+    grid = scene.get("grid")
+    if not grid:
+        return []
+    fields, speeds = scene["inputs"], grid["speeds"]
+    axes = [axis_of(field, values) for field, values in zip(fields, grid["fields"])]
+    if None in axes:
+        return []
+    suffix = "" if number == 1 else f"_{number}"
+    cases = list(zip(*grid["fields"]))
+    made = []
+    if len(axes) == 1 and len(speeds) >= LEAST_VALUES and len(axes[0].values) >= LEAST_VALUES:
+        for column, films in grid["films"].items():
+            at = {(speed, case[0]): film for case, row_of_films in zip(cases, films) for speed, film in zip(speeds, row_of_films)}
+            stem = "film_map" + ("" if column == "film" else "_" + column.rpartition(".")[2]) + suffix
+            made.append(film_map(scene, stem, column, speed_axis(speeds), axes[0], at, ""))
+        return made
+    if len(axes) == 2 and min(len(axis.values) for axis in axes) >= LEAST_VALUES:
+        for column, films in grid["films"].items():
+            for i, speed in enumerate(speeds):
+                at = {case: row_of_films[i] for case, row_of_films in zip(cases, films)}
+                stem = "film_map" + ("" if column == "film" else "_" + column.rpartition(".")[2]) + (f"_speed_{i + 1}" if i else "") + suffix
+                made.append(film_map(scene, stem, column, *axes, at, at_speed(speed)))
+        return made
+    longest = max(range(len(axes)), key=lambda i: len(axes[i].values))
+    if len(axes[longest].values) < LEAST_VALUES:
+        return []
+    curves = {}
+    for column, films in grid["films"].items():
+        for i, speed in enumerate(speeds):
+            for other in axes[1 - longest].values if len(axes) == 2 else [None]:
+                at = {case[longest]: row_of_films[i] for case, row_of_films in zip(cases, films)
+                      if other is None or case[1 - longest] == other}
+                name = FILMS[column] + at_speed(speed) + ("" if other is None else ", " + value_text(fields[1 - longest], other))
+                curves[name] = [at.get(value) for value in axes[longest].values]
+    return [film_curves(scene, "film_curves" + suffix, axes[longest], curves)]
 
 
 # --- All of them.
@@ -433,8 +531,8 @@ def film_map(scene, number=1):
 def pictures(result):
     names = dict.fromkeys(column["name"] for scene in result["scenes"] for column in scene["columns"])
     made = [onset_distribution(result), *(sensitivity(result, name) for name in names)]
-    maps = [scene for scene in result["scenes"] if film_map(scene)]
-    made += [film_map(scene, number) for number, scene in enumerate(maps, 1)]
+    grids = [scene for scene in result["scenes"] if any(grid_pictures(scene, 1))]
+    made += [picture for number, scene in enumerate(grids, 1) for picture in grid_pictures(scene, number)]
     made += [curve_band(result, name) for name in names]
     return [one for one in made if one]
 

@@ -103,6 +103,7 @@ TEST(MixedContact, EachOutputAskedAloneIsTheSameToTheLastBit) {
     const double u = scene.speeds.list[0];
     const OperatingPoint<double> all = contact.solve(u);
     for (const OutputInfo& row : output_infos) {
+      if (row.is_of_smooth_contact) continue;  // a point does not hold it
       OutputSet only;
       only.insert(row.output);
       const OperatingPoint<double> one = contact.solve(u, only);

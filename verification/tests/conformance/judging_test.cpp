@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -167,6 +168,42 @@ const std::vector<TestCase>& all_cases() {
   static const std::vector<TestCase> cases =
       read_cases({reference + "/exact", reference + "/published"});
   return cases;
+}
+
+// A solver that forgets one input answers as it did when the others were last the same: from the
+// case before, or from any case before. True: a case for engineers shows it.
+bool is_missed(std::string_view function, const std::string& input, bool forgets_soon) {
+  std::map<std::string, const TestCase*> kept;
+  for (const TestCase& one : all_cases()) {
+    if (one.function != function || one.is_extreme) continue;
+    json others = one.inputs.flatten();
+    others.erase(input);
+    const auto found = kept.find(others.dump());
+    const TestCase& before = found == kept.end() ? one : *found->second;
+    for (const Expected& now : one.expected)
+      for (const Expected& then : before.expected)
+        if (now.field == then.field && now.is_physical &&
+            (now.word != then.word || std::abs(now.high - then.high) > 1e-4 * std::abs(now.high)))
+          return true;
+    if (forgets_soon) kept.clear();
+    kept.insert_or_assign(others.dump(), &one);
+  }
+  return false;
+}
+
+TEST(Cases, ShowASolverThatForgetsOneInput) {
+  std::map<std::string, std::set<std::string>> inputs;
+  for (const TestCase& one : all_cases()) {
+    const json flat = one.inputs.flatten();
+    for (const auto& [input, value] : flat.items())
+      if (input != "/function") inputs[one.function].insert(input);
+  }
+  for (const auto& [function, names] : inputs)
+    for (const std::string& input : names)
+      for (const bool forgets_soon : {false, true})
+        // Moments stand order by order, at the same arguments each.
+        EXPECT_EQ(is_missed(function, input, forgets_soon), !forgets_soon || input != "/order")
+            << function << " without " << input << (forgets_soon ? ", from the case before" : "");
 }
 
 // The strict tolerance asks all cases, the others leave out extreme ones; in their order.
@@ -382,10 +419,10 @@ TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
     expect_worse(held(error), held(above(4 * error)));
     EXPECT_EQ(change(held(4 * error), held(error)), Way::same);
   }
-  // An error below the rounding of a double may become as great as four of it.
-  for (const double error : {0.0, 1e-20, epsilon}) {
-    EXPECT_EQ(change(held(error), held(4 * epsilon)), Way::same);
-    EXPECT_EQ(change(held(error), held(above(4 * epsilon))), Way::worse);
+  // An error below four roundings of a double counts as these, so that a formula may be rewritten.
+  for (const double error : {0.0, 1e-20, epsilon, 4 * epsilon}) {
+    EXPECT_EQ(change(held(error), held(16 * epsilon)), Way::same);
+    EXPECT_EQ(change(held(error), held(above(16 * epsilon))), Way::worse);
   }
 }
 
@@ -700,7 +737,7 @@ Went any_case(verification::Sampler& draw) {
 }
 
 AskedRun changed(AskedRun run, verification::Sampler& draw) {
-  const double share = draw.uniform(0, 0.5), most = draw.pick({3.9, 10.0});
+  const double share = draw.pick({0.0, draw.uniform(0, 0.5)}), most = draw.pick({3.9, 10.0});
   for (Went& one : run)
     if (draw.uniform(0, 1) < share)
       one = any_case(draw);
@@ -729,6 +766,16 @@ AskedRun as_it_was_or_worse(AskedRun run, verification::Sampler& draw) {
   return run;
 }
 
+// Each case as it went best.
+AskedRun best_of(AskedRun run, const AskedRun& other) {
+  const auto rank = [](const Went& one) {
+    return std::pair(one.way == Went::Way::skipped ? 9 : static_cast<int>(one.way), one.error);
+  };
+  for (std::size_t i = 0; i < run.size(); ++i)
+    if (rank(other[i]) < rank(run[i])) run[i] = other[i];
+  return run;
+}
+
 TEST(Baseline, IsNeverMadeLooserByAnUpdate) {
   verification::Sampler draw(20261126);
   const auto result = [](const AskedRun& run) { return result_of({verdict_of("film", run)}); };
@@ -736,28 +783,31 @@ TEST(Baseline, IsNeverMadeLooserByAnUpdate) {
     return !compare(one, baseline).worse.empty();
   };
   std::size_t red = 0, updated = 0;
-  for (int tries = 0; tries < 6000; ++tries) {
+  for (int tries = 0; tries < 12000; ++tries) {
     AskedRun run{};
     for (Went& one : run) one = any_case(draw);
     const json first = baseline_of(result(run), nullptr);
     json after = first;
+    AskedRun best = run;
     for (int step = 0; step < 2; ++step) {
-      const ConformanceResult now = result(changed(run, draw));
+      const AskedRun changes = changed(run, draw);
+      const ConformanceResult now = result(changes);
       const json next = baseline_of(now, after);
       if (is_red(now, after))
         ASSERT_TRUE(hold_the_same(next, after)) << after.dump(1) << next.dump(1);
       else
         ASSERT_FALSE(is_red(now, next)) << after.dump(1) << next.dump(1);
+      if (!is_red(now, after)) best = best_of(best, changes);
       after = next;
     }
     updated += hold_the_same(first, after) ? 0 : 1;
-    const ConformanceResult worse = result(as_it_was_or_worse(run, draw));
+    const ConformanceResult worse = result(as_it_was_or_worse(draw.pick({run, best}), draw));
     if (!is_red(worse, first)) continue;
     ++red;
     ASSERT_TRUE(is_red(worse, after)) << first.dump(1) << after.dump(1);
   }
-  EXPECT_GT(red, 3000U);
-  EXPECT_GT(updated, 600U);
+  EXPECT_GT(red, 6000U);
+  EXPECT_GT(updated, 3000U);
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ def blocks_of(path):
 
 CONFORMANCE = blocks_of("verification/conformance/README.md")
 PROJECT = blocks_of("README.md")
+COMMANDS = blocks_of("reports/program/README.md")
+LIBRARY = blocks_of("model/include/README.md")
 
 
 def blocks(page, heading, language=""):
@@ -89,8 +91,8 @@ class Readme(unittest.TestCase):
         self.assertEqual(len(cases), len(answers))
         self.assertGreater(len(cases), 3000)
 
-    def test_the_projects_page_shows_the_same(self):
-        shown, = [text for text in blocks(PROJECT, "Commands") if "hertz_point.radius" in text]
+    def test_the_page_of_the_commands_shows_the_same(self):
+        shown, = blocks(COMMANDS, "verify: this model, or your own")
         shutil.copy(NEWCOMER, self.folder / "my_solver.py")
         out = words(self.installed("tribocheck verify --subject 'python3 my_solver.py'", 1))
         for part in shown.split("…\n"):
@@ -180,18 +182,21 @@ class Readme(unittest.TestCase):
         self.assertIn("PASSED, no worse than ./libbefore.so: ", self.installed(third))
 
     def test_as_a_library(self):
-        one, million = blocks(PROJECT, "As a library", "cpp")
-        texts = {"CMakeLists.txt": blocks(PROJECT, "As a library", "cmake")[0], "one.cpp": one,
+        one, million = blocks(LIBRARY, "", "cpp")
+        texts = {"CMakeLists.txt": blocks(LIBRARY, "", "cmake")[0], "one.cpp": one,
                  "million.cpp": million, "scene.toml": blocks(PROJECT, "A scene", "toml")[0]}
         for name, text in texts.items():
             (self.folder / name).write_text(text)
-        script, = blocks(PROJECT, "As a library", "sh")
+        script, = blocks(LIBRARY, "", "sh")
         self.sh(script)
         for program, shown in {"one": r"m at 0\.1 m/s", "million": r"m at most, at 0\.\d{4} m/s"}.items():
             said = self.sh(f"build/{program}")
             self.assertRegex(said, rf"^\d\.\d{{4}}e-08 {shown}\n$")
             expected = re.search(r"// (\S+)\n}", texts[f"{program}.cpp"])[1]
             self.assertEqual(said.split()[0], expected)
+        (self.folder / "scene.toml").unlink()
+        for program in ("one", "million"):
+            self.assertRegex(self.sh(f"build/{program}", 2), r"^scene\.toml: .+\n$")
 
 
 if __name__ == "__main__":

@@ -58,7 +58,9 @@ Json number_type(const FieldInfo& field) {
   }
   type[field.exclusive_minimum ? "exclusiveMinimum" : "minimum"] = bound(field.minimum);
   if (field.maximum) type["maximum"] = bound(*field.maximum);
-  return type;
+  if (!field.takes_both_faces) return type;
+  const Json faces = {{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", type}};
+  return Json::object({{"oneOf", Json::array({type, faces})}});
 }
 
 Json table_of(const std::string& section);
@@ -147,6 +149,23 @@ Json group_rule(FieldGroup group) {
   return Json::object({{"oneOf", sets}});
 }
 
+// Roughness is given in at most one way.
+Json roughness_rule() {
+  return Json::parse(R"({"not": {"anyOf": [
+    {"required": ["m0", "rms_roughness"]}, {"required": ["m0", "average_roughness"]},
+    {"required": ["rms_roughness", "average_roughness"]}]}})");
+}
+
+// The surface of smooth bodies: Rq or Ra, and no field of the summits.
+Json roughness_alone() {
+  Json roughness = Json::array(), summits = Json::array();
+  for (const FieldInfo& field : scene_fields())
+    if (section_of(field.path) == "surface")
+      (field.takes_both_faces ? roughness : summits)
+          .push_back(Json::object({{"required", Json::array({name_of(field.path)})}}));
+  return {{"anyOf", roughness}, {"not", Json::object({{"anyOf", summits}})}};
+}
+
 Json table_of(const std::string& section) {
   Json required = Json::array(), properties = Json::object();
   for (const FieldInfo& field : scene_fields()) {
@@ -166,6 +185,8 @@ Json table_of(const std::string& section) {
   for (const FieldGroup group : scene_field_groups())
     if (section_of(group.back().fields.front()) == section)
       table["allOf"].push_back(group_rule(group));
+  if (section == "surface") table["allOf"][0]["oneOf"].push_back(roughness_alone());
+  if (section == "surface") table["allOf"].push_back(roughness_rule());
   return table;
 }
 
@@ -195,9 +216,10 @@ Json film_rule() {
   return {{"if", condition}, {"then", line}, {"else", film(of_points)}};
 }
 
-// if there is no surface, then nothing is asked or given as a ratio to its σ_s
+// if there are no summits, then nothing is asked or given as a ratio to their σ_s
 Json smooth_rule() {
-  const Json condition = Json::parse(R"({"not": {"required": ["surface"]}})");
+  const Json condition = Json::parse(R"({"not": {"required": ["surface"], "properties": {
+    "surface": {"anyOf": [{"required": ["summit_density"]}, {"required": ["m0"]}]}}}})");
   const Json consequence = Json::parse(R"({"properties": {
     "outputs": {"not": {"contains": {"const": "film_parameter"}}},
     "supply": {"not": {"required": ["inlet_film_ratio"]}}}})");
@@ -212,6 +234,11 @@ Json output_rule(const OutputInfo& output) {
     const std::string section(field.path.substr(0, field.path.find('.')));
     if (!properties.contains(section)) required.push_back(section);
     properties[section]["required"].push_back(field.path.substr(section.size() + 1));
+  }
+  if (output.output == Output::lambda_ratio) {
+    required.push_back("surface");
+    properties = Json::parse(R"({"surface": {"anyOf": [{"required": ["rms_roughness"]},
+      {"required": ["average_roughness"]}, {"required": ["m0"]}]}})");
   }
   if (required.empty()) return nullptr;
   const Json named = Json::object({{"contains", Json::object({{"const", output.name}})}});
@@ -245,8 +272,7 @@ Json schema_of_table() {
       {"title", "tribocheck scene"},
       {"description",
        "One contact, its lubricant, its supply of oil and the speeds it is asked at. SI units, or "
-       "a "
-       "text with a number and its unit: \"20.2 mPa s\"."},
+       "a text with a number and its unit: \"20.2 mPa s\"."},
       {"$comment",
        "Built from scene_fields() by verification/tests/scene/json_schema_test.cpp. What a schema "
        "cannot say: the unit of a text fits its field; speed is required but for onset; speed.to "

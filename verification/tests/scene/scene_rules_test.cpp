@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/scene_text.hpp"
+#include "support/judge.hpp"
 #include "support/threshold.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz_ellipse.hpp"
@@ -360,6 +361,7 @@ TEST(SceneOutputs, EachNameIsKnown) {
   for (const OutputInfo& output : output_infos)
     for (const Format format : formats) {
       SceneText text = good();
+      text.set("surface.rms_roughness", "1e-7");
       text.set("outputs", "[\"" + std::string(output.name) + "\"]");
       OutputSet only;
       only.insert(output.output);
@@ -382,6 +384,52 @@ TEST(SceneOutputs, FrictionAskedForNeedsItsInputs) {
     EXPECT_TRUE(refused(good().remove(input).set("outputs", R"(["friction"])"), input,
                         "missing: friction needs it"));
     EXPECT_TRUE(accepted(good().remove(input).set("outputs", R"(["film"])")));
+  }
+}
+
+// --- Roughness.
+
+TEST(SceneRoughness, IsWhatTheOneWayOfGivingItSays) {
+  const auto roughness = [](const SceneText& text) {
+    return read(Format::toml, text).scene.value().surface.rms_roughness;
+  };
+  EXPECT_EQ(roughness(good()), 0);
+  EXPECT_EQ(roughness(good().set("surface.rms_roughness", "3e-7")), 3e-7);
+  const auto near = [](double value, double expected) {
+    return verification::is_within(value / expected, 1, 1e-15);
+  };
+  EXPECT_TRUE(near(roughness(good().set("surface.rms_roughness", "[3e-7, 4e-7]")), 5e-7));
+  const double of_average = 3e-7 * std::sqrt(std::numbers::pi / 2);
+  EXPECT_TRUE(near(roughness(good().set("surface.average_roughness", "3e-7")), of_average));
+  // Greenwood and Tripp's moments are of each of two faces that are alike.
+  SceneText profile = good().remove("surface.summit_density").remove("surface.summit_radius");
+  profile.remove("surface.summit_height_sd").remove("surface.summit_plane_offset");
+  profile.set("surface.m0", "9e-14").set("surface.m2", "4e-3").set("surface.m4", "1e9");
+  EXPECT_TRUE(near(roughness(profile), 3e-7 * std::sqrt(2.0)));
+  profile.set("closures.asperity", "\"greenwood_williamson\"");
+  EXPECT_TRUE(near(roughness(profile), 3e-7));
+  EXPECT_TRUE(refused(profile.set("surface.rms_roughness", "1e-7"), "surface.rms_roughness",
+                      "given beside surface.m0"));
+}
+
+TEST(SceneRoughness, IsGivenInOneWayAndForOneOrTwoFaces) {
+  EXPECT_TRUE(
+      refused(good().set("surface.rms_roughness", "1e-7").set("surface.average_roughness", "1e-7"),
+              "surface.average_roughness", "given beside surface.rms_roughness"));
+  for (const auto& [list, field, part] :
+       {WrongList{"[1e-7]", "surface.rms_roughness", "this is a list"},
+        {"[1e-7, 1e-7, 1e-7]", "surface.rms_roughness", "one of each face"},
+        {"[1e-7, 0]", "surface.rms_roughness[1]", "0 is not allowed"},
+        {R"(["a", 1e-7])", "surface.rms_roughness[0]", "is a text"}})
+    EXPECT_TRUE(refused(good().set("surface.rms_roughness", list), field, part));
+}
+
+TEST(SceneRoughness, LambdaRatioAskedForNeedsIt) {
+  const SceneText asking = good().set("outputs", R"(["lambda_ratio"])");
+  EXPECT_TRUE(refused(asking, "surface.rms_roughness", "missing: lambda_ratio needs it"));
+  for (const char* field : {"surface.rms_roughness", "surface.average_roughness"}) {
+    SceneText text = asking;
+    EXPECT_TRUE(accepted(text.set(field, "1e-7")));
   }
 }
 

@@ -76,6 +76,7 @@ inline Scene random_scene(Sampler& sampler) {
       sampler.uniform(0.02, 0.08) / (scene.surface.summit_radius * scene.surface.summit_height_sd);
   scene.surface.summit_plane_offset = sampler.uniform(0, 1.5);
   scene.surface.offset_planes = sampler.pick({0, 1, 2});
+  scene.surface.rms_roughness = 1.25 * scene.surface.summit_height_sd;
   scene.bodies.effective_modulus = sampler.log_uniform(1e10, 3e11);
   const ContactShape shape = sampler.pick(
       {ContactShape::circle, ContactShape::circle, ContactShape::ellipse, ContactShape::line});

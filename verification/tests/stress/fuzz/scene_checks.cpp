@@ -29,7 +29,7 @@ auto values_of(const Scene& scene) {
   const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
       scene;
   const auto& [list, from, to, count, spacing] = speeds;
-  const auto& [density, radius, height_sd, offset, planes, moments] = surface;
+  const auto& [density, radius, height_sd, offset, planes, moments, rms, average] = surface;
   const auto& [modulus, reduced_radius, ellipticity, radius_x, radius_y, length, both] = bodies;
   const auto of_body = [](const Body& body) {
     return std::tuple(body.modulus, body.poisson_ratio, body.radius_x, body.radius_y);
@@ -41,7 +41,7 @@ auto values_of(const Scene& scene) {
   const auto& [asperity, starvation, damiens_exponent, film] = closures;
   return std::tuple_cat(
       std::tuple(id, load, list, from, to, count, spacing, density, radius, height_sd, offset),
-      std::tuple(moments.m0, moments.m2, moments.m4),
+      std::tuple(moments.m0, moments.m2, moments.m4, rms, average),
       std::tuple(planes, modulus, reduced_radius, ellipticity, viscosity, pressure_viscosity),
       std::tuple(eyring_stress, supply.kind, supply.value, boundary_coefficient, slide_roll_ratio),
       std::tuple(fluid, law, asperity, starvation, damiens_exponent, film, radius_x, radius_y,
@@ -179,6 +179,8 @@ void check_rules(const Scene& scene) {
             "smooth bodies have no ratio to their roughness", scene.id);
   if (scene.outputs.contains(Output::friction))
     require(has_friction_inputs(scene), "friction has its inputs", scene.id);
+  if (scene.outputs.contains(Output::lambda_ratio))
+    require(scene.surface.rms_roughness > 0, "lambda_ratio has its roughness", scene.id);
   if (scene.friction.viscosity == ViscosityLaw::roelands)
     require(scene.lubricant.viscosity > 6.315e-5, "Roelands' viscosity is thick enough", scene.id);
 }
@@ -273,6 +275,10 @@ Json as_json(const Scene& scene) {
                        {"summit_height_sd", surface.summit_height_sd},
                        {"summit_plane_offset", surface.summit_plane_offset},
                        {"offset_planes", surface.offset_planes}};
+  if (surface.average_roughness > 0)
+    json["surface"]["average_roughness"] = surface.average_roughness;
+  else if (surface.rms_roughness > 0 && !surface.has_moments())
+    json["surface"]["rms_roughness"] = surface.rms_roughness;
   json["bodies"] = bodies_as_json(bodies);
   json["lubricant"] = oil_as_json(lubricant);
   json["lubricant"]["pressure_viscosity"] = lubricant.pressure_viscosity;

@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck contact: what a contact is, before any curve is computed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "build_info.hpp"
+#include "catalogue/catalogue.hpp"
+#include "command.hpp"
+#include "messages.hpp"
+#include "page/text_table.hpp"
+#include "page/texts.hpp"
+#include "scene_arguments.hpp"
+#include "table.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
+#include "tribo/similarity_numbers.hpp"
+#include "tribo/smooth_contact.hpp"
+
+// Sources are compiled together: names that others have too are in a namespace of their own.
+namespace tribo::cli::contact_account {
+namespace {
+
+using nlohmann::ordered_json;
+
+// A number or a word about a contact, in SI units. Where it is undefined, the value is null and
+// `reason` says why.
+struct Fact {
+  std::string_view name, symbol, meaning;
+  ordered_json value;
+  std::string_view unit = {};
+  std::string_view reason = {};
+};
+using Facts = std::vector<Fact>;
+
+// The film of smooth faces in a flooded inlet by one law.
+struct LawFilm {
+  std::string_view law;
+  bool is_minimum;     // else the central film
+  double film;         // m
+  std::string beyond;  // why the contact is not in the range of the law; empty where it is
+  bool is_of_scene;    // is it closures.film?
+  std::string_view source;
+};
+
+struct AtSpeed {
+  double speed;  // m/s
+  Facts numbers, ratios;
+  std::vector<LawFilm> films;
+};
+
+struct ContactAccount {
+  std::string_view id;
+  Facts contact, surfaces;
+  std::vector<AtSpeed> speeds;
+};
+
+// A scene, and what all parts of its account are computed from.
+struct Asked {
+  explicit Asked(const Scene& given) : scene(given), contact(given), smooth(contact) {}
+
+  const detail::SceneNumbers<double>& numbers() const { return contact.scene_numbers(); }
+  ContactShape shape() const { return scene.bodies.shape(); }
+  bool is_line() const { return shape() == ContactShape::line; }
+
+  const Scene& scene;
+  MixedContact<double> contact;
+  SmoothContact smooth;
+};
+
+// A number beyond double, as of a contact of extreme numbers, is undefined.
+Fact number(std::string_view name, std::string_view symbol, std::string_view meaning, double value,
+            std::string_view unit = {}) {
+  if (std::isfinite(value)) return {name, symbol, meaning, value, unit};
+  return {name, symbol, meaning, nullptr, unit, protocol::beyond_double};
+}
+
+Facts contact_of(const Asked& asked) {
+  // In the order of ContactShape.
+  constexpr std::array<std::string_view, 3> shapes{"circle", "ellipse", "line"};
+  const auto& scene = asked.numbers();
+  const HertzContact<double> hertz = asked.contact.hertz();
+  Facts facts{
+      {"shape", "", "shape of the contact", shapes[static_cast<std::size_t>(asked.shape())]},
+      number("effective_modulus", "E*", "effective modulus", scene.effective_modulus, "Pa")};
+  switch (asked.shape()) {
+    case ContactShape::circle:
+      facts.push_back(number("radius_x", "R", "reduced radius", scene.radius_x, "m"));
+      facts.push_back(number("semi_axis_x", "a", "radius of the contact", hertz.semi_axis_x, "m"));
+      break;
+    case ContactShape::ellipse:
+      facts.push_back(
+          number("radius_x", "R_x", "reduced radius along entrainment", scene.radius_x, "m"));
+      facts.push_back(number("radius_y", "R_y", "reduced radius across it", scene.across, "m"));
+      facts.push_back(number("semi_axis_x", "a_x", "half the contact's size along entrainment",
+                             hertz.semi_axis_x, "m"));
+      facts.push_back(number("semi_axis_y", "a_y", "half the contact's size across it",
+                             hertz.semi_axis_y, "m"));
+      break;
+    case ContactShape::line:
+      facts.push_back(
+          number("radius_x", "R", "reduced radius along entrainment", scene.radius_x, "m"));
+      facts.push_back(number("length", "L", "length of the line", scene.across, "m"));
+      facts.push_back(
+          number("semi_axis_x", "b", "half the width of the contact", hertz.semi_axis_x, "m"));
+  }
+  if (!asked.is_line())
+    facts.push_back(number("ellipticity", "a_y/a_x", "ellipticity of the contact",
+                           hertz.semi_axis_y / hertz.semi_axis_x));
+  facts.push_back(number("nominal_area", "A_nom", "area of the contact", hertz.nominal_area, "m²"));
+  facts.push_back(
+      number("peak_pressure", "p₀", "greatest Hertz pressure", hertz.peak_pressure, "Pa"));
+  facts.push_back(number("mean_pressure", "p_m", "mean Hertz pressure", hertz.mean_pressure, "Pa"));
+  if (asked.is_line())
+    facts.push_back({"approach", "", "approach of the bodies", nullptr, "m",
+                     "of a line it depends on the whole bodies"});
+  else
+    facts.push_back(number("approach", "", "approach of the bodies", hertz.approach, "m"));
+  return facts;
+}
+
+constexpr std::string_view no_roughness =
+    "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0";
+
+constexpr std::string_view no_summits = "the bodies are smooth: they have no σ_s";
+
+Facts surfaces_of(const Asked& asked) {
+  const double sd = asked.contact.summit_height_sd(), roughness = asked.numbers().rms_roughness;
+  const LoadSharing<double> sharing = asked.contact.sharing();
+  Facts facts;
+  constexpr std::string_view rms = "composite roughness of both faces";
+  if (roughness > 0)
+    facts.push_back(number("rms_roughness", "Rq", rms, roughness, "m"));
+  else
+    facts.push_back({"rms_roughness", "Rq", rms, nullptr, "m", no_roughness});
+  constexpr std::string_view heights = "standard deviation of the summits' heights";
+  if (asked.scene.surface.is_smooth())
+    facts.push_back({"summit_height_sd", "σ_s", heights, nullptr, "m", no_summits});
+  else
+    facts.push_back(number("summit_height_sd", "σ_s", heights, sd, "m"));
+  facts.push_back(number("stiffness", "K", "stiffness of the summits", sharing.stiffness()));
+  facts.push_back(
+      number("offset", "δ", "plane of heights to plane of summits, over σ_s", sharing.offset()));
+  facts.push_back(number("share_without_film", "A(0)", "load share of the summits without a film",
+                         sharing.asperity_share(0)));
+  facts.push_back(number("floor", "λ_b σ_s", "least film that the summits allow; 0: none",
+                         sharing.floor() * sd, "m"));
+  return facts;
+}
+
+// Why the contact is not in the range of a film law; empty where it is. All laws but Moes' are of
+// elastic bodies, those without an exponent of G in an isoviscous liquid.
+std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime) {
+  if (!(ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
+        ellipticity <= law.greatest_ellipticity))
+    return fmt::format("k is {}, and it was fitted to {} to {}", readable(ellipticity),
+                       readable(law.least_ellipticity), readable(law.greatest_ellipticity));
+  const LubricationRegime own = law.material_exponent.p == 0
+                                    ? LubricationRegime::isoviscous_elastic
+                                    : LubricationRegime::piezoviscous_elastic;
+  if (own != regime) return fmt::format("the law is of {} contacts", name(own));
+  return {};
+}
+
+std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegime regime) {
+  const auto& scene = asked.numbers();
+  std::vector<LawFilm> films;
+  for (const catalogue::Function& function : catalogue::functions()) {
+    const FilmLaw* const law = function.film_law;
+    if (law != nullptr && law->is_of_lines == asked.is_line())
+      films.push_back({function.name, function.results.front().meaning.starts_with("h_min"),
+                       smooth_film(*law, asked.shape(), scene, speed),
+                       beyond_of(*law, asked.is_line() ? 1 : scene.ellipticity, regime),
+                       law == &asked.contact.film(), function.source});
+    if (function.name == "moes_line" && asked.is_line())
+      films.push_back(
+          {function.name,
+           false,
+           moes_line(speed, scene.viscosity, scene.pressure_viscosity, scene.load / scene.across,
+                     scene.effective_modulus, scene.radius_x),
+           {},
+           false,
+           function.source});
+  }
+  return films;
+}
+
+LubricationRegime regime_of(const Asked& asked, const SimilarityNumbers<double>& numbers) {
+  if (asked.is_line()) return line_regime(moes_numbers(numbers, true));
+  const auto& scene = asked.numbers();
+  const double radius_ratio =
+      asked.shape() == ContactShape::circle ? 1 : scene.across / scene.radius_x;
+  return point_regime(regime_numbers(numbers), radius_ratio, scene.ellipticity);
+}
+
+AtSpeed account_at(const Asked& asked, double speed) {
+  const auto& scene = asked.numbers();
+  const SimilarityNumbers<double> numbers = similarity_numbers(
+      speed, scene.viscosity, scene.pressure_viscosity, load_of_film(asked.shape(), scene),
+      scene.effective_modulus, scene.radius_x);
+  const MoesNumbers<double> moes = moes_numbers(numbers, asked.is_line());
+  const LubricationRegime regime = regime_of(asked, numbers);
+  AtSpeed account{speed, {}, {}, films_of(asked, speed, regime)};
+  account.numbers = {
+      number("speed_number", "U", "Hamrock and Dowson's number of the speed", numbers.speed),
+      number("material_number", "G", "their number of the materials", numbers.material),
+      number("load_number", "W", "their number of the load", numbers.load),
+      number("moes_load_number", "M", "Moes' number of the load", moes.load),
+      number("moes_material_number", "L", "Moes' number of the materials", moes.material)};
+  if (!asked.is_line()) {
+    const RegimeNumbers<double> map = regime_numbers(numbers);
+    account.numbers.push_back(
+        number("viscosity_parameter", "g_V", "number of the viscosity's rise", map.viscosity));
+    account.numbers.push_back(
+        number("elasticity_parameter", "g_E", "number of the bodies' flattening", map.elasticity));
+  }
+  account.numbers.push_back({"regime", "",
+                             asked.is_line() ? "regime of lubrication, on Moes' map"
+                                             : "regime of lubrication, on Hamrock's map",
+                             name(regime)});
+  OutputSet outputs;
+  for (const Output output : {Output::film, Output::film_parameter}) outputs.insert(output);
+  const OperatingPoint<double> point = asked.contact.solve(speed, outputs);
+  account.ratios = {
+      number("film", "h*", "the scene's film, with load sharing and its inlet", point.film, "m"),
+      asked.scene.surface.is_smooth()
+          ? Fact{"film_parameter", "λ", "h*/σ_s", nullptr, "", no_summits}
+          : number("film_parameter", "λ", "h*/σ_s", point.film_parameter),
+      number("minimum_film", "h_min", "least film of smooth faces in a flooded inlet",
+             asked.smooth.minimum_film(speed), "m")};
+  if (scene.rms_roughness > 0)
+    account.ratios.push_back(
+        number("lambda_ratio", "Λ", "h_min/Rq", asked.smooth.value(Output::lambda_ratio, speed)));
+  else
+    account.ratios.push_back({"lambda_ratio", "Λ", "h_min/Rq", nullptr, "", no_roughness});
+  return account;
+}
+
+// At the slowest and the fastest speed of the scene, at one where they are the same, and at none
+// where the scene has no speed.
+ContactAccount account_of(const Asked& asked) {
+  ContactAccount account{asked.scene.id, contact_of(asked), surfaces_of(asked), {}};
+  if (asked.scene.speeds.empty()) return account;
+  const auto [low, high] = detail::speed_span(asked.scene.speeds);
+  account.speeds.push_back(account_at(asked, low));
+  if (high > low) account.speeds.push_back(account_at(asked, high));
+  return account;
+}
+
+// --- Tables
+
+// A number in the unit that people use for it: "1.077 GPa", "148.9 µm".
+std::string usual(double value, std::string_view unit) {
+  struct Scale {
+    std::string_view unit, usual;
+    double least, factor;
+  };
+  constexpr auto scales = std::to_array<Scale>({{"Pa", "GPa", 1e8, 1e-9},
+                                                {"Pa", "MPa", 1e5, 1e-6},
+                                                {"m", "m", 1, 1},
+                                                {"m", "mm", 1e-3, 1e3},
+                                                {"m", "µm", 1e-6, 1e6},
+                                                {"m", "nm", 1e-10, 1e9},
+                                                {"m²", "mm²", 1e-12, 1e6}});
+  for (const Scale& scale : scales)
+    if (scale.unit == unit && std::abs(value) >= scale.least)
+      return fmt::format("{:.4g} {}", value * scale.factor, scale.usual);
+  return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string text_of(const Fact& fact) {
+  if (fact.value.is_null()) return fmt::format("undefined: {}", fact.reason);
+  if (fact.value.is_string()) return fact.value.get<std::string>();
+  return usual(fact.value.get<double>(), fact.unit);
+}
+
+std::string padded(std::string text, std::size_t width) {
+  const std::size_t taken = report::width_of(text);
+  return text.append(taken < width ? width - taken : 0, ' ');
+}
+
+void append_facts(Text& to, const Facts& facts) {
+  for (const Fact& fact : facts) {
+    std::string words(fact.meaning);
+    if (!fact.symbol.empty()) words = fmt::format("{}, {}", fact.symbol, words);
+    append_line(to, fmt::format("  {}  {}", padded(words, 53), text_of(fact)));
+  }
+}
+
+void append_films(Text& to, const std::vector<LawFilm>& films) {
+  append_line(to, fmt::format("  {}  {}  {}  {}", padded("film of smooth faces, flooded, by", 42),
+                              padded("it is", 7), padded("film", 10), "inside its range"));
+  for (const LawFilm& film : films) {
+    const std::string law =
+        fmt::format("{}{}", film.law, film.is_of_scene ? " (this scene's)" : "");
+    append_line(
+        to, fmt::format("  {}  {}  {}  {}", padded(law, 42),
+                        film.is_minimum ? "minimum" : "central", padded(usual(film.film, "m"), 10),
+                        film.beyond.empty() ? "yes" : "no: " + film.beyond));
+  }
+}
+
+constexpr std::string_view about_ratios =
+    "  λ says how deep the summits reach into the film: the model's shares of the load follow from "
+    "it.\n"
+    "  Λ compares the film that the bodies would have if they were smooth with the roughness that "
+    "a "
+    "profiler\n"
+    "  measures: catalogues of bearings and gears mean it. The two are different numbers.\n";
+
+void append_table(Text& to, const ContactAccount& account) {
+  append_title(to, fmt::format("{}: the dry, smooth contact (Hertz)", account.id));
+  append_facts(to, account.contact);
+  append(to, "\n");
+  append_title(to, fmt::format("{}: the rough faces", account.id));
+  append_facts(to, account.surfaces);
+  for (const AtSpeed& at : account.speeds) {
+    append(to, "\n");
+    append_title(to, fmt::format("{}: at {} m/s", account.id, readable(at.speed)));
+    append_facts(to, at.numbers);
+    append(to, "\n");
+    append_films(to, at.films);
+    append(to, "\n");
+    append_facts(to, at.ratios);
+  }
+  if (account.speeds.empty())
+    append(to, "\n  Films and regimes need a speed, which this scene does not have.\n");
+  else
+    append(to, fmt::format("\n{}", about_ratios));
+}
+
+// --- CSV and JSON
+
+void append_csv(Text& to, const ContactAccount& account) {
+  const std::string id = report::csv_text(account.id);
+  const auto add = [&](const std::string& speed, std::string_view part, const Facts& facts) {
+    for (const Fact& fact : facts) {
+      const std::string value = fact.value.is_number()   ? report::exact(fact.value.get<double>())
+                                : fact.value.is_string() ? fact.value.get<std::string>()
+                                                         : std::string();
+      append(to,
+             fmt::format("{},{},{},{},{},{},{},{}\n", id, speed, part, fact.name, value, fact.unit,
+                         report::csv_text(fact.meaning), report::csv_text(fact.reason)));
+    }
+  };
+  add("", "contact", account.contact);
+  add("", "surfaces", account.surfaces);
+  for (const AtSpeed& at : account.speeds) {
+    const std::string speed = report::exact(at.speed);
+    add(speed, "numbers", at.numbers);
+    for (const LawFilm& film : at.films)
+      append(to, fmt::format("{},{},films,{},{},m,{},{}\n", id, speed, film.law,
+                             std::isfinite(film.film) ? report::exact(film.film) : "",
+                             film.is_minimum ? "minimum film" : "central film",
+                             report::csv_text(film.beyond)));
+    add(speed, "ratios", at.ratios);
+  }
+}
+
+ordered_json json_of(const Facts& facts) {
+  ordered_json list = ordered_json::array();
+  for (const Fact& fact : facts)
+    list.push_back({{"name", fact.name},
+                    {"symbol", fact.symbol},
+                    {"value", fact.value},
+                    {"unit", fact.unit},
+                    {"meaning", fact.meaning},
+                    {"undefined", fact.reason}});
+  return list;
+}
+
+ordered_json json_of(const std::vector<LawFilm>& films) {
+  ordered_json list = ordered_json::array();
+  for (const LawFilm& film : films)
+    list.push_back({{"law", film.law},
+                    {"kind", film.is_minimum ? "minimum" : "central"},
+                    {"film", std::isfinite(film.film) ? ordered_json(film.film) : nullptr},
+                    {"is_inside_range", film.beyond.empty()},
+                    {"beyond", film.beyond},
+                    {"is_of_scene", film.is_of_scene},
+                    {"source", film.source}});
+  return list;
+}
+
+void append_json(Text& to, const ContactAccount& account) {
+  ordered_json speeds = ordered_json::array();
+  for (const AtSpeed& at : account.speeds)
+    speeds.push_back({{"speed", at.speed},
+                      {"numbers", json_of(at.numbers)},
+                      {"films", json_of(at.films)},
+                      {"ratios", json_of(at.ratios)}});
+  const ordered_json told{{"id", account.id},
+                          {"contact", json_of(account.contact)},
+                          {"surfaces", json_of(account.surfaces)},
+                          {"speeds", std::move(speeds)}};
+  append(to, without_controls(told.dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
+}
+
+int tell_contacts(const SceneArguments& arguments, OutputStream& output) {
+  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::onset);
+  if (loaded.scenes.empty()) return exit_bad;
+  Text& text = output.text();
+  const bool is_json = arguments.format == "json", is_csv = arguments.format == "csv";
+  if (is_csv) append(text, "id,speed,part,name,value,unit,meaning,reason\n");
+  std::string before = is_json ? list_start("contact/1", "scenes") : "";
+  for (const Scene& scene : loaded.scenes) {
+    append(text, std::exchange(before, is_json ? list_comma : is_csv ? "" : "\n"));
+    (is_json ? append_json : is_csv ? append_csv : append_table)(text, account_of(Asked(scene)));
+    output.end_row();
+  }
+  if (is_json) append(text, list_end);
+  return loaded.all_good ? exit_done : exit_bad;
+}
+
+constexpr const char* footer =
+    R"(Told are the size, pressures and approach of the dry, smooth contact (Hertz); the rough faces: Rq, σ_s,
+and K, δ and the floor, the least distance that the summits allow; and at the slowest and the fastest
+speed of a scene U, G and W, Moes' M and L, the regime of lubrication, the film by each law of this
+shape of contact and whether it is inside the range of that law, λ = h*/σ_s and Λ = h_min/Rq. A scene
+may be without a speed: then only what does not depend on it is told.
+
+The table has units that people use; CSV and JSON have SI units, and numbers that read back to the
+same double. The regime is the one whose film is the thickest: of points by the formulas of Hamrock
+(1991), of lines by those of Moes (1992).
+
+To have these numbers at each speed, beside others: outputs = ["peak_pressure", "mean_pressure",
+"minimum_film", "lambda_ratio"] in a scene, and `solve`, `curve`, `stream` or `sweep`.
+
+Example:
+  tribocheck contact reference/scenes/bearing_outer_ring.toml
+  tribocheck contact reference/published/rough.toml --format json)";
+
+}  // namespace
+}  // namespace tribo::cli::contact_account
+
+namespace tribo::cli {
+
+Command add_contact(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("contact", "what a contact is: Hertz pressure, regime, films, Λ");
+  app->footer(footer_with_scenes(contact_account::footer));
+  const auto arguments = std::make_shared<SceneArguments>();
+  add_scene_arguments(*app, *arguments);
+  return {app, [arguments](OutputStream& output) {
+            return contact_account::tell_contacts(*arguments, output);
+          }};
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data of the picture that `tribocheck curve --picture` draws: curves of scenes over speed,
+// with the onset of starvation, and measured points beside them.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+#include <vector>
+
+#include "measured_data.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::cli {
+
+inline constexpr std::size_t most_drawn_scenes = 6;  // that colours tell apart
+
+// The outputs that a picture shows of these scenes: film, friction and the asperities' share where
+// a scene asks for them, and all that was measured.
+std::vector<Output> drawn_outputs(const std::vector<Scene>& scenes,
+                                  const std::vector<Comparison>& measured);
+
+nlohmann::ordered_json curve_picture(const std::vector<Scene>& scenes,
+                                     const std::vector<Comparison>& measured);
+
+}  // namespace tribo::cli

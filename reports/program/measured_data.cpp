@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measured_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "build_info.hpp"
+#include "page/project_files.hpp"
+#include "page/texts.hpp"
+#include "table.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using report::ReportError;
+
+// --- Reading.
+
+constexpr std::size_t most_bytes = std::size_t{1} << 22;
+constexpr std::size_t most_faults = 20;  // lines that are printed
+
+// A unit in which people write a quantity of an SI unit: so many of it are one of the SI unit.
+struct WrittenUnit {
+  std::string_view si, name;
+  double in_one;
+};
+constexpr auto written_units = std::to_array<WrittenUnit>({{"m", "m", 1},
+                                                           {"m", "mm", 1e3},
+                                                           {"m", "µm", 1e6},
+                                                           {"m", "μm", 1e6},  // the Greek letter
+                                                           {"m", "um", 1e6},
+                                                           {"m", "nm", 1e9},
+                                                           {"m/s", "m/s", 1},
+                                                           {"m/s", "mm/s", 1e3},
+                                                           {"", "-", 1},
+                                                           {"", "%", 100}});
+
+std::string units_for(std::string_view si) {
+  if (si == "m/s") return "m/s or mm/s";
+  return si == "m" ? "m, mm, µm, um or nm" : "- or %, or no unit";
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+
+std::vector<std::string_view> cells_in(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const std::size_t end = std::min(line.find(separator), line.size());
+    std::string_view cell = trimmed(line.substr(0, end));
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+      cell = trimmed(cell.substr(1, cell.size() - 2));
+    cells.push_back(cell);
+    if (end == line.size()) return cells;
+    line.remove_prefix(end + 1);
+  }
+}
+
+struct DataColumn {
+  std::string heading;
+  std::optional<Output> output;  // none: the speed
+  double in_one = 1;             // of its unit
+};
+
+std::string allowed_names(OutputSet asked) {
+  std::string names = "speed";
+  for (const OutputInfo& info : output_infos)
+    if (info.words.empty() && asked.contains(info.output)) names += fmt::format(", {}", info.name);
+  return names;
+}
+
+class MeasuredReader {
+ public:
+  MeasuredReader(const std::string& path, OutputSet asked) : path_(path), asked_(asked) {}
+
+  void read(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      const std::string_view line = trimmed(text.substr(0, end));
+      text.remove_prefix(std::min(end + 1, text.size()));
+      ++line_;
+      if (line.empty() || line.front() == '#') continue;
+      if (columns_.empty()) {
+        read_head(line);
+        if (!faults_.empty()) return;  // the columns are not known
+      } else {
+        read_row(line);
+      }
+    }
+    if (columns_.empty())
+      refuse("no columns", "a first line such as speed [m/s],film [nm],friction");
+    else if (measurements_.empty() && faults_.empty())
+      refuse("nothing was measured", "a line for each point, below the names of the columns");
+  }
+
+  std::vector<MeasuredNumber> finish() {
+    if (faults_.size() > most_faults) {
+      const std::size_t more = faults_.size() - most_faults;
+      faults_.resize(most_faults);
+      faults_.push_back(fmt::format("{}: {} more mistakes", path_, more));
+    }
+    if (!faults_.empty()) throw ReportError(std::move(faults_));
+    return std::move(measurements_);
+  }
+
+ private:
+  void refuse(std::string_view what, std::string_view allowed) {
+    faults_.push_back(fmt::format("{}: line {}: {}; allowed: {}", path_, line_, what, allowed));
+  }
+
+  // Tells of column number `column`, counted from 0.
+  void refuse(std::size_t column, std::string_view heading, std::string_view what,
+              std::string_view allowed) {
+    faults_.push_back(fmt::format("{}: line {}, column {} ({}): {}; allowed: {}", path_, line_,
+                                  column + 1, printable(heading), what, allowed));
+  }
+
+  void read_head(std::string_view line) {
+    const bool has_tabs = line.find('\t') != std::string_view::npos;
+    const bool has_semicolons = line.find(';') != std::string_view::npos;
+    separator_ = has_tabs ? '\t' : has_semicolons ? ';' : ',';
+    for (const std::string_view heading : cells_in(line, separator_)) add_column(heading);
+    const auto is_speed = [](const DataColumn& column) { return !column.output; };
+    if (!faults_.empty()) return;
+    if (std::none_of(columns_.begin(), columns_.end(), is_speed))
+      refuse("there is no column speed", "speed [m/s] or speed [mm/s], beside what was measured");
+    else if (columns_.size() == 1)
+      refuse("there is no column of what was measured", allowed_names(asked_));
+  }
+
+  void add_column(std::string_view heading) {
+    const std::size_t place = columns_.size();
+    const std::size_t bracket = std::min(heading.find('['), heading.size());
+    const std::string_view name = trimmed(heading.substr(0, bracket));
+    std::string_view unit = heading.substr(bracket);
+    const bool has_unit = unit.size() >= 2 && unit.back() == ']';
+    if (has_unit) unit = trimmed(unit.substr(1, unit.size() - 2));
+    DataColumn column{std::string(heading), output_by_name(name)};
+    columns_.push_back(column);
+    if (name != "speed" && (!column.output || !info(*column.output).words.empty()))
+      return refuse(place, heading, "this column is not known",
+                    allowed_names(asked_) + ", each with its unit, as film [nm]");
+    if (column.output && !asked_.contains(*column.output))
+      return refuse(place, heading, "the scene's `outputs` do not ask for it",
+                    allowed_names(asked_));
+    const bool is_double =
+        std::any_of(columns_.begin(), columns_.end() - 1,
+                    [&column](const DataColumn& before) { return before.output == column.output; });
+    if (is_double) return refuse(place, heading, "this column is there twice", "it once");
+    const std::string_view si = column.output ? info(*column.output).unit : "m/s";
+    if (unit.empty() && si.empty()) return;
+    const auto found = std::find_if(
+        written_units.begin(), written_units.end(),
+        [&](const WrittenUnit& one) { return has_unit && one.si == si && one.name == unit; });
+    if (found == written_units.end())
+      return refuse(place, heading, unit.empty() ? "its unit is missing" : "this unit does not fit",
+                    units_for(si) + ", in brackets behind the name");
+    columns_.back().in_one = found->in_one;
+  }
+
+  void read_row(std::string_view line) {
+    const std::vector<std::string_view> cells = cells_in(line, separator_);
+    if (cells.size() != columns_.size())
+      return refuse(
+          fmt::format("{} cells", cells.size()),
+          fmt::format("{}, as many as columns; points in numbers, and no commas", columns_.size()));
+    std::vector<MeasuredNumber> row;
+    double speed = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const DataColumn& column = columns_[i];
+      if (cells[i].empty() && column.output) continue;
+      const std::optional<double> number = number_in(cells[i], i);
+      if (!number) continue;
+      if (column.output)
+        row.push_back({line_, 0, *column.output, *number / column.in_one});
+      else
+        speed = *number / column.in_one;
+    }
+    for (MeasuredNumber& one : row) {
+      one.speed = speed;
+      measurements_.push_back(one);
+    }
+  }
+
+  std::optional<double> number_in(std::string_view cell, std::size_t place) {
+    const bool is_speed = !columns_[place].output;
+    double number = 0;
+    const char* const end = cell.data() + cell.size();
+    const auto [stop, error] = std::from_chars(cell.data(), end, number);
+    const bool is_number = error == std::errc() && stop == end && std::isfinite(number);
+    if (is_number && (is_speed ? number > 0 : number >= 0)) return number;
+    refuse(place, columns_[place].heading,
+           cell.empty() ? "the cell is empty" : printable(cell) + " is not allowed",
+           is_speed ? "a number above 0, with a decimal point"
+                    : "a number not below 0, with a decimal point, or an empty cell");
+    return std::nullopt;
+  }
+
+  const std::string& path_;
+  OutputSet asked_;
+  std::size_t line_ = 0;
+  char separator_ = ',';
+  std::vector<DataColumn> columns_;
+  std::vector<MeasuredNumber> measurements_;
+  std::vector<std::string> faults_;
+};
+
+// --- Writing.
+
+std::string unit_in_brackets(Output output) {
+  const std::string_view unit = info(output).unit;
+  return unit.empty() ? "[-]" : fmt::format("[{}]", unit);
+}
+
+std::string per_cent(double value) {
+  return std::isnan(value) ? "-" : fmt::format("{:+.2f}", value);
+}
+
+void append_comparison_table(Text& to, std::string_view title,
+                             const std::vector<Comparison>& comparisons) {
+  std::size_t widest = 0;
+  for (const Comparison& one : comparisons)
+    widest = std::max(widest, info(one.measured.output).name.size() + 6);
+  const std::vector<ColumnHead> heads{{"line", "", 4},
+                                      {"speed", "[m/s]", number_width},
+                                      {"quantity", "", widest},
+                                      {"measured", "", number_width},
+                                      {"computed", "", number_width},
+                                      {"deviation", "[%]", 9}};
+  append_title(to, title);
+  append_heads(to, heads);
+  std::vector<std::string_view> reasons;
+  for (const Comparison& one : comparisons) {
+    const std::string_view why = one.computed.undefined;
+    if (!why.empty() && std::find(reasons.begin(), reasons.end(), why) == reasons.end())
+      reasons.push_back(why);
+    append_row(to, heads,
+               {std::to_string(one.measured.line), readable(one.measured.speed),
+                fmt::format("{} {}", info(one.measured.output).name,
+                            unit_in_brackets(one.measured.output)),
+                readable(one.measured.value), why.empty() ? readable(one.computed.number) : "-",
+                per_cent(one.deviation_percent)});
+  }
+  for (const std::string_view why : reasons) append_line(to, fmt::format("  - computed: {}", why));
+  for (const DeviationSummary& one : summaries_of(comparisons)) {
+    const std::string_view name = info(one.output).name;
+    append_line(to, one.compared == 0
+                        ? fmt::format("  - {}: no deviation", name)
+                        : fmt::format("  - {}: median of {} deviation{} {} %, the least {} %, the "
+                                      "greatest {} %",
+                                      name, one.compared, one.compared == 1 ? "" : "s",
+                                      per_cent(one.median_percent), per_cent(one.least_percent),
+                                      per_cent(one.greatest_percent)));
+  }
+  append_line(to, "  - deviation: (computed − measured)/measured, each at the speed of its point");
+}
+
+// Empty for NaN.
+std::string csv_number(double value) { return std::isnan(value) ? "" : report::exact(value); }
+
+void append_comparison_csv(Text& to, std::string_view scene_id,
+                           const std::vector<Comparison>& comparisons) {
+  const std::string id = report::csv_text(scene_id);
+  append(to, "id,line,quantity,unit,speed,measured,computed,deviation_percent\n");
+  for (const Comparison& one : comparisons) {
+    const OutputInfo& quantity = info(one.measured.output);
+    append(to, fmt::format("{},{},{},{},{},{},{},{}\n", id, one.measured.line, quantity.name,
+                           quantity.unit, report::exact(one.measured.speed),
+                           report::exact(one.measured.value),
+                           one.computed.undefined.empty() ? report::exact(one.computed.number) : "",
+                           csv_number(one.deviation_percent)));
+  }
+  for (const DeviationSummary& one : summaries_of(comparisons))
+    append(to, fmt::format("{},median,{},{},,,,{}\n", id, info(one.output).name,
+                           info(one.output).unit, csv_number(one.median_percent)));
+}
+
+ordered_json json_number(double value) {
+  return std::isnan(value) ? ordered_json(nullptr) : ordered_json(value);
+}
+
+ordered_json comparison_json(std::string_view scene_id, const std::string& path,
+                             const std::vector<Comparison>& comparisons) {
+  ordered_json points = ordered_json::array(), quantities = ordered_json::array();
+  for (const Comparison& one : comparisons) {
+    const bool is_defined = one.computed.undefined.empty();
+    points.push_back({{"line", one.measured.line},
+                      {"quantity", info(one.measured.output).name},
+                      {"unit", info(one.measured.output).unit},
+                      {"speed", one.measured.speed},
+                      {"measured", one.measured.value},
+                      {"computed", is_defined ? ordered_json(one.computed.number) : nullptr},
+                      {"deviation_percent", json_number(one.deviation_percent)}});
+    if (!is_defined) points.back()["undefined"] = one.computed.undefined;
+  }
+  for (const DeviationSummary& one : summaries_of(comparisons))
+    quantities.push_back({{"quantity", info(one.output).name},
+                          {"points", one.points},
+                          {"compared", one.compared},
+                          {"median_deviation_percent", json_number(one.median_percent)},
+                          {"least_deviation_percent", json_number(one.least_percent)},
+                          {"greatest_deviation_percent", json_number(one.greatest_percent)}});
+  return document("curve-data/1", {{"id", scene_id},
+                                   {"data", path},
+                                   {"points", std::move(points)},
+                                   {"quantities", std::move(quantities)}});
+}
+
+}  // namespace
+
+std::vector<MeasuredNumber> read_measured(const std::string& path, OutputSet asked) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(most_bytes + 1, ' ');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.is_open() || file.bad())
+    throw ReportError(fmt::format("{}: the file cannot be read", path));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > most_bytes) throw ReportError(fmt::format("{}: the file is over 4 MiB", path));
+  MeasuredReader reader(path, asked);
+  reader.read(text);
+  return reader.finish();
+}
+
+std::vector<DeviationSummary> summaries_of(const std::vector<Comparison>& comparisons) {
+  std::vector<DeviationSummary> summaries;
+  for (const OutputInfo& quantity : output_infos) {
+    DeviationSummary summary{quantity.output};
+    std::vector<double> deviations;
+    for (const Comparison& one : comparisons) {
+      if (one.measured.output != quantity.output) continue;
+      ++summary.points;
+      if (!std::isnan(one.deviation_percent)) deviations.push_back(one.deviation_percent);
+    }
+    if (summary.points == 0) continue;
+    std::sort(deviations.begin(), deviations.end());
+    summary.compared = deviations.size();
+    const std::size_t middle = deviations.size() / 2;
+    if (deviations.empty()) {
+      summary.median_percent = summary.least_percent = summary.greatest_percent =
+          std::numeric_limits<double>::quiet_NaN();
+    } else {
+      summary.median_percent = deviations.size() % 2 == 1
+                                   ? deviations[middle]
+                                   : (deviations[middle - 1] + deviations[middle]) / 2;
+      summary.least_percent = deviations.front();
+      summary.greatest_percent = deviations.back();
+    }
+    summaries.push_back(summary);
+  }
+  return summaries;
+}
+
+void write_comparisons(std::string_view format, std::string_view scene_id, const std::string& path,
+                       const std::vector<Comparison>& comparisons, OutputStream& output) {
+  Text& text = output.text();
+  if (format == "json")
+    append(text, comparison_json(scene_id, path, comparisons)
+                         .dump(1, ' ', false, ordered_json::error_handler_t::replace) +
+                     '\n');
+  else if (format == "csv")
+    append_comparison_csv(text, scene_id, comparisons);
+  else
+    append_comparison_table(text, fmt::format("{}: {} beside the model", scene_id, path),
+                            comparisons);
+  output.flush();
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measured points of a contact, read from a file of comma-separated values, and how far a model is
+// from them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "messages.hpp"
+#include "protocol/answers.hpp"
+#include "tribo/outputs.hpp"
+
+namespace tribo::cli {
+
+// One number of the file, in SI units.
+struct MeasuredNumber {
+  std::size_t line = 0;  // of the file, from 1
+  double speed = 0;      // m/s
+  Output output{};
+  double value = 0;
+};
+
+// Reads a file of which each line is a point. The first line has the names of the columns with
+// their units: `speed [m/s],film [nm],friction`; names are those of outputs that are numbers. An
+// empty cell was not measured. Blank lines, and lines that begin with #, are skipped. Throws
+// report::ReportError with one line for each mistake; one that is not `asked` for is a mistake.
+std::vector<MeasuredNumber> read_measured(const std::string& path, OutputSet asked);
+
+struct Comparison {
+  MeasuredNumber measured;
+  protocol::OutputValue computed;
+  double deviation_percent = 0;  // (computed − measured)/measured; NaN where there is none
+};
+
+// The deviations of one output: the median, the least and the greatest of those that exist.
+struct DeviationSummary {
+  Output output{};
+  std::size_t points = 0, compared = 0;
+  double median_percent = 0, least_percent = 0, greatest_percent = 0;  // NaN: nothing is compared
+};
+
+// In the order of the outputs.
+std::vector<DeviationSummary> summaries_of(const std::vector<Comparison>& comparisons);
+
+// format: "table", "csv" or "json".
+void write_comparisons(std::string_view format, std::string_view scene_id, const std::string& path,
+                       const std::vector<Comparison>& comparisons, OutputStream& output);
+
+}  // namespace tribo::cli

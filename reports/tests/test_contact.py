@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""contact, and the outputs of the smooth contact: each number by a second way."""
+
+import json
+import math
+import os
+import pathlib
+import unittest
+
+from program import ProgramTest, quiet_scene, run, scene, with_field, without_field
+from sweeps import sweep
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+SMOOTH = ["peak_pressure", "mean_pressure", "minimum_film", "lambda_ratio"]
+LINE = {"closures": {"film": "dowson_toyoda_central"},
+        "bodies": {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2}}
+
+
+def values(facts):
+    return {fact["name"]: fact["value"] for fact in facts}
+
+
+class ContactTest(ProgramTest):
+    def told(self, tree, code=0):
+        result = run("contact", self.folder.write("scene.json", tree), "--format", "json")
+        self.assertEqual((result.code, result.err), (code, ""))
+        told, = result.json()["scenes"]
+        return told
+
+    def at(self, tree, speed):
+        at, = self.told(tree | {"speed": speed})["speeds"]
+        return at
+
+    def assert_near(self, value, expected, relative=1e-12):
+        self.assertLess(abs(value / expected - 1), relative, (value, expected))
+
+
+class Numbers(ContactTest):
+    def test_of_a_circle_the_hertz_contact_is_that_of_its_formulas(self):
+        told = values(self.told(quiet_scene())["contact"])
+        load, modulus, radius = 50, 107.9e9, 9.5e-3
+        axis = math.cbrt(3 * load * radius / (4 * modulus))
+        self.assert_near(told["semi_axis_x"], axis)
+        self.assert_near(told["mean_pressure"], load / (math.pi * axis ** 2))
+        self.assert_near(told["peak_pressure"], 1.5 * load / (math.pi * axis ** 2))
+        self.assert_near(told["approach"], axis ** 2 / radius)
+        self.assertEqual((told["shape"], told["ellipticity"]), ("circle", 1))
+
+    def test_of_an_ellipse_the_pressure_bends_the_faces_by_their_radii(self):
+        tree = quiet_scene(bodies={"effective_modulus": 107.9e9, "radius_x": 5e-3, "radius_y": 4e-2})
+        told = values(self.told(tree)["contact"])
+        area = math.pi * told["semi_axis_x"] * told["semi_axis_y"]
+        self.assert_near(told["peak_pressure"], 1.5 * 50 / area)
+        self.assert_near(told["mean_pressure"], 50 / area)
+        self.assert_near(told["ellipticity"], told["semi_axis_y"] / told["semi_axis_x"])
+        a, b = told["semi_axis_x"], told["semi_axis_y"]
+        for first, other, radius in ((a, b, 5e-3), (b, a, 4e-2)):
+            curvature = told["peak_pressure"] / 107.9e9 * first * other * self.integral(first, other)
+            self.assert_near(curvature, 1 / radius, 1e-9)
+
+    @staticmethod
+    def integral(a, b):
+        """∫ dw/((a² + w) √((a² + w)(b² + w)w)) from 0 to ∞, with w = ab tan²t by Simpson's rule in t: 1/R along a is p₀ab/E*
+        times this (K. L. Johnson: Contact Mechanics, section 3.3)."""
+        steps, total = 4000, 0.0
+        for i in range(steps + 1):
+            sine, cosine = math.sin(math.pi / 2 * i / steps), math.cos(math.pi / 2 * i / steps)
+            p, q = (a * cosine) ** 2 + a * b * sine ** 2, (b * cosine) ** 2 + a * b * sine ** 2
+            weight = 1 if i in (0, steps) else 4 if i % 2 else 2
+            total += weight * 2 * math.sqrt(a * b) * cosine ** 2 / (p * math.sqrt(p * q))
+        return total * math.pi / 2 / steps / 3
+
+    def test_of_a_line_they_are_those_of_film(self):
+        roller = str(ROOT / "reference/scenes/roller.toml")
+        film, = run("film", roller, "--speed", "0.586", "--tolerance", "1e-2", "--format", "json").json()["films"]
+        told, = run("contact", roller, "--format", "json").json()["scenes"]
+        contact, numbers = values(told["contact"]), values(told["speeds"][0]["numbers"])
+        self.assertEqual(told["speeds"][0]["speed"], 0.586)
+        self.assert_near(contact["semi_axis_x"], film["half_width"])
+        self.assert_near(contact["peak_pressure"], film["peak_pressure"])
+        self.assert_near(numbers["moes_load_number"], film["load_number"])
+        self.assert_near(numbers["moes_material_number"], film["material_number"])
+        self.assertEqual(numbers["regime"], "piezoviscous_elastic")
+
+    def test_numbers_of_a_point_are_those_of_their_formulas(self):
+        told = values(self.at(quiet_scene(), 0.1)["numbers"])
+        modulus = 2 * 107.9e9
+        u, g, w = 0.0202 * 0.1 / (modulus * 9.5e-3), 2e-8 * modulus, 50 / (modulus * 9.5e-3 ** 2)
+        for name, expected in (("speed_number", u), ("material_number", g), ("load_number", w),
+                               ("moes_load_number", w * (2 * u) ** -0.75),
+                               ("moes_material_number", g * (2 * u) ** 0.25),
+                               ("viscosity_parameter", g * w ** 3 / u ** 2),
+                               ("elasticity_parameter", w ** (8 / 3) / u ** 2)):
+            self.assert_near(told[name], expected)
+
+    def test_films_are_those_of_the_functions_of_their_names(self):
+        point = {"speed": 0.1, "viscosity": 0.0202, "pressure_viscosity": 2e-8, "load": 50, "effective_modulus": 107.9e9,
+                 "reduced_radius": 9.5e-3, "radius_x": 9.5e-3, "ellipticity": 1, "load_per_length": 5000}
+        taken = {one["name"]: [parameter["name"] for parameter in one["parameters"]]
+                 for one in run("functions", "--format", "json").json()["functions"]}
+        for tree, count in ((quiet_scene(), 4), (quiet_scene(**LINE), 6)):
+            films = self.at(tree, 0.1)["films"]
+            self.assertEqual(len(films), count)
+            asked = [{"id": film["law"], "function": film["law"]} | {name: point[name] for name in taken[film["law"]]}
+                     for film in films]
+            answers = run("stream", stdin="".join(json.dumps(one) + "\n" for one in asked)).json_lines()
+            for film, answer in zip(films, answers):
+                self.assert_near(film["film"], answer["value"])
+                self.assertEqual(film["kind"] == "minimum", film["law"].endswith("minimum"), film["law"])
+
+    def test_lambda_and_capital_lambda_are_apart(self):
+        tree = with_field(quiet_scene(), "surface.rms_roughness", [3e-8, 4e-8])
+        at = self.at(tree, 0.1)
+        ratios, films = values(at["ratios"]), {film["law"]: film["film"] for film in at["films"]}
+        point, = run("solve", self.folder.write("one.json", tree | {"speed": 0.1}), "--format", "json").json()["points"]
+        self.assertEqual(ratios["film"], point["film"])
+        self.assertEqual(ratios["film_parameter"], point["film_parameter"])
+        self.assert_near(ratios["minimum_film"], films["hamrock_dowson_minimum"])
+        self.assert_near(ratios["lambda_ratio"], films["hamrock_dowson_minimum"] / 5e-8)
+        without, = [fact for fact in self.at(quiet_scene(), 0.1)["ratios"] if fact["name"] == "lambda_ratio"]
+        self.assertIsNone(without["value"])
+        self.assertIn("surface.rms_roughness", without["undefined"])
+
+    def test_summits_are_those_of_the_formulas(self):
+        tree = quiet_scene("smooth")
+        told = self.told(tree)
+        surfaces, contact = values(told["surfaces"]), values(told["contact"])
+        density, radius, sd = 2e11, 1e-5, 2.5e-8
+        stiffness = 16 * math.sqrt(2) * math.pi / 15 * (density * radius * sd) ** 2 * math.sqrt(sd / radius) \
+            * 107.9e9 / contact["mean_pressure"]
+        self.assert_near(surfaces["stiffness"], stiffness)
+        self.assert_near(surfaces["offset"], 0.919)
+        self.assertEqual(surfaces["floor"], 0)
+        # Stiff summits have a floor, at which the film of the slowest speeds ends.
+        stiff = with_field(without_field(tree, "supply"), "surface.summit_density", 2e12) | {"speed": 1e-9}
+        told, = run("contact", self.folder.write("stiff.json", stiff), "--format", "json").json()["scenes"]
+        point, = run("solve", self.folder.path("stiff.json"), "--format", "json").json()["points"]
+        self.assertGreater(point["separation"], 0)
+        self.assert_near(point["separation"], values(told["surfaces"])["floor"], 1e-3)
+
+
+class Ranges(ContactTest):
+    def beyond(self, tree, speed):
+        return {film["law"]: film["beyond"] for film in self.at(tree, speed)["films"]}
+
+    def test_a_law_says_whether_the_contact_is_in_its_range(self):
+        steel = self.beyond(quiet_scene(), 0.1)
+        self.assertEqual(steel["hamrock_dowson_central"], "")
+        self.assertIn("isoviscous_elastic", steel["hamrock_dowson_soft_central"])
+        rubber = self.beyond(quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3}), 0.1)
+        self.assertEqual(rubber["hamrock_dowson_soft_minimum"], "")
+        self.assertIn("piezoviscous_elastic", rubber["hamrock_dowson_minimum"])
+        narrow = run("contact", self.folder.write("narrow.json", quiet_scene(
+            bodies={"effective_modulus": 107.9e9, "radius_x": 4e-2, "radius_y": 5e-3})), "--format", "json")
+        film = narrow.json()["scenes"][0]["speeds"][0]["films"][0]
+        self.assertFalse(film["is_inside_range"])
+        self.assertIn("fitted to 1 to 8", film["beyond"])
+
+    def test_the_speeds_are_the_slowest_and_the_fastest(self):
+        for speed, expected in (([0.5, 0.1, 2], [0.1, 2]), ({"from": 0.1, "to": 3, "count": 5}, [0.1, 3]), (0.1, [0.1])):
+            told = self.told(quiet_scene(speed=speed))
+            self.assertEqual([at["speed"] for at in told["speeds"]], expected)
+        self.assertEqual(self.told(without_field(quiet_scene(), "speed"))["speeds"], [])
+
+    def test_the_table_has_the_units_that_people_use(self):
+        result = run("contact", self.folder.write("scene.toml", with_field(scene(speed=0.1), "surface.average_roughness", 1e-7)))
+        for part in ("1.077 GPa", "148.9 µm", "107.9 GPa", "125.3 nm", "32.6 nm", "catalogues of bearings"):
+            self.assertIn(part, result.out)
+        self.assertIn("need a speed", run("contact", self.folder.write("still.json", without_field(scene(), "speed"))).out)
+
+    def test_csv_and_json_have_the_same_numbers(self):
+        path = self.folder.write("scene.toml", quiet_scene())
+        told, = run("contact", path, "--format", "json").json()["scenes"]
+        rows = run("contact", path, "--format", "csv").rows()
+        for part in ("contact", "surfaces"):
+            self.assertEqual([row["value"] for row in rows if row["part"] == part],
+                             ["" if fact["value"] is None else
+                              fact["value"] if isinstance(fact["value"], str) else row["value"]
+                              for fact, row in zip(told[part], [row for row in rows if row["part"] == part])])
+        for row in rows:
+            facts = told[row["part"]] if not row["speed"] else []
+            for fact in facts:
+                if fact["name"] == row["name"] and isinstance(fact["value"], float):
+                    self.assertEqual(float(row["value"]), fact["value"])
+
+
+class Outputs(ContactTest):
+    TREE = with_field(quiet_scene(outputs=["film", *SMOOTH], speed=[0.1, 1.0]), "surface.rms_roughness", 1e-7)
+
+    def test_every_command_gives_the_same(self):
+        points = run("solve", self.folder.write("scene.toml", self.TREE), "--format", "json").json()["points"]
+        told = self.told(self.TREE)
+        contact = values(told["contact"])
+        for point, at in zip(points, told["speeds"]):
+            self.assertEqual(list(point), ["id", "speed", "film", *SMOOTH])
+            ratios = values(at["ratios"])
+            self.assertEqual([point[name] for name in SMOOTH],
+                             [contact["peak_pressure"], contact["mean_pressure"], ratios["minimum_film"], ratios["lambda_ratio"]])
+            answer, = run("stream", stdin=json.dumps(self.TREE | {"speed": point["speed"]}) + "\n").json_lines()
+            self.assertEqual(answer, {name: value for name, value in point.items() if name != "speed"})
+        curve = run("curve", self.folder.write("scene.toml", self.TREE), "--format", "json").json()["points"]
+        for name in SMOOTH:
+            self.assert_near(curve[0][name], points[0][name])
+
+    def test_a_sweep_gives_them_in_each_of_its_ways(self):
+        grid = "{ from = 1e-7, to = 2e-7, count = 2 }"
+        ways = {"curves": ({"speed": "{ from = 0.1, to = 1, count = 20 }", "load": "[20, 50]", "surface.rms_roughness": "1e-7"}, {}),
+                "few_speeds": ({"speed": "[0.1, 1]", "load": "[20, 50]", "surface.rms_roughness": grid}, {}),
+                "by_scene": ({"speed": "[0.1, 1]", "surface.average_roughness": grid}, {}),
+                "one_contact": ({"speed": '{ distribution = "uniform", from = 0.1, to = 1 }', "surface.rms_roughness": "[6e-8, 8e-8]"},
+                                {"draws": 4})}
+        outputs = {"outputs": json.dumps(["film", "inlet", *SMOOTH])}
+        base = without_field(quiet_scene("smooth", outputs=SMOOTH), "id")
+        for way, (changes, settings) in ways.items():
+            with self.subTest(way):
+                path = self.folder.write(f"{way}.toml", sweep(changes | outputs, **settings))
+                out = self.folder.path(f"{way}.h5")
+                self.assertEqual(run("sweep", path, "-o", out).code, 0)
+                for case in run("sweep", "show", out, "--cases", "--format", "json").json_lines():
+                    tree = base | {"speed": case["speed"], "load": case.get("load", 50)}
+                    average = case.get("surface.average_roughness")
+                    tree = with_field(tree, "surface.average_roughness" if average else "surface.rms_roughness",
+                                      average or case.get("surface.rms_roughness", 1e-7))
+                    answer, = run("stream", stdin=json.dumps(tree) + "\n").json_lines()
+                    for name in SMOOTH:
+                        self.assert_near(case[name], answer[name], 1e-13)
+
+    def test_none_is_computed_unless_it_is_asked_for(self):
+        point = run("solve", self.folder.write("scene.toml", without_field(self.TREE, "outputs")), "--format", "json").json()["points"][0]
+        self.assertEqual([name for name in SMOOTH if name in point], [])
+
+    def test_lambda_without_a_roughness_is_one_line(self):
+        tree = without_field(self.TREE, "surface.rms_roughness")
+        path = self.folder.write("scene.toml", tree)
+        for command in ("solve", "curve", "contact"):
+            self.assert_refused(run(command, path), "surface.rms_roughness", "lambda_ratio needs it")
+        answer, = run("stream", stdin=json.dumps(tree | {"speed": 1}) + "\n").json_lines()
+        self.assertEqual(answer["error"]["field"], "surface.rms_roughness")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck curve: its picture, and measured points beside the model. Needs gnuplot, as the program does."""
+import math
+import os
+import statistics
+import struct
+import unittest
+
+import svg_plots
+from program import ProgramTest, quiet_scene, run
+
+HEAD = "speed [m/s],film [nm],friction\n"
+PANELS = {"friction": ("friction coefficient μ (–)", 1), "film": ("film h* (nm)", 1e9), "asperity_load_share": ("asperity load share A (–)", 1)}
+
+
+class CurveTest(ProgramTest):
+    def write(self, tree, name="scene.toml"):
+        return self.folder.write(name, tree)
+
+    def solved(self, tree, speeds):
+        result = run("solve", self.write({**tree, "speed": speeds}, "at.toml"), "--format", "json")
+        return result.json()["points"]
+
+
+class Data(CurveTest):
+    def compared(self, text, tree=None, *arguments):
+        result = run("curve", self.write(tree or quiet_scene("smooth")), "--data", self.folder.write("measured.csv", text), *arguments)
+        self.assertEqual((result.code, result.err), (0, ""))
+        return result
+
+    def refused(self, text, *expected, tree=None):
+        path = self.folder.write("measured.csv", text)
+        result = run("curve", self.write(tree or quiet_scene("smooth")), "--data", path)
+        self.assertEqual((result.code, result.out), (2, ""))
+        self.assertEqual(len(result.error_lines), len(expected), result.err)
+        for line, words in zip(result.error_lines, expected):
+            self.assertTrue(line.startswith(f"tribocheck: {path}: {words}"), (line, words))
+            self.assertIn("; allowed: ", line)
+
+    def test_each_number_stands_beside_the_one_of_solve_at_its_speed(self):
+        """Also at speeds that the curve does not have, 5 m/s, and where the film has collapsed."""
+        tree = quiet_scene("smooth")
+        told = self.compared(HEAD + "0.012,7.4,0.049\n0.1,,0.046\n\n# no film here\n5,30,\n0.2,20,\n0.3,0,0.06\n", tree, "--format", "json").json()
+        wanted = [(2, "film", 0.012, 7.4e-9), (2, "friction", 0.012, 0.049), (3, "friction", 0.1, 0.046), (6, "film", 5, 30e-9),
+                  (7, "film", 0.2, 20e-9), (8, "film", 0.3, 0), (8, "friction", 0.3, 0.06)]
+        self.assertEqual([(one["line"], one["quantity"], one["speed"], one["measured"]) for one in told["points"]], wanted)
+        solved = self.solved(tree, [speed for _, _, speed, _ in wanted])
+        deviations = {"film": [], "friction": []}
+        for one, point in zip(told["points"], solved, strict=True):
+            self.assertEqual(one["computed"], point[one["quantity"]])
+            if one["measured"] == 0:
+                self.assertIsNone(one["deviation_percent"])
+                continue
+            deviations[one["quantity"]].append(100 * (point[one["quantity"]] - one["measured"]) / one["measured"])
+            self.assertAlmostEqual(one["deviation_percent"], deviations[one["quantity"]][-1], delta=1e-9)
+        for summary, (name, values) in zip(told["quantities"], deviations.items(), strict=True):
+            self.assertEqual((summary["quantity"], summary["compared"]), (name, len(values)))
+            for word, number in (("median", statistics.median(values)), ("least", min(values)), ("greatest", max(values))):
+                self.assertAlmostEqual(summary[f"{word}_deviation_percent"], number, delta=1e-9)
+        self.assertEqual([one["points"] for one in told["quantities"]], [4, 3])
+
+    def test_csv_and_table_tell_the_same(self):
+        text = HEAD + "0.01,7,0.05\n0.1,30,0.06\n4,,0.1\n"
+        told = self.compared(text, None, "--format", "json").json()
+        self.assertIn("the film has collapsed", told["points"][-1]["undefined"])
+        rows = self.compared(text, None, "--format", "csv").rows()
+        points = [row for row in rows if row["line"] != "median"]
+        for one, row in zip(told["points"], points, strict=True):
+            self.assertEqual((row["id"], int(row["line"]), row["quantity"], row["unit"]), ("smooth", one["line"], one["quantity"], one["unit"]))
+            for name in ("speed", "measured", "computed", "deviation_percent"):
+                self.assertEqual(float(row[name]) if row[name] else None, one[name])
+        self.assertEqual({row["quantity"]: float(row["deviation_percent"]) for row in rows if row["line"] == "median"},
+                         {one["quantity"]: one["median_deviation_percent"] for one in told["quantities"]})
+        table = self.compared(text).out.splitlines()
+        self.assertIn("  - computed: the film has collapsed: nothing balances the load", table)
+        for one in told["quantities"]:
+            self.assertIn(f"  - {one['quantity']}: median of 2 deviations {one['median_deviation_percent']:+.2f} %, the least "
+                          f"{one['least_deviation_percent']:+.2f} %, the greatest {one['greatest_deviation_percent']:+.2f} %", table)
+
+    def test_files_as_programs_write_them(self):
+        def numbers(text):
+            return [(one["speed"], one["quantity"], one["measured"]) for one in self.compared(text, None, "--format", "json").json()["points"]]
+        wanted = numbers(HEAD + "0.01,7,0.05\n")
+        self.assertEqual(wanted, [(0.01, "film", 7e-9), (0.01, "friction", 0.05)])
+        for text in ("\ufeff" + HEAD + "0.01,7,0.05", "speed [m/s];film [nm];friction\r\n0.01;7;0.05\r\n",
+                     "speed [mm/s]\tfilm [µm]\tfriction [%]\n10\t0.007\t5\n", '"speed [m/s]","film [um]","friction [-]"\n"1e-2","7e-3","0.05"\n',
+                     "film [mm] , friction , speed [mm/s]\n 7e-6 , 0.05 , 10 \n"):
+            with self.subTest(text):
+                self.assertEqual(numbers(text), wanted)
+
+    def test_each_mistake_is_one_line_with_its_place(self):
+        for text, *expected in [
+                ("", "line 0: no columns"), (HEAD, "line 1: nothing was measured"),
+                ("0.01,7\n", "line 1, column 1 (0.01): this column is not known", "line 1, column 2 (7): this column is not known"),
+                ("speed [m/s],flim [nm]\n", "line 1, column 2 (flim [nm]): this column is not known"),
+                ("speed [m/s],regime\n", "line 1, column 2 (regime): this column is not known"),
+                ("speed,film [nm]\n", "line 1, column 1 (speed): its unit is missing"),
+                ("speed [m/s],film\n", "line 1, column 2 (film): its unit is missing"),
+                ("speed [m/s],film [µm\n", "line 1, column 2 (film [µm): this unit does not fit"),
+                ("speed [m/s],friction [nm]\n", "line 1, column 2 (friction [nm]): this unit does not fit"),
+                ("speed [m/s],film [nm],film [m]\n", "line 1, column 3 (film [m]): this column is there twice"),
+                ("film [nm]\n7\n", "line 1: there is no column speed"), ("speed [m/s]\n7\n", "line 1: there is no column of what was measured"),
+                (HEAD + "0.1,20\n0.2,20,0.1,3\n", "line 2: 2 cells", "line 3: 4 cells"),
+                (HEAD + "0,20,0.1\n-1,20,x\n,20,0.1\n", "line 2, column 1 (speed [m/s]): 0 is not allowed",
+                 "line 3, column 1 (speed [m/s]): -1 is not allowed", "line 3, column 3 (friction): x is not allowed",
+                 "line 4, column 1 (speed [m/s]): the cell is empty"),
+                ("speed [m/s];film [nm]\n0,1;20\n0.1;nan\n0.1;-2\n", "line 2, column 1 (speed [m/s]): 0,1 is not allowed",
+                 "line 3, column 2 (film [nm]): nan is not allowed", "line 4, column 2 (film [nm]): -2 is not allowed")]:
+            with self.subTest(text):
+                self.refused(text, *expected)
+        self.refused(HEAD + "0.1,20,0.1\n", "line 1, column 3 (friction): the scene's `outputs` do not ask for it",
+                     tree=quiet_scene("smooth", outputs=["film"]))
+
+    def test_many_mistakes_are_twenty_lines_and_their_number(self):
+        path = self.folder.write("measured.csv", HEAD + "x,1,1\n" * 30)
+        result = run("curve", self.write(quiet_scene()), "--data", path)
+        self.assertEqual((result.code, len(result.error_lines)), (2, 21))
+        self.assertEqual(result.error_lines[-1], f"tribocheck: {path}: 10 more mistakes")
+
+    def test_what_cannot_be_compared_is_one_line(self):
+        path = self.write(quiet_scene())
+        for arguments, words in ((["--data", self.folder.path("none.csv")], "none.csv: the file cannot be read"),
+                                 (["--data", self.folder.name], "the file cannot be read"),
+                                 ([path, "--data", self.folder.write("m.csv", HEAD)], "--data is compared with one scene, and these are 2")):
+            result = run("curve", path, *arguments)
+            self.assertEqual((result.code, result.out, len(result.error_lines)), (2, "", 1), result.err)
+            self.assertIn(words, result.err)
+
+
+class Pictures(CurveTest):
+    def drawn(self, *arguments, name="curve.svg"):
+        target = self.folder.path(name)
+        result = run("curve", *arguments, "--picture", target)
+        self.assertEqual((result.code, result.err), (0, f"tribocheck: drew {target}\n"))
+        return target
+
+    def panels(self, target):
+        """Each panel with its axes."""
+        plots, _ = svg_plots.read(target)
+        across = svg_plots.Axis(plots[-1].labels["x"], True)
+        return [(plot, across, svg_plots.Axis(plot.labels["y"], name == "film")) for plot, name in zip(plots, PANELS, strict=True)]
+
+    def test_curves_marks_and_measured_points_are_where_their_numbers_are(self):
+        tree = quiet_scene("smooth")
+        measured = [(0.01, 7.4, 0.049), (5, 30, 0.02)]
+        target = self.drawn(self.write(tree), "--data", self.folder.write("m.csv", HEAD + "".join(f"{u},{h},{f}\n" for u, h, f in measured)))
+        self.assertEqual(list(svg_plots.looks(target)), [])
+        onset = next(one for one in run("onset", self.write(tree), "--format", "json").json()["onsets"] if one["criterion"] == "film_maximum")
+        at, first = self.solved(tree, [onset["speed"], 1e-4])
+        points_of = {"friction": [(u, f) for u, _, f in measured], "film": [(u, h) for u, h, _ in measured]}
+        for (plot, across, up), (name, (_, factor)) in zip(self.panels(target), PANELS.items()):
+            places = [place for series in plot.series for place in series.points]
+            for speed, value in [(onset["speed"], factor * at[name]), *points_of.get(name, [])]:
+                self.assertTrue(any(math.hypot(x - across.place(speed), y - up.place(value)) < 0.2 for x, y in places), (name, speed, value, places))
+            strokes = [place for series in plot.series for place in series.lines]
+            self.assertTrue(any(math.hypot(x - across.place(1e-4), y - up.place(factor * first[name])) < 0.2 for x, y in strokes), (name, strokes[:3]))
+        words = {text for text, *_ in svg_plots.texts(target)}
+        self.assertLessEqual({title for title, _ in PANELS.values()} | {"measured", "onset of starvation", "the film collapses"}, words)
+
+    def test_only_what_scenes_ask_for_is_drawn(self):
+        flooded = self.write(quiet_scene("smooth", id="flooded", supply=None, outputs=["film", "inlet"]), "flooded.toml")
+        target = self.drawn(flooded)
+        words = {text for text, *_ in svg_plots.texts(target)}
+        self.assertIn("film h* (nm)", words)
+        self.assertFalse(words & {"friction coefficient μ (–)", "onset of starvation", "the film collapses", "measured"}, words)
+        target = self.drawn(flooded, self.write(quiet_scene("rough")), name="both.svg")
+        self.assertLessEqual({"flooded", "rough", "friction coefficient μ (–)"}, {text for text, *_ in svg_plots.texts(target)})
+
+    def test_png(self):
+        with open(self.drawn(self.write(quiet_scene()), name="curve.png"), "rb") as file:
+            head = file.read(24)
+        self.assertEqual((head[12:16], struct.unpack(">I", head[16:20])), (b"IHDR", (1920,)))
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["curve.png", "scene.toml"])
+
+    def test_what_cannot_be_drawn_is_one_line(self):
+        path = self.write(quiet_scene())
+        words = self.write(quiet_scene(outputs=["regime"]), "words.toml")
+        for code, arguments, said in ((2, [path] * 7, "--picture draws at most 6 scenes, and these are 7"),
+                                      (2, [words], "--picture draws friction, film and asperity_load_share"),
+                                      (1, [path], f"cannot write {self.folder.path('no/curve.png')}: there is no folder {self.folder.path('no')}\n")):
+            result = run("curve", *arguments, "--picture", self.folder.path("no/curve.png"))
+            self.assertEqual((result.code, len(result.error_lines)), (code, 1), result.err)
+            self.assertIn(said, result.err)
+        self.assertFalse(os.path.exists(self.folder.path("no")))
+
+
+if __name__ == "__main__":
+    unittest.main()
