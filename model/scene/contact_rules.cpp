@@ -9,7 +9,10 @@
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "tribo/film_thickness.hpp"
+#include "tribo/friction.hpp"
 #include "tribo/hertz_contact.hpp"
+#include "tribo/oil.hpp"
+#include "tribo/onset.hpp"
 
 namespace tribo::scene_detail {
 namespace {
@@ -79,6 +82,54 @@ void check_profile(const Scene& scene, Problems& problems) {
              " or more of an isotropic Gaussian face"});
 }
 
+// Refuses an oil whose two viscosities give no line of D341.
+void check_oil(const Oil& oil, Problems& problems) {
+  if (!oil.is_given()) return;
+  const auto [first, second] = viscosities_of(oil);
+  if (oil.iso_vg > 0) {
+    if (second.viscosity == 0)
+      problems.error("lubricant.viscosity_index",
+                     {Fault::together, number_text(oil.viscosity_index),
+                      " of ISO VG " + number_text(oil.iso_vg) +
+                          ": at 100 °C it would have less than 2 or more than 1000 mm²/s, for "
+                          "which there is no index",
+                      "another index, or kinematic_viscosity at two temperatures"});
+    return;
+  }
+  const bool falls =
+      (second.temperature > first.temperature) == (second.viscosity < first.viscosity) &&
+      second.temperature != first.temperature;
+  const auto is_thick = [](double viscosity) { return 1e6 * viscosity + 0.7 > 1; };
+  if (!falls || !is_thick(first.viscosity) || !is_thick(second.viscosity))
+    problems.error("lubricant.kinematic_viscosity",
+                   {Fault::together, "", ": from these two follows no viscosity by ASTM D341",
+                    "two temperatures in K, and above 3e-7 m²/s, the less the warmer"});
+}
+
+// Refuses an oil that Roelands' law does not take, and a heated inlet beyond its law.
+void check_liquid(const Scene& scene, const Numbers& numbers, Problems& problems) {
+  const Lubricant& lubricant = scene.lubricant;
+  if (lubricant.oil.is_given() && scene.friction.viscosity == ViscosityLaw::roelands &&
+      !(numbers.viscosity > least_roelands_viscosity))
+    problems.error("lubricant.temperature",
+                   {Fault::result, "",
+                    "the viscosity that follows is " + rounded_text(numbers.viscosity) +
+                        " Pa·s, too little for friction.viscosity = \"roelands\"",
+                    "a number that makes it above " + number_text(least_roelands_viscosity)});
+  const double speed = detail::speed_span(scene.speeds).high;
+  if (lubricant.thermal == ThermalInlet::none || speed == 0) return;
+  const HertzContact<double> hertz = hertz_contact(scene.bodies.shape(), numbers);
+  const double factor = gupta_thermal_reduction(
+      hertz.peak_pressure, numbers.effective_modulus, numbers.slide_roll_ratio,
+      numbers.temperature_coefficient, numbers.viscosity, speed, numbers.conductivity);
+  if (!(factor > 0))
+    problems.error(
+        "lubricant.thermal",
+        {Fault::together, "\"gupta\"",
+         " at " + number_text(speed) + " m/s: 13.2 (p₀/E′) L^0.42 of its law is 1 or more",
+         "a speed, pressure and viscosity that make it less, or none"});
+}
+
 // Refuses radii so far apart that the axes are beyond double.
 void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problems) {
   if (scene.bodies.shape() != ContactShape::ellipse) return;
@@ -108,6 +159,8 @@ void check_derived(const Scene& scene, const Numbers& numbers, Problems& problem
   check(has_moments, "surface.m0", "the standard deviation of the summits' heights",
         numbers.summit_height_sd);
   const auto& [first, second] = scene.bodies.bodies;
+  check(scene.lubricant.oil.is_given(), "lubricant.temperature", "the viscosity",
+        numbers.viscosity);
   check(first.modulus > 0, "bodies.first_modulus", "the effective modulus",
         numbers.effective_modulus);
   check(first.radius_x != 0, "bodies.first_radius_x", "the reduced radius R_x", numbers.radius_x);
@@ -124,10 +177,12 @@ std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film
   else
     check_film(scene, film_is_given, problems);
   check_profile(scene, problems);
+  check_oil(scene.lubricant.oil, problems);
   if (problems.any()) return std::nullopt;
   const auto numbers = detail::numbers_of<double>(scene);
   check_ellipse(scene, numbers, problems);
   check_derived(scene, numbers, problems);
+  if (!problems.any()) check_liquid(scene, numbers, problems);
   if (problems.any()) return std::nullopt;
   return numbers;
 }

@@ -26,9 +26,9 @@ struct Value {
 };
 
 // `path` is "load" or "surface.summit_radius". Tables of a known section have an entry of their own
-// and one for each of their fields. The content of other tables and of lists in lists is in
-// `inner`, by its keys ("[0]", "[1]" …), from TOML alone: scenes have no such tables, sweeps
-// (model/sweep) do.
+// and one for each of their fields. The content of lists in lists and of other tables is in
+// `inner`, by its keys ("[0]", "[1]" …), from JSON of lists alone: scenes have no such tables,
+// sweeps (model/sweep) do.
 struct Entry {
   std::string path;
   Value value;

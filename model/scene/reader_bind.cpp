@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <forward_list>
 #include <optional>
 #include <span>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "scene/fault_text.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
+#include "scene/units.hpp"
 #include "tribo/friction.hpp"
 #include "tribo/roughness.hpp"
 #include "tribo/validity.hpp"
@@ -31,12 +33,14 @@ struct NamedFields {
   std::size_t rms_roughness = field_at("surface.rms_roughness");
   FieldPlaces of_speed, of_supply;  // all fields of the tables `speed` and `supply`
   FieldPlaces of_roughness;         // Rq is given by one of these
+  FieldPlaces of_summits;           // all fields of the table `surface` but Rq and Ra
 
   NamedFields() {
     for (std::size_t field = 0; field < scene_fields().size(); ++field) {
       const std::string_view section = section_of(scene_fields()[field].path);
       of_speed.set(field, section == "speed");
       of_supply.set(field, section == "supply");
+      of_summits.set(field, section == "surface" && !scene_fields()[field].takes_both_faces);
     }
     for (const std::string_view path :
          {"surface.m0", "surface.rms_roughness", "surface.average_roughness"})
@@ -56,11 +60,12 @@ class SceneBinder {
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
     for (const GroupPlaces& group : group_places())
-      if (!may_be_without(group)) check_group(group);
+      if (!(is_smooth() && (group.fields & named().of_summits).any())) check_group(group);
     for (std::size_t field = 0; field < scene_fields().size(); ++field) take(field);
     check_supply();
     check_roughness();
     if (!is_of_line_film()) check_outputs();
+    check_smooth();
     check_speed_range();
     check_roelands();
     if (problems_.any()) return;
@@ -93,7 +98,8 @@ class SceneBinder {
 
   void place_field(const Entry& entry, std::size_t field) {
     if (given_[field] != nullptr) return problems_.error(entry.path, {Fault::once});
-    given_[field] = &entry;
+    auto number = in_si(entry, scene_fields()[field]);
+    given_[field] = number ? &in_si_.emplace_front(std::move(*number)) : &entry;
     is_given_.set(field);
   }
 
@@ -154,6 +160,8 @@ class SceneBinder {
         return take_list(info, *given_[field], [&](const Value& one, std::size_t place) {
           take_limit(info, one, element_name(info.path, place));
         });
+      case FieldType::viscosities:
+        return take_viscosities(info, *given_[field]);
     }
   }
 
@@ -187,7 +195,7 @@ class SceneBinder {
     const std::optional<Fault::Rule> rule = broken_rule(info, value);
     if (!rule) return value.number + 0.0;  // −0 becomes 0
     if (rule == Fault::kind)
-      refuse(info, name, value);
+      problems_.error(name, no_number(value, info.unit, allowed_text(info)));
     else
       problems_.error(name, {*rule, value_text(value), "", allowed_text(info)});
     return std::nullopt;
@@ -230,6 +238,27 @@ class SceneBinder {
     if (value.kind != ValueKind::text) return problems_.error("id", wrong_kind(value, "a text"));
     reading_.id = value.text;
     scene_.id = value.text;
+  }
+
+  // --- The oil.
+
+  void take_viscosities(const FieldInfo& info, const Entry& entry) {
+    if (entry.elements.size() != 2 || entry.inner.size() != 2)
+      return refuse(info, info.path, entry.value);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::vector<Value>& pair = entry.inner[i].elements;
+      if (pair.size() != 2) return refuse(info, element_name(info.path, i), entry.inner[i].value);
+      KinematicViscosity& to = scene_.lubricant.oil.viscosities[i];
+      to.temperature = part_of_pair(pair[0], "K", i, 0).value_or(0);
+      to.viscosity = part_of_pair(pair[1], "m²/s", i, 1).value_or(0);
+    }
+  }
+
+  std::optional<double> part_of_pair(const Value& value, std::string_view unit, std::size_t pair,
+                                     std::size_t part) {
+    const FieldInfo number{.path = "", .unit = unit};
+    return number_of(number, in_si(value, unit),
+                     element_name(element_name("lubricant.kinematic_viscosity", pair), part));
   }
 
   // --- Speeds.
@@ -346,6 +375,23 @@ class SceneBinder {
     }
   }
 
+  // Refuses what is a ratio to σ_s where the bodies are smooth.
+  void check_smooth() {
+    if (!is_smooth()) return;
+    const auto refuse_ratio = [this](std::string_view field, std::string_view name,
+                                     std::string_view allowed) {
+      problems_.error(field, {Fault::together, std::string(name),
+                              ": it is a ratio to σ_s, and without summits the bodies are smooth",
+                              std::string(allowed) + ", or the summits in a table surface"});
+    };
+    if (given_[named().outputs] == nullptr)
+      scene_.outputs.erase(Output::film_parameter);
+    else if (scene_.outputs.contains(Output::film_parameter) && !is_of_line_film())
+      refuse_ratio("outputs", "film_parameter", "other outputs");
+    if (is_given("supply.inlet_film_ratio") && !is_of_line_film())
+      refuse_ratio("supply.inlet_film_ratio", "this", "inlet_film or inlet_flow");
+  }
+
   // --- Rules on several fields.
 
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
@@ -356,10 +402,10 @@ class SceneBinder {
     return is_of_line_film() && info.path == "lubricant.pressure_viscosity" &&
            value.kind == ValueKind::number && value.fault == NumberFault::none && value.number == 0;
   }
-  // The film of a smooth line asks nothing of the surface.
-  bool may_be_without(const GroupPlaces& group) const {
-    return is_of_line_film() && !has_section("surface") &&
-           group.fields[field_at("surface.summit_density")];
+  // A scene is of smooth bodies where [surface] is not there, or has the roughness for Λ alone.
+  bool is_smooth() const {
+    return ((is_given_ | explained_) & named().of_summits).none() &&
+           (!has_section("surface") || has_roughness());
   }
 
   // Refuses a group unless all fields of one of its sets are given, and none of the other sets.
@@ -418,14 +464,17 @@ class SceneBinder {
     problems_.error(path, {Fault::presence, "", " beside " + std::string(first), sets_text(group)});
   }
 
-  // Puts the numbers that follow from two bodies, or from spectral moments, into the scene, as if
-  // they had been given.
+  // Puts the numbers that follow from two bodies, from spectral moments, or from an oil into the
+  // scene, as if they had been given.
   void complete(const detail::SceneNumbers<double>& numbers) {
     Surface& surface = scene_.surface;
-    surface.summit_density = numbers.summit_density;
-    surface.summit_radius = numbers.summit_radius;
-    surface.summit_height_sd = numbers.summit_height_sd;
-    surface.summit_plane_offset = numbers.summit_plane_offset;
+    if (!surface.is_smooth()) {
+      surface.summit_density = numbers.summit_density;
+      surface.summit_radius = numbers.summit_radius;
+      surface.summit_height_sd = numbers.summit_height_sd;
+      surface.summit_plane_offset = numbers.summit_plane_offset;
+    }
+    scene_.lubricant.viscosity = numbers.viscosity;
     surface.rms_roughness = numbers.rms_roughness;
     Bodies& bodies = scene_.bodies;
     bodies.effective_modulus = numbers.effective_modulus;
@@ -472,8 +521,9 @@ class SceneBinder {
   SceneReading& reading_;
   Scene scene_;
   std::array<const Entry*, field_capacity> given_{};
-  FieldPlaces is_given_;   // whether there is one
-  FieldPlaces explained_;  // an error already says why the field is not there
+  std::forward_list<Entry> in_si_;  // entries that were given as texts with units
+  FieldPlaces is_given_;            // whether there is one
+  FieldPlaces explained_;           // an error already says why the field is not there
   bool supply_explained_ = false;
   std::array<std::string_view, sections.size()> sections_;  // the tables that were given
   std::size_t section_count_ = 0;

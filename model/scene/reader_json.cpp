@@ -93,14 +93,20 @@ class EntryCollector {
     if (!go_deeper()) return false;
     if (skipping()) return true;
     if (!take({.kind = ValueKind::list, .text = {}})) return false;
-    if (in_list_)
+    if (levels_of_lists_ == 2) {
       skip_from_ = depth_;
-    else
-      in_list_ = true;
+      return true;
+    }
+    if (++levels_of_lists_ == 2) {
+      Entry& list = entries_.back();
+      list.inner.push_back({'[' + std::to_string(list.elements.size() - 1) + ']',
+                            {.kind = ValueKind::list, .text = {}},
+                            {}});
+    }
     return true;
   }
   bool end_array() {
-    if (!skipping()) in_list_ = false;
+    if (!skipping()) --levels_of_lists_;
     return go_up();
   }
 
@@ -156,8 +162,9 @@ class EntryCollector {
   bool take(Value value) {
     if (depth_ == 0) return complain(not_an_object);
     if (skipping()) return true;
-    if (in_list_) {
-      entries_.back().elements.push_back(std::move(value));
+    if (levels_of_lists_ > 0) {
+      Entry& list = levels_of_lists_ == 1 ? entries_.back() : entries_.back().inner.back();
+      list.elements.push_back(std::move(value));
       return true;
     }
     if (entries_.size() == most_fields_) return complain(std::string(too_many_fields_text));
@@ -171,7 +178,7 @@ class EntryCollector {
   std::string key_, section_;
   std::size_t depth_ = 0;
   std::size_t skip_from_ = 0;  // the depth of a table or list whose content is of no use; 0: none
-  bool in_list_ = false;       // the last entry is a list that is not yet closed
+  int levels_of_lists_ = 0;    // lists that are not yet closed: the last entry, and its last one
   std::size_t numbers_ = 0;
   std::string complaint_, last_token_;
   std::size_t position_ = 0;

@@ -82,6 +82,20 @@ constexpr Access at_damiens_exponent{
     },
     &Numbers::damiens_exponent};
 
+// VI, which only an oil of a grade has.
+constexpr Access at_viscosity_index{
+    at<&Scene::lubricant, &Lubricant::oil, &Oil::viscosity_index>.store, [](const Scene& scene) {
+      const Oil& oil = scene.lubricant.oil;
+      return oil.iso_vg > 0 ? std::optional(oil.viscosity_index) : std::nullopt;
+    }};
+
+// The law of a heated inlet, which only an oil with a conductivity has.
+constexpr Access at_thermal{at<&Scene::lubricant, &Lubricant::thermal>.store,
+                            [](const Scene& scene) {
+                              const Lubricant& oil = scene.lubricant;
+                              return oil.conductivity > 0 ? number_in(oil.thermal) : std::nullopt;
+                            }};
+
 // One speed in place of all others.
 constexpr Access at_speed{[](Scene& scene, double value) { scene.speeds.list.assign(1, value); },
                           [](const Scene& scene) {
@@ -232,9 +246,25 @@ constexpr auto rows = std::to_array<Row>({
     face_row("bodies.second_radius_y", "R₂y of the second body's face, likewise",
              at_body<1, &Body::radius_y>),
 
-    required_row("lubricant.viscosity", "Pa·s", {1e-5, 10, "mPa·s"},
-                 "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\"",
-                 at_number<&Numbers::viscosity, &Scene::lubricant, &Lubricant::viscosity>),
+    number_row("lubricant.viscosity", "Pa·s", {1e-5, 10, "mPa·s"},
+               "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\"",
+               at_number<&Numbers::viscosity, &Scene::lubricant, &Lubricant::viscosity>),
+    {{.path = "lubricant.kinematic_viscosity",
+      .type = FieldType::viscosities,
+      .meaning = "[[T₁, ν₁], [T₂, ν₂]] in K and m²/s, from which η₀ follows by ASTM D341"}},
+    number_row("lubricant.iso_vg", "", {2, 5000},
+               "ISO VG grade, ν at 40 °C in mm²/s, in place of the two viscosities",
+               at<&Scene::lubricant, &Lubricant::oil, &Oil::iso_vg>),
+    {{.path = "lubricant.viscosity_index",
+      .exclusive_minimum = false,
+      .maximum = 400,
+      .plausible_maximum = 200,
+      .meaning = "VI, from which ν at 100 °C follows by ASTM D2270"},
+     at_viscosity_index},
+    number_row("lubricant.density", "kg/m³", {500, 2000}, "ρ, with which η₀ = ρν",
+               at<&Scene::lubricant, &Lubricant::oil, &Oil::density>),
+    number_row("lubricant.temperature", "K", {200, 500}, "T at which the contact runs",
+               at<&Scene::lubricant, &Lubricant::oil, &Oil::temperature>),
     required_row(
         "lubricant.pressure_viscosity", "1/Pa", {1e-11, 1e-6, "1/GPa"},
         "α, pressure–viscosity coefficient",
@@ -247,6 +277,19 @@ constexpr auto rows = std::to_array<Row>({
       .likely_unit = "MPa",
       .meaning = "τ₀, Eyring's stress"},
      at_number<&Numbers::eyring_stress, &Scene::lubricant, &Lubricant::eyring_stress>},
+
+    {{.path = "lubricant.thermal",
+      .type = FieldType::choice,
+      .choices = thermal_inlet_words,
+      .meaning = "law of the inlet that shear heats; absent: none"},
+     at_thermal},
+    number_row("lubricant.conductivity", "W/(m·K)", {0.05, 1},
+               "k_f, thermal conductivity of the liquid in a heated inlet",
+               at_number<&Numbers::conductivity, &Scene::lubricant, &Lubricant::conductivity>),
+    number_row("lubricant.temperature_coefficient", "1/K", {1e-3, 0.2},
+               "β = −d ln η/dT of the liquid in a heated inlet",
+               at_number<&Numbers::temperature_coefficient, &Scene::lubricant,
+                         &Lubricant::temperature_coefficient>),
 
     required_row("load", "N", {1e-9, 1e7, "mN"}, "F, normal load",
                  at_number<&Numbers::load, &Scene::load>),
@@ -348,7 +391,20 @@ constexpr std::array beside_summits{Words("surface.summit_plane_offset")};
 constexpr std::array of_profile{Words("surface.m0"), Words("surface.m2"), Words("surface.m4")};
 constexpr std::array summits{FieldSet{of_summits, beside_summits}, FieldSet{of_profile, {}}};
 
-constexpr std::array groups{FieldGroup(summits), FieldGroup(elasticity), FieldGroup(shapes)};
+constexpr std::array by_viscosity{Words("lubricant.viscosity")};
+constexpr std::array by_kinematic{Words("lubricant.kinematic_viscosity"),
+                                  Words("lubricant.density"), Words("lubricant.temperature")};
+constexpr std::array by_grade{Words("lubricant.iso_vg"), Words("lubricant.viscosity_index"),
+                              Words("lubricant.density"), Words("lubricant.temperature")};
+constexpr std::array oils{FieldSet{by_viscosity, {}}, FieldSet{by_kinematic, {}},
+                          FieldSet{by_grade, {}}};
+
+constexpr std::array of_heated_inlet{Words("lubricant.thermal"), Words("lubricant.conductivity"),
+                                     Words("lubricant.temperature_coefficient")};
+constexpr std::array inlets{FieldSet{{}, {}}, FieldSet{of_heated_inlet, {}}};
+
+constexpr std::array groups{FieldGroup(summits), FieldGroup(elasticity), FieldGroup(shapes),
+                            FieldGroup(oils), FieldGroup(inlets)};
 
 constexpr auto infos = [] {
   std::array<FieldInfo, rows.size()> result;
@@ -446,7 +502,7 @@ std::string sets_text(FieldGroup group, std::size_t first) {
     if (i > first) text += ", or ";
     std::vector<std::string_view> names;
     for (const std::string_view path : group[i].fields) names.push_back(last_part(path));
-    text += joined(names, " and ");
+    text += names.empty() ? "none of them" : joined(names, " and ");
   }
   return text;
 }
@@ -537,6 +593,9 @@ std::string allowed_text(const FieldInfo& field) {
     case FieldType::limits:
       return "a list of " + joined(assumption_words(), ", ") +
              ", and of fields with their range, as viscosity_range";
+    case FieldType::viscosities:
+      return "two pairs, [[T1, nu1], [T2, nu2]], of a temperature in K and a kinematic viscosity "
+             "in m²/s";
   }
   return {};
 }

@@ -42,7 +42,7 @@ struct State {
   std::span<const OperatingPoint<double>> ends() const { return std::span(points).first(count); }
   void add(const OperatingPoint<double>& point) { points[count++] = point; }
 
-  bool has_summits() const { return numbers.summit_height_sd > 0; }
+  bool has_summits() const { return !scene.surface.is_smooth(); }
   bool solves_film() const { return use == SceneUse::line_film; }
   bool follows(ViscosityLaw law) const {
     // A solved film takes Barus' law where the scene names none of a liquid.
@@ -188,8 +188,9 @@ constexpr Row rows[] = {
      "Gupta et al. (1992): L = β η₀u²/k_f, with 0.14 W/(m K) of mineral oil; 10 K make L some 0.4",
      [](const State& state) {
        const double speed = state.speeds.high;
-       if (!(speed > 0)) return not_assumed;
-       return state.numbers.viscosity * speed * speed / oil_conductivity;
+       if (!(speed > 0) || state.scene.lubricant.thermal != ThermalInlet::none) return not_assumed;
+       const double given = state.scene.lubricant.conductivity;
+       return state.numbers.viscosity * speed * speed / (given > 0 ? given : oil_conductivity);
      }},
 };
 
@@ -241,7 +242,7 @@ State state_of(const Scene& scene, SceneUse use) {
   const ContactShape shape = scene.bodies.shape();
   State state{
       scene, use, shape, numbers, hertz_contact(shape, numbers), detail::speed_span(scene.speeds)};
-  if (state.solves_film() || !state.has_summits() || !(state.speeds.low > 0)) return state;
+  if (state.solves_film() || !(state.speeds.low > 0)) return state;
   const MixedContact<double> contact(scene);
   state.add(contact.solve(state.speeds.low, validity_outputs()));
   if (state.speeds.high > state.speeds.low)
@@ -364,7 +365,7 @@ std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<doubl
   State state{
       scene,           SceneUse::one_speed,       scene.bodies.shape(), contact.scene_numbers(),
       contact.hertz(), {point.speed, point.speed}};
-  if (state.has_summits()) state.add(point);
+  state.add(point);
   return passed_in(state);
 }
 

@@ -91,7 +91,7 @@ HWY_INLINE hn::Mask<D> is_ordinary(D d, ContactShape shape, const detail::SceneN
   const auto add_unless_zero = [&](V number) HWY_ATTR {
     add(hn::IfThenElse(hn::Eq(number, hn::Zero(d)), scene.load, number));
   };
-  add(scene.summit_density);
+  add_unless_zero(scene.summit_density);
   add(scene.summit_radius);
   add(scene.summit_height_sd);
   add(scene.effective_modulus);

@@ -2,6 +2,7 @@
 // LoadSharing<double> and MixedContact<double>: the engine's numbers, and beyond its range those of
 // the template in long double, rounded.
 #include <cmath>
+#include <limits>
 
 #include "engine.hpp"
 #include "operating_points_arrays.hpp"
@@ -127,7 +128,8 @@ ContactWords words_of(const Scene& scene, const FilmLaw& film) {
           scene.supply.kind,
           scene.friction.fluid,
           scene.friction.viscosity,
-          &film};
+          &film,
+          scene.lubricant.thermal};
 }
 
 namespace {
@@ -159,8 +161,13 @@ void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> sc
   engine().prepare(words, scenes.data(), contacts.data(), scenes.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     SurfaceNumbers<double>& surface = contacts[i].surface;
+    // The kernels have no heated inlet.
+    if (words.thermal != ThermalInlet::none)
+      surface.film_at_unit_speed = std::numeric_limits<double>::quiet_NaN();
     if (std::isnan(surface.film_at_unit_speed))
       set_numbers(wide_contact(words, scenes[i]), contacts[i]);
+    else if (scenes[i].summit_density == 0)
+      surface.film_from = film_from_of_smooth;
     else if (!is_within_engine(surface.stiffness, surface.offset))
       set_floor(wide(words.model, *words.film, surface), surface);
   }

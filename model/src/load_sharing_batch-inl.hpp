@@ -264,7 +264,8 @@ struct RootStart {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE RootStart<D> root_start(D d, V film_power, const detail::SurfaceNumbers<V>& surface,
                                    const SharingInputs<V>& in) {
-  const auto good = in_range(d, in);
+  const auto is_smooth = hn::Lt(surface.film_from, hn::Zero(d));
+  const auto good = hn::Or(in_range(d, in), is_smooth);
   const auto is_film = hn::Ge(in.flooded, surface.film_from);
   const auto is_floor = hn::Le(in.flooded, surface.floor_up_to);
   const auto open = hn::AndNot(hn::Or(is_film, is_floor), good);

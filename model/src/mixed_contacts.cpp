@@ -48,7 +48,7 @@ void MixedContacts::prepare() {
       old, scenes_.size(),
       [&](std::size_t i, std::size_t j) {
         return words_[i].shape == words_[j].shape && words_[i].model == words_[j].model &&
-               words_[i].film == words_[j].film;
+               words_[i].film == words_[j].film && words_[i].thermal == words_[j].thermal;
       },
       [&](std::size_t first, std::size_t end) {
         detail::prepare(words_[first], std::span(scenes_).subspan(first, end - first),

@@ -32,6 +32,9 @@ inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiff
 inline constexpr double sharing_greatest_offset = 40;
 inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;
 
+// film_from of smooth bodies, between which λ = λ₀.
+inline constexpr double film_from_of_smooth = -1;
+
 // The numbers of a contact, and speeds in m/s, within which nothing that a point is computed from
 // overflows or loses digits near 0: the greatest products are K and λ₀ over h_oil/σ_s, of eleven
 // and of some twelve such numbers. K and the factors of area and summits have bounds of their own:

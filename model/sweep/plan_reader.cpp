@@ -69,7 +69,7 @@ std::string_view allowed(std::string_view name) {
 }
 
 // Rules of the scene reader about several numbers or words: faces that meet in an ellipse that
-// double can hold, the moments of a profile, and Roelands' law.
+// double can hold, the moments of a profile, Roelands' law, and the line of an oil.
 constexpr auto faces =
     std::to_array<std::string_view>({"bodies.first_radius_x", "bodies.second_radius_x",
                                      "bodies.first_radius_y", "bodies.second_radius_y"});
@@ -78,8 +78,11 @@ constexpr auto moments =
     std::to_array<std::string_view>({"surface.m0", "surface.m2", "surface.m4"});
 constexpr auto roelands =
     std::to_array<std::string_view>({"lubricant.viscosity", "friction.viscosity"});
+constexpr auto oil =
+    std::to_array<std::string_view>({"lubricant.iso_vg", "lubricant.viscosity_index",
+                                     "lubricant.temperature", "friction.viscosity"});
 constexpr auto fields_of_rules =
-    std::to_array<std::span<const std::string_view>>({faces, radii, moments, roelands});
+    std::to_array<std::span<const std::string_view>>({faces, radii, moments, roelands, oil});
 
 // A variable, and the place of its field in the list of entries.
 struct VariedEntry {

@@ -55,18 +55,26 @@ const Value* TableReader::value_of(std::string_view name, ValueKind kind,
   return nullptr;
 }
 
-std::optional<double> TableReader::number(std::string_view name, std::string_view allowed) {
-  const Value* const value = value_of(name, ValueKind::number, allowed);
-  if (value == nullptr) return std::nullopt;
-  if (value->fault == NumberFault::none && std::isfinite(value->number)) return value->number;
+std::optional<double> TableReader::number(std::string_view name, std::string_view allowed,
+                                          std::string_view unit, scene_detail::Measure measure) {
+  const Entry* const entry = find(name);
+  if (entry == nullptr) return std::nullopt;
+  const Value value = scene_detail::in_si(entry->value, unit, measure);
+  if (value.kind != ValueKind::number) {
+    refuse(name, scene_detail::no_number(value, unit, std::string(allowed)));
+    return std::nullopt;
+  }
+  if (value.fault == NumberFault::none && std::isfinite(value.number)) return value.number;
   refuse(name,
-         {Fault::other, "", value_text(*value) + " is not a finite double", std::string(allowed)});
+         {Fault::other, "", value_text(value) + " is not a finite double", std::string(allowed)});
   return std::nullopt;
 }
 
-std::optional<double> TableReader::needed_number(std::string_view name, std::string_view allowed) {
+std::optional<double> TableReader::needed_number(std::string_view name, std::string_view allowed,
+                                                 std::string_view unit,
+                                                 scene_detail::Measure measure) {
   if (!has(name)) refuse(name, {Fault::presence, "", "", std::string(allowed)});
-  return number(name, allowed);
+  return number(name, allowed, unit, measure);
 }
 
 std::optional<std::uint64_t> TableReader::whole(std::string_view name, std::uint64_t least,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/entries.hpp"
+#include "scene/units.hpp"
 
 namespace tribo::sweep {
 
@@ -25,8 +26,11 @@ class TableReader {
 
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
-  // The number of a field; nothing where the field is absent or wrong. A wrong field is reported.
-  std::optional<double> number(std::string_view name, std::string_view allowed);
+  // The number of a field, which may be a text with a unit that fits `unit`; nothing where the
+  // field is absent or wrong. A wrong field is reported.
+  std::optional<double> number(std::string_view name, std::string_view allowed,
+                               std::string_view unit = "",
+                               scene_detail::Measure measure = scene_detail::Measure::value);
   std::optional<std::uint64_t> whole(std::string_view name, std::uint64_t least,
                                      std::uint64_t greatest, std::string_view allowed);
   std::optional<bool> boolean(std::string_view name);
@@ -37,7 +41,9 @@ class TableReader {
   std::optional<std::vector<std::size_t>> words(std::string_view name,
                                                 std::span<const std::string_view> words);
   // As number(), but a missing field is reported.
-  std::optional<double> needed_number(std::string_view name, std::string_view allowed);
+  std::optional<double> needed_number(std::string_view name, std::string_view allowed,
+                                      std::string_view unit = "",
+                                      scene_detail::Measure measure = scene_detail::Measure::value);
 
   void refuse(std::string_view name, Fault fault);
   bool good() const { return good_; }  // nothing has been reported yet

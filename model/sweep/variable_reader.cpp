@@ -9,12 +9,14 @@
 #include "scene/fault_text.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
+#include "scene/units.hpp"
 #include "sweep/table_reader.hpp"
 
 namespace tribo::sweep {
 namespace {
 
 using scene_detail::Entry;
+using scene_detail::Measure;
 using scene_detail::number_text;
 using scene_detail::Problems;
 using scene_detail::Value;
@@ -109,7 +111,7 @@ class VariableReader {
   }
 
   void read_element(std::size_t i) {
-    const Value& value = entry_.elements[i];
+    const Value value = scene_detail::in_si(entry_.elements[i], field_.unit);
     const std::string name = std::string(field_.path) + '[' + std::to_string(i) + ']';
     if (takes_numbers()) {
       if (value.kind == ValueKind::number && value.fault == scene_detail::NumberFault::none)
@@ -119,7 +121,8 @@ class VariableReader {
       if (value.kind == ValueKind::text && word != variable_.words.end())
         return variable_.grid.push_back(static_cast<double>(word - variable_.words.begin()));
     }
-    problems_.error(name, wrong_kind(value, scene_detail::allowed_text(field_)));
+    problems_.error(
+        name, scene_detail::no_number(value, field_.unit, scene_detail::allowed_text(field_)));
     problem_ = true;
   }
 
@@ -157,8 +160,8 @@ class VariableReader {
     if (!only(table, {"from", "to", "count", "spacing"})) return;
     const auto spacing =
         table.has("spacing") ? table.word("spacing", spacing_words) : std::optional<std::size_t>(0);
-    const auto from = table.needed_number("from", "a number");
-    const auto to = table.needed_number("to", "a number above from");
+    const auto from = table.needed_number("from", "a number", field_.unit);
+    const auto to = table.needed_number("to", "a number above from", field_.unit);
     const std::string count_text = "a whole number from 2 to " + std::to_string(most_grid_values);
     if (!table.has("count")) table.refuse("count", {Fault::presence, "", "", count_text});
     const auto count = table.whole("count", 2, most_grid_values, count_text);
@@ -183,10 +186,12 @@ class VariableReader {
 
   void read_printed_number(TableReader& table) {
     if (!only(table, {"printed"})) return;
-    constexpr const char* allowed = "a number as it is printed, as a text: \"0.0202\"";
+    const std::string_view units = scene_detail::usual_units(field_.unit);
+    const std::string allowed = "a number as it is printed, as a text: \"0.0202\"" +
+                                (units.empty() ? "" : ", or in " + std::string(units));
     const auto text = table.text("printed", allowed);
     if (!text) return;
-    const auto printed = read_printed(*text);
+    const auto printed = read_printed(scene_detail::si_decimal(*text, field_.unit).value_or(*text));
     if (!printed)
       return table.refuse("printed",
                           {Fault::other, "", '"' + printable(*text) + "\" is no number", allowed});
@@ -220,8 +225,12 @@ class VariableReader {
   // The ends, from < to; a missing end is infinite, where an end need not be given.
   std::optional<Range> read_ends(TableReader& table, bool needed) {
     constexpr std::string_view below = "a number below to", above = "a number above from";
-    const auto from = needed ? table.needed_number("from", below) : table.number("from", below);
-    const auto to = needed ? table.needed_number("to", above) : table.number("to", above);
+    const auto end = [&](std::string_view name, std::string_view allowed) {
+      return needed ? table.needed_number(name, allowed, field_.unit)
+                    : table.number(name, allowed, field_.unit);
+    };
+    const auto from = end("from", below);
+    const auto to = end("to", above);
     if (!table.good()) return std::nullopt;
     const Range range{from.value_or(-infinity), to.value_or(infinity)};
     if (range.from < range.to) return range;
@@ -249,9 +258,10 @@ class VariableReader {
     const std::string_view middle_name = logarithmic ? "median" : "mean";
     const std::string_view sd_name = logarithmic ? "log_sd" : "sd";
     if (!only(table, {"distribution", middle_name, sd_name, "from", "to"})) return;
-    const auto middle =
-        logarithmic ? positive(table, middle_name) : table.needed_number(middle_name, "a number");
-    const auto sd = positive(table, sd_name);
+    const auto middle = logarithmic ? positive(table, middle_name, field_.unit)
+                                    : table.needed_number(middle_name, "a number", field_.unit);
+    const auto sd = logarithmic ? positive(table, sd_name, "")
+                                : positive(table, sd_name, field_.unit, Measure::distance);
     const auto range = read_ends(table, false);
     if (!middle || !sd || !range) return;
     const double from = logarithmic ? std::max(range->from, 0.0) : range->from;
@@ -267,8 +277,9 @@ class VariableReader {
                                          : Distribution::normal(*middle, *sd, from, range->to);
   }
 
-  std::optional<double> positive(TableReader& table, std::string_view name) {
-    const auto value = table.needed_number(name, "a number above 0");
+  static std::optional<double> positive(TableReader& table, std::string_view name,
+                                        std::string_view unit, Measure measure = Measure::value) {
+    const auto value = table.needed_number(name, "a number above 0", unit, measure);
     if (!value || *value > 0) return value;
     table.refuse(name, {Fault::range, number_text(*value), "", "a number above 0"});
     return std::nullopt;

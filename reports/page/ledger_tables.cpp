@@ -173,8 +173,8 @@ std::string other_planes_sentence(const Ledger& ledger) {
   std::string text;
   for (const NamedReading& one : ledger.readings)
     if (one.name == "m = 2" || one.name == "equal faces")
-      text += fmt::format("{}{} they are {}, {} and {}", text.empty() ? "With " : ", with ", one.name,
-                          count(one, "yes"), count(one, "partly"), count(one, "no"));
+      text += fmt::format("{}{} they are {}, {} and {}", text.empty() ? "With " : ", with ",
+                          one.name, count(one, "yes"), count(one, "partly"), count(one, "no"));
   return fmt::format("{}. {}", text, partly_words);
 }
 

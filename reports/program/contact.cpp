@@ -71,7 +71,6 @@ struct Asked {
   const detail::SceneNumbers<double>& numbers() const { return contact.scene_numbers(); }
   ContactShape shape() const { return scene.bodies.shape(); }
   bool is_line() const { return shape() == ContactShape::line; }
-  bool has_summits() const { return numbers().summit_density > 0; }
 
   const Scene& scene;
   MixedContact<double> contact;
@@ -132,6 +131,8 @@ Facts contact_of(const Asked& asked) {
 constexpr std::string_view no_roughness =
     "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0";
 
+constexpr std::string_view no_summits = "the bodies are smooth: they have no σ_s";
+
 Facts surfaces_of(const Asked& asked) {
   const double sd = asked.contact.summit_height_sd(), roughness = asked.numbers().rms_roughness;
   const LoadSharing<double> sharing = asked.contact.sharing();
@@ -141,9 +142,12 @@ Facts surfaces_of(const Asked& asked) {
     facts.push_back(number("rms_roughness", "Rq", rms, roughness, "m"));
   else
     facts.push_back({"rms_roughness", "Rq", rms, nullptr, "m", no_roughness});
-  if (!asked.has_summits()) return facts;
-  facts.push_back(
-      number("summit_height_sd", "σ_s", "standard deviation of the summits' heights", sd, "m"));
+  constexpr std::string_view heights = "standard deviation of the summits' heights";
+  if (asked.scene.surface.is_smooth())
+    facts.push_back({"summit_height_sd", "σ_s", heights, nullptr, "m", no_summits});
+  else
+    facts.push_back(number("summit_height_sd", "σ_s", heights, sd, "m"));
+  if (asked.scene.surface.is_smooth()) return facts;
   facts.push_back(number("stiffness", "K", "stiffness of the summits", sharing.stiffness()));
   facts.push_back(
       number("offset", "δ", "plane of heights to plane of summits, over σ_s", sharing.offset()));
@@ -229,9 +233,9 @@ AtSpeed account_at(const Asked& asked, double speed) {
   const OperatingPoint<double> point = asked.contact.solve(speed, outputs);
   account.ratios = {
       number("film", "h*", "the scene's film, with load sharing and its inlet", point.film, "m"),
-      asked.has_summits()
-          ? number("film_parameter", "λ", "h*/σ_s", point.film_parameter)
-          : Fact{"film_parameter", "λ", "h*/σ_s", nullptr, "", "smooth bodies have no summits"},
+      asked.scene.surface.is_smooth()
+          ? Fact{"film_parameter", "λ", "h*/σ_s", nullptr, "", no_summits}
+          : number("film_parameter", "λ", "h*/σ_s", point.film_parameter),
       number("minimum_film", "h_min", "least film of smooth faces in a flooded inlet",
              asked.smooth.minimum_film(speed), "m")};
   if (scene.rms_roughness > 0)

@@ -29,6 +29,8 @@ struct OnsetArguments {
   double departure = default_departure;
 };
 
+constexpr std::string_view without_roughness = "the bodies are smooth: λ has no σ_s";
+
 bool is_asked(const OnsetArguments& arguments, OnsetCriterion criterion) {
   const auto& asked = arguments.criteria;
   return asked.empty() || std::find(asked.begin(), asked.end(), name(criterion)) != asked.end();
@@ -36,7 +38,9 @@ bool is_asked(const OnsetArguments& arguments, OnsetCriterion criterion) {
 
 // The onset, or none with a reason where a number of it overflows.
 Onset<double> checked(Onset<double> onset) {
-  if (!onset.exists || std::isfinite(onset.speed + onset.film + onset.film_parameter)) return onset;
+  if (!onset.exists ||
+      (std::isfinite(onset.speed + onset.film) && !std::isinf(onset.film_parameter)))
+    return onset;
   onset.exists = false;
   onset.reason = protocol::beyond_double;
   return onset;
@@ -62,10 +66,11 @@ std::vector<Column> columns() {
 
 std::array<protocol::OutputValue, 4> cells_of(const Onset<double>& onset) {
   const std::string_view reason = onset.exists ? std::string_view() : onset.reason;
+  const bool is_smooth = onset.exists && std::isnan(onset.film_parameter);
   return {{{{}, name(onset.criterion)},
            {reason, {}, onset.speed},
            {reason, {}, onset.film},
-           {reason, {}, onset.film_parameter}}};
+           {is_smooth ? without_roughness : reason, {}, onset.film_parameter}}};
 }
 
 int find_onsets(const OnsetArguments& arguments, OutputStream& output) {

@@ -88,11 +88,20 @@ struct Facts {
   std::vector<Fact> all;
 };
 
+// The two viscosities of an oil as a scene has them; null where it does not give them.
+ordered_json pairs_text(const Oil& oil) {
+  const auto& [first, second] = oil.viscosities;
+  if (first.temperature == 0) return nullptr;
+  return fmt::format("[[{}, {}], [{}, {}]]", first.temperature, first.viscosity, second.temperature,
+                     second.viscosity);
+}
+
 // The value of a field as JSON. Of speeds, however they are given, the least and the greatest.
 ordered_json input_of(const Scene& scene, std::size_t field) {
   const FieldInfo& info = scene_fields()[field];
   if (info.path == "speed.from") return detail::speed_span(scene.speeds).low;
   if (info.path == "speed.to") return detail::speed_span(scene.speeds).high;
+  if (info.type == FieldType::viscosities) return pairs_text(scene.lubricant.oil);
   const std::optional<double> value = scene_detail::value_in(scene, field);
   if (!value) return nullptr;
   if (info.type == FieldType::choice) return info.choices[static_cast<std::size_t>(*value)];
@@ -134,7 +143,9 @@ Facts contact_of(const Scene& scene, const MixedContact<double>& contact) {
            {"mean_pressure", hertz.mean_pressure, "Pa", "p̄ of the dry, smooth contact"},
            {"peak_pressure", hertz.peak_pressure, "Pa", "its greatest pressure"},
            {"approach", of_point(hertz.approach), "m", "of the two bodies"},
-           {"summit_height_sd", contact.summit_height_sd(), "m", "σ_s"},
+           {"summit_height_sd",
+            scene.surface.is_smooth() ? nullptr : ordered_json(contact.summit_height_sd()), "m",
+            "σ_s; smooth bodies have none"},
            {"share_without_film", contact.sharing().asperity_share(0), "",
             "A(0); above 1 the summits keep the faces apart at a film of no thickness"},
            {"speed_power", contact.film().speed_power.value, "",

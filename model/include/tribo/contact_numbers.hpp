@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tribo/hertz_ellipse.hpp"
+#include "tribo/oil.hpp"
 #include "tribo/roughness.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/spectral_moments.hpp"
@@ -15,13 +16,13 @@ namespace tribo::detail {
 // Numbers of one surface under one load. T is double, or a vector of many surfaces' numbers.
 template <class T>
 struct SurfaceNumbers {
-  T stiffness;           // K
-  T offset;              // δ
-  T floor;               // λ_b, 0 without one
-  T floor_argument;      // λ_b − δ, without the rounding of the difference
-  T hazard;              // −d ln A/dλ at the floor: positive; 0 if there is no floor
-  T floor_up_to;         // λ = λ_b to half an ulp for λ₀ from 0 to here
-  T film_from;           // λ = λ₀ to half an ulp for λ₀ from here on
+  T stiffness;       // K
+  T offset;          // δ
+  T floor;           // λ_b, 0 without one
+  T floor_argument;  // λ_b − δ, without the rounding of the difference
+  T hazard;          // −d ln A/dλ at the floor: positive; 0 if there is no floor
+  T floor_up_to;     // λ = λ_b to half an ulp for λ₀ from 0 to here
+  T film_from;       // λ = λ₀ to half an ulp for λ₀ from here on; below 0: smooth, always
   T film_at_unit_speed;  // λ₀/u^a; NaN of a contact beyond the kernels' range
 };
 
@@ -53,9 +54,10 @@ struct SceneNumbers {
   T viscosity, pressure_viscosity, eyring_stress;
   T supply;
   T boundary_coefficient, slide_roll_ratio, damiens_exponent;
-  T across;                    // R_y of an ellipse, L of a line; not used of a circle
-  T rms_roughness;             // Rq of both faces, 0 where it is not given
-  EllipseOfCircle<T> ellipse;  // not used of a circle and of a line
+  T across;                                 // R_y of an ellipse, L of a line; not used of a circle
+  T rms_roughness;                          // Rq of both faces, 0 where it is not given
+  T conductivity, temperature_coefficient;  // of a heated inlet
+  EllipseOfCircle<T> ellipse;               // not used of a circle and of a line
 
   // The ellipse and its k, which follow from R_x and R_y.
   void set_ellipse() {
@@ -72,6 +74,7 @@ struct ContactWords {
   FluidShear fluid;
   ViscosityLaw viscosity;
   const FilmLaw* film;
+  ThermalInlet thermal = ThermalInlet::none;
 
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
@@ -86,16 +89,21 @@ InletLaw<T> inlet_law(const ContactWords& words, const Numbers<T>& numbers) {
 ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
 
+// Smooth bodies have no summits, n = 0, so that K and A are 0. In place of their σ_s stands this
+// unit of λ, a power of two, which leaves all digits of a film as they are. m
+inline constexpr double smooth_height_unit = 0x1p-24;
+
 // The numbers of a scene as they are given, without the ellipse. A sweep writes its values into
 // them (Access::number of scene/schema.hpp): a field is handed on unchanged.
 inline SceneNumbers<double> given_numbers(const Scene& scene) {
   const Surface& surface = scene.surface;
   const Bodies& bodies = scene.bodies;
   const ContactShape shape = bodies.shape();
+  const bool is_smooth = surface.is_smooth();
   return {.load = scene.load,
           .summit_density = surface.summit_density,
-          .summit_radius = surface.summit_radius,
-          .summit_height_sd = surface.summit_height_sd,
+          .summit_radius = is_smooth ? 1 : surface.summit_radius,
+          .summit_height_sd = is_smooth ? smooth_height_unit : surface.summit_height_sd,
           .summit_plane_offset = surface.summit_plane_offset,
           .offset_planes = static_cast<double>(surface.offset_planes),
           .effective_modulus = bodies.effective_modulus,
@@ -110,6 +118,8 @@ inline SceneNumbers<double> given_numbers(const Scene& scene) {
           .damiens_exponent = scene.closures.damiens_exponent,
           .across = shape == ContactShape::line ? bodies.length : bodies.radius_y,
           .rms_roughness = surface.rms_roughness,
+          .conductivity = scene.lubricant.conductivity,
+          .temperature_coefficient = scene.lubricant.temperature_coefficient,
           .ellipse = {}};
 }
 
@@ -134,6 +144,8 @@ SceneNumbers<T> numbers_by(const SceneNumbers<double>& n, Convert&& convert) {
           .damiens_exponent = convert(n.damiens_exponent),
           .across = convert(n.across),
           .rms_roughness = convert(n.rms_roughness),
+          .conductivity = convert(n.conductivity),
+          .temperature_coefficient = convert(n.temperature_coefficient),
           .ellipse = {}};
 }
 
@@ -162,6 +174,8 @@ SceneNumbers<T> numbers_of(const Scene& scene) {
     numbers.summit_plane_offset = T(summits.summit_plane_offset / rise);
     numbers.rms_roughness = T(sqrt(Wide(m.m0)) * rise);
   }
+  if (scene.lubricant.oil.is_given())
+    numbers.viscosity = T(oil_viscosity<Wide>(scene.lubricant.oil));
   if (scene.surface.average_roughness > 0)
     numbers.rms_roughness = T(rms_from_average_roughness(Wide(scene.surface.average_roughness)));
   if (first.modulus > 0)

@@ -14,6 +14,7 @@
 #include "tribo/operating_point.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/starvation.hpp"
+#include "tribo/thermal_reduction.hpp"
 
 namespace tribo {
 
@@ -56,6 +57,10 @@ class MixedContact {
         viscosity_law_(words.viscosity),
         inlet_law_(detail::inlet_law(words, scene)),
         film_(words.film),
+        thermal_(words.thermal),
+        effective_modulus_(scene.effective_modulus),
+        conductivity_(scene.conductivity),
+        temperature_coefficient_(scene.temperature_coefficient),
         supply_(words.supply),
         supply_value_(scene.supply),
         hertz_(hertz_contact(words.shape, scene)),
@@ -90,9 +95,15 @@ class MixedContact {
     return inlet_film / summit_height_sd_;
   }
 
-  // λ₀ = h₀/σ_s at speed u in m/s, and the speed at which λ₀ is reached.
+  // λ₀ = h₀/σ_s at speed u in m/s, with h₀ less by the heat of the inlet, where that is asked; and
+  // the speed at which λ₀ is reached by an inlet that is not heated.
   T flooded_film_parameter(const T& speed) const {
-    return film_parameter_at_unit_speed_ * decimal_power(speed, film_->speed_exponent);
+    const T isothermal =
+        film_parameter_at_unit_speed_ * decimal_power(speed, film_->speed_exponent);
+    if (thermal_ == ThermalInlet::none) return isothermal;
+    return isothermal * gupta_thermal_reduction(hertz_.peak_pressure, effective_modulus_,
+                                                slide_roll_ratio_, temperature_coefficient_,
+                                                lubricant_.viscosity, speed, conductivity_);
   }
   T speed_at(const T& flooded_film_parameter) const {
     return decimal_power(T(flooded_film_parameter / film_parameter_at_unit_speed_),
@@ -246,6 +257,8 @@ class MixedContact {
   ViscosityLaw viscosity_law_;
   InletLaw<T> inlet_law_;
   const FilmLaw* film_;
+  ThermalInlet thermal_;
+  T effective_modulus_, conductivity_, temperature_coefficient_;  // of a heated inlet
   SupplyKind supply_;
   T supply_value_;
   HertzContact<T> hertz_;

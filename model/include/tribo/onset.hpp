@@ -88,7 +88,7 @@ struct Onset {
   bool exists;
   T speed;                  // u, m/s
   T film;                   // h*, m
-  T film_parameter;         // h*/σ_s
+  T film_parameter;         // h*/σ_s; NaN of smooth bodies
   std::string_view reason;  // why there is none; empty where there is one
 };
 
@@ -319,6 +319,26 @@ Onset<T> asperity_minimum(const MixedContact<T>& contact, const InletOnsets<T>& 
   return maximum;
 }
 
+template <class T>
+Onset<T> onset_by(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
+                  const InletOnsets<T>& inlet) {
+  if (!is_finite(contact.sharing().stiffness()))
+    return no_onset<T>(criterion,
+                       "K, the stiffness of the asperities, is outside the range of double "
+                       "precision");
+  switch (criterion) {
+    case OnsetCriterion::film_maximum:
+      return film_maximum(criterion, contact, inlet);
+    case OnsetCriterion::film_departure:
+      return film_departure(contact, inlet);
+    case OnsetCriterion::friction_minimum:
+      return friction_minimum(contact, scene);
+    case OnsetCriterion::asperity_minimum:
+      return asperity_minimum(contact, inlet);
+  }
+  return no_onset<T>(criterion, "unknown criterion");
+}
+
 }  // namespace detail
 
 // The onset by a criterion, from the onsets of the contact's inlet law: a caller with many
@@ -326,21 +346,16 @@ Onset<T> asperity_minimum(const MixedContact<T>& contact, const InletOnsets<T>& 
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
                const InletOnsets<T>& inlet) {
-  if (!is_finite(contact.sharing().stiffness()))
+  if (scene.lubricant.thermal != ThermalInlet::none &&
+      criterion != OnsetCriterion::friction_minimum)
     return detail::no_onset<T>(criterion,
-                               "K, the stiffness of the asperities, is outside the range of double "
-                               "precision");
-  switch (criterion) {
-    case OnsetCriterion::film_maximum:
-      return detail::film_maximum(criterion, contact, inlet);
-    case OnsetCriterion::film_departure:
-      return detail::film_departure(contact, inlet);
-    case OnsetCriterion::friction_minimum:
-      return detail::friction_minimum(contact, scene);
-    case OnsetCriterion::asperity_minimum:
-      return detail::asperity_minimum(contact, inlet);
-  }
-  return detail::no_onset<T>(criterion, "unknown criterion");
+                               "with lubricant.thermal the speed does not follow from the film");
+  if (!scene.surface.is_smooth()) return detail::onset_by(contact, scene, criterion, inlet);
+  if (criterion == OnsetCriterion::asperity_minimum)
+    return detail::no_onset<T>(criterion, "the bodies are smooth: no load is on asperities");
+  Onset<T> found = detail::onset_by(contact, scene, criterion, inlet);
+  found.film_parameter = quiet_nan<T>();
+  return found;
 }
 
 // `departure` is the ε of film_departure, 0 < ε < 1. The speeds of film_maximum, film_departure and

@@ -78,6 +78,8 @@ struct Surface {
   double average_roughness = 0;  // Ra, m
 
   bool has_moments() const { return moments.m0 > 0; }
+  // Without summits: smooth bodies, between which the film carries all the load. λ has no σ_s.
+  bool is_smooth() const { return summit_height_sd == 0 && !has_moments(); }
 };
 
 // One of the two bodies. 0: not given.
@@ -106,10 +108,34 @@ struct Bodies {
   }
 };
 
+// A kinematic viscosity at a temperature. 0: not given.
+struct KinematicViscosity {
+  double temperature = 0;  // K
+  double viscosity = 0;    // ν, m²/s
+};
+
+// An oil as its data sheet has it: by two viscosities, or by its grade and index. 0: not given.
+struct Oil {
+  std::array<KinematicViscosity, 2> viscosities = {};
+  double iso_vg = 0;           // ν at 40 °C, mm²/s
+  double viscosity_index = 0;  // VI, beside iso_vg
+  double density = 0;          // ρ, kg/m³
+  double temperature = 0;      // T at which the contact runs, K
+
+  bool is_given() const { return temperature > 0; }
+};
+
+enum class ThermalInlet : std::uint8_t { none, gupta };
+inline constexpr auto thermal_inlet_words = std::to_array<std::string_view>({"none", "gupta"});
+
 struct Lubricant {
   double viscosity = 0;                 // η₀, Pa·s, at ambient pressure
   double pressure_viscosity = 0;        // α, 1/Pa
   std::optional<double> eyring_stress;  // τ₀, Pa; friction needs it
+  Oil oil = {};                         // where it is given, η₀ follows from it
+  ThermalInlet thermal = ThermalInlet::none;
+  double conductivity = 0;             // k_f, W/(m·K); a heated inlet needs these two
+  double temperature_coefficient = 0;  // β = −d ln η/dT, 1/K
 };
 
 struct Supply {

@@ -16,9 +16,19 @@
 
 namespace tribo {
 
-// `speeds` is a number, a list of numbers, or a table whose fields are `speed.from` and so on.
-// `limits` is a list of words of limit_words().
-enum class FieldType : std::uint8_t { number, integer, text, choice, speeds, outputs, limits };
+// `speeds` is a number, a list of numbers, or a table whose fields are `speed.from` and so on;
+// `limits` is a list of words of limit_words(); `viscosities` is a list of two pairs of a
+// temperature and a kinematic viscosity.
+enum class FieldType : std::uint8_t {
+  number,
+  integer,
+  text,
+  choice,
+  speeds,
+  outputs,
+  limits,
+  viscosities
+};
 
 // One field of the schema. `path` is dotted: "surface.summit_density".
 struct FieldInfo {

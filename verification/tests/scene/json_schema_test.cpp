@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/units.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/scene_reader.hpp"
 #include "tribo/validity.hpp"
@@ -45,9 +46,17 @@ Json bound(double value) {
   return value;
 }
 
+// A number, a unit behind it, as in "20.2 mPa s". JSON Schema holds a text alone to it.
+constexpr const char* number_with_unit =
+    "^ *[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)? *[^ 0-9.].*$";
+
 Json number_type(const FieldInfo& field) {
   Json type;
   type["type"] = field.type == FieldType::integer ? "integer" : "number";
+  if (scene_detail::takes_units(field)) {
+    type["type"] = Json::array({"number", "string"});
+    type["pattern"] = number_with_unit;
+  }
   if (field.is_radius_of_face) {
     type["not"] = Json::object({{"const", 0}});
     return type;
@@ -81,6 +90,14 @@ Json limits_type() {
   return {{"type", "array"}, {"items", Json::object({{"enum", Json(limit_words())}})}};
 }
 
+// Two pairs of a temperature and a viscosity.
+Json viscosities_type() {
+  const auto list_of_two = [](const Json& items) {
+    return Json{{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", items}};
+  };
+  return list_of_two(list_of_two(number_type({.path = "", .unit = "m²/s"})));
+}
+
 Json type_of(const FieldInfo& field) {
   switch (field.type) {
     case FieldType::number:
@@ -96,6 +113,8 @@ Json type_of(const FieldInfo& field) {
       return outputs_type();
     case FieldType::limits:
       return limits_type();
+    case FieldType::viscosities:
+      return viscosities_type();
   }
   return {};
 }
@@ -133,7 +152,9 @@ Json group_rule(FieldGroup group) {
           if (!is_legal && std::find(barred.begin(), barred.end(), one) == barred.end())
             barred.push_back(one);
         }
-    sets.push_back({{"required", required}, {"not", Json::object({{"anyOf", barred}})}});
+    Json legal_set = Json::object({{"required", required}});
+    if (!barred.empty()) legal_set["not"] = Json::object({{"anyOf", barred}});
+    sets.push_back(legal_set);
   }
   return Json::object({{"oneOf", sets}});
 }
@@ -143,6 +164,16 @@ Json roughness_rule() {
   return Json::parse(R"({"not": {"anyOf": [
     {"required": ["m0", "rms_roughness"]}, {"required": ["m0", "average_roughness"]},
     {"required": ["rms_roughness", "average_roughness"]}]}})");
+}
+
+// The surface of smooth bodies: Rq or Ra, and no field of the summits.
+Json roughness_alone() {
+  Json roughness = Json::array(), summits = Json::array();
+  for (const FieldInfo& field : scene_fields())
+    if (section_of(field.path) == "surface")
+      (field.takes_both_faces ? roughness : summits)
+          .push_back(Json::object({{"required", Json::array({name_of(field.path)})}}));
+  return {{"anyOf", roughness}, {"not", Json::object({{"anyOf", summits}})}};
 }
 
 Json table_of(const std::string& section) {
@@ -162,8 +193,9 @@ Json table_of(const std::string& section) {
   }
   table["properties"] = properties;
   for (const FieldGroup group : scene_field_groups())
-    if (section_of(group.front().fields.front()) == section)
+    if (section_of(group.back().fields.front()) == section)
       table["allOf"].push_back(group_rule(group));
+  if (section == "surface") table["allOf"][0]["oneOf"].push_back(roughness_alone());
   if (section == "surface") table["allOf"].push_back(roughness_rule());
   return table;
 }
@@ -192,6 +224,16 @@ Json film_rule() {
   line["required"] = Json::array({"closures"});
   line["properties"]["closures"]["required"] = Json::array({"film"});
   return {{"if", condition}, {"then", line}, {"else", film(of_points)}};
+}
+
+// if there are no summits, then nothing is asked or given as a ratio to their σ_s
+Json smooth_rule() {
+  const Json condition = Json::parse(R"({"not": {"required": ["surface"], "properties": {
+    "surface": {"anyOf": [{"required": ["summit_density"]}, {"required": ["m0"]}]}}}})");
+  const Json consequence = Json::parse(R"({"properties": {
+    "outputs": {"not": {"contains": {"const": "film_parameter"}}},
+    "supply": {"not": {"required": ["inlet_film_ratio"]}}}})");
+  return {{"if", condition}, {"then", consequence}};
 }
 
 // if an output is asked for by name, then the fields that only it needs are required
@@ -224,22 +266,27 @@ Json schema_of_table() {
     const bool in_table = dot != std::string_view::npos;
     if (!properties.contains(name)) properties[name] = in_table ? table_of(name) : schema_of(field);
     const bool listed = std::find(required.begin(), required.end(), name) != required.end();
-    const bool has_group =
-        std::any_of(scene_field_groups().begin(), scene_field_groups().end(),
-                    [&](FieldGroup group) { return group.front().fields.front() == field.path; });
-    if ((field.required || has_group) && !listed && name != "speed") required.push_back(name);
+    const bool has_group = std::any_of(scene_field_groups().begin(), scene_field_groups().end(),
+                                       [&](FieldGroup group) {
+                                         const auto fields = group.front().fields;
+                                         return !fields.empty() && fields.front() == field.path;
+                                       });
+    const bool may_be_absent = name == "speed" || name == "surface";
+    if ((field.required || has_group) && !listed && !may_be_absent) required.push_back(name);
   }
-  Json rules = Json::array({roelands_rule(), film_rule()});
+  Json rules = Json::array({roelands_rule(), film_rule(), smooth_rule()});
   for (const OutputInfo& output : output_infos)
     if (const Json rule = output_rule(output); !rule.is_null()) rules.push_back(rule);
   return {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "tribocheck scene"},
       {"description",
-       "One contact, its lubricant, its supply of oil and the speeds it is asked at. SI units."},
+       "One contact, its lubricant, its supply of oil and the speeds it is asked at. SI units, or "
+       "a text with a number and its unit: \"20.2 mPa s\"."},
       {"$comment",
        "Built from scene_fields() by verification/tests/scene/json_schema_test.cpp. What a schema "
-       "cannot say: speed is required but for onset; speed.to is above speed.from; numbers are "
+       "cannot say: the unit of a text fits its field; speed is required but for onset; speed.to "
+       "is above speed.from; numbers are "
        "finite in double and do not vanish; two faces meet at a point; m0 m4/m2² of a profile is "
        "above 0.8968."},
       {"type", "object"},

@@ -57,7 +57,9 @@ class SceneText {
     for (const FieldSet& set : group)
       for (const auto& others : {set.fields, set.optional})
         for (const std::string_view other : others) remove(other);
-    for (const std::string_view one : found->fields) set(one, "0.3");
+    for (const FieldInfo& field : scene_fields())
+      if (std::find(found->fields.begin(), found->fields.end(), field.path) != found->fields.end())
+        set(field.path, field.path.starts_with("lubricant.") ? good_value(field) : "0.3");
   }
 
   static std::string good_value(const FieldInfo& field) {
@@ -66,6 +68,11 @@ class SceneText {
     if (field.type == FieldType::outputs) return R"(["film", "regime"])";
     if (field.type == FieldType::limits) return R"(["barus"])";
     if (field.type == FieldType::integer) return "2";
+    if (field.type == FieldType::viscosities) return "[[313.15, 46e-6], [373.15, 6.8e-6]]";
+    if (field.path == "lubricant.iso_vg") return "46";
+    if (field.path == "lubricant.viscosity_index") return "95";
+    if (field.path == "lubricant.density") return "870";
+    if (field.path == "lubricant.temperature") return "333.15";
     const SceneText base = good();
     for (const auto& [path, value] : base.fields_)
       if (path == field.path) return value;

@@ -192,6 +192,8 @@ TEST(Fields, AreReadWhereTheyArePut) {
     Scene scene;
     scene.bodies.bodies[0].modulus = scene.bodies.bodies[1].modulus = 2e11;
     scene.closures.starvation = StarvationClosure::damiens;
+    scene.lubricant.oil.iso_vg = 46;
+    scene.lubricant.conductivity = 0.14;
     const double value = scene_fields()[field].type == FieldType::number ? 0.25 : 1;
     store(scene, value);
     EXPECT_EQ(scene_detail::value_in(scene, field), value);

@@ -34,7 +34,9 @@ auto values_of(const Scene& scene) {
   const auto of_body = [](const Body& body) {
     return std::tuple(body.modulus, body.poisson_ratio, body.radius_x, body.radius_y);
   };
-  const auto& [viscosity, pressure_viscosity, eyring_stress] = lubricant;
+  const auto& [viscosity, pressure_viscosity, eyring_stress, oil, thermal, conductivity,
+               temperature_coefficient] = lubricant;
+  const auto& [first, second] = oil.viscosities;
   const auto& [boundary_coefficient, slide_roll_ratio, fluid, law] = friction;
   const auto& [asperity, starvation, damiens_exponent, film] = closures;
   return std::tuple_cat(
@@ -44,7 +46,10 @@ auto values_of(const Scene& scene) {
       std::tuple(eyring_stress, supply.kind, supply.value, boundary_coefficient, slide_roll_ratio),
       std::tuple(fluid, law, asperity, starvation, damiens_exponent, film, radius_x, radius_y,
                  length),
-      of_body(both[0]), of_body(both[1]));
+      of_body(both[0]), of_body(both[1]),
+      std::tuple(oil.iso_vg, oil.viscosity_index, oil.density, oil.temperature, thermal,
+                 conductivity, temperature_coefficient),
+      std::tuple(first.temperature, first.viscosity, second.temperature, second.viscosity));
 }
 
 bool same(const Scene& left, const Scene& right) {
@@ -109,9 +114,11 @@ void check_numbers(const Scene& scene) {
   const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures,
                accepted] = scene;
   require(is_positive(load), "load > 0", id);
-  require(is_positive(surface.summit_density), "summit_density > 0", id);
-  require(is_positive(surface.summit_radius), "summit_radius > 0", id);
-  require(is_positive(surface.summit_height_sd), "summit_height_sd > 0", id);
+  if (!surface.is_smooth()) {
+    require(is_positive(surface.summit_density), "summit_density > 0", id);
+    require(is_positive(surface.summit_radius), "summit_radius > 0", id);
+    require(is_positive(surface.summit_height_sd), "summit_height_sd > 0", id);
+  }
   require(is_not_negative(surface.summit_plane_offset), "summit_plane_offset ≥ 0", id);
   require(surface.offset_planes >= 0 && surface.offset_planes <= 2, "offset_planes 0 to 2", id);
   require(is_positive(bodies.effective_modulus), "effective_modulus > 0", id);
@@ -167,6 +174,10 @@ void check_speeds(const Speeds& speeds, SceneUse use) {
 
 void check_rules(const Scene& scene) {
   require(!scene.outputs.empty(), "an output", scene.id);
+  if (scene.surface.is_smooth())
+    require(!scene.outputs.contains(Output::film_parameter) &&
+                scene.supply.kind != SupplyKind::inlet_film_ratio,
+            "smooth bodies have no ratio to their roughness", scene.id);
   if (scene.outputs.contains(Output::friction))
     require(has_friction_inputs(scene), "friction has its inputs", scene.id);
   if (scene.outputs.contains(Output::lambda_ratio))
@@ -228,6 +239,21 @@ Json bodies_as_json(const Bodies& bodies) {
   return json;
 }
 
+// The oil as it was given, without the viscosity that follows from it.
+Json oil_as_json(const Lubricant& lubricant) {
+  const Oil& oil = lubricant.oil;
+  if (!oil.is_given()) return {{"viscosity", lubricant.viscosity}};
+  Json json{{"density", oil.density}, {"temperature", oil.temperature}};
+  if (oil.iso_vg > 0) {
+    json["iso_vg"] = oil.iso_vg;
+    json["viscosity_index"] = oil.viscosity_index;
+  } else {
+    for (const auto& [temperature, viscosity] : oil.viscosities)
+      json["kinematic_viscosity"].push_back(Json::array({temperature, viscosity}));
+  }
+  return json;
+}
+
 // Every field of a scene, with defaults. The outputs are those that were asked for or inferred.
 Json as_json(const Scene& scene) {
   const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures,
@@ -244,7 +270,7 @@ Json as_json(const Scene& scene) {
                        {"m2", surface.moments.m2},
                        {"m4", surface.moments.m4},
                        {"offset_planes", surface.offset_planes}};
-  else
+  else if (!surface.is_smooth())
     json["surface"] = {{"summit_density", surface.summit_density},
                        {"summit_radius", surface.summit_radius},
                        {"summit_height_sd", surface.summit_height_sd},
@@ -255,8 +281,14 @@ Json as_json(const Scene& scene) {
   else if (surface.rms_roughness > 0 && !surface.has_moments())
     json["surface"]["rms_roughness"] = surface.rms_roughness;
   json["bodies"] = bodies_as_json(bodies);
-  json["lubricant"] = {{"viscosity", lubricant.viscosity},
-                       {"pressure_viscosity", lubricant.pressure_viscosity}};
+  json["lubricant"] = oil_as_json(lubricant);
+  json["lubricant"]["pressure_viscosity"] = lubricant.pressure_viscosity;
+  if (lubricant.conductivity > 0) {
+    json["lubricant"]["thermal"] =
+        word_of("lubricant.thermal", static_cast<int>(lubricant.thermal));
+    json["lubricant"]["conductivity"] = lubricant.conductivity;
+    json["lubricant"]["temperature_coefficient"] = lubricant.temperature_coefficient;
+  }
   if (lubricant.eyring_stress) json["lubricant"]["eyring_stress"] = *lubricant.eyring_stress;
   if (supply.kind != SupplyKind::flooded)
     json["supply"][std::string(supply_words[static_cast<std::size_t>(supply.kind)])] = supply.value;
