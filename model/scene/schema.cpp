@@ -252,7 +252,7 @@ constexpr auto rows = std::to_array<Row>({
     {{.path = "lubricant.kinematic_viscosity",
       .type = FieldType::viscosities,
       .meaning = "[[T₁, ν₁], [T₂, ν₂]] in K and m²/s, from which η₀ follows by ASTM D341"}},
-    number_row("lubricant.iso_vg", "", {2, 5000},
+    number_row("lubricant.iso_vg", "", {0, 5000},
                "ISO VG grade, ν at 40 °C in mm²/s, in place of the two viscosities",
                at<&Scene::lubricant, &Lubricant::oil, &Oil::iso_vg>),
     {{.path = "lubricant.viscosity_index",

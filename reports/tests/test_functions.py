@@ -327,7 +327,7 @@ class Mistakes(unittest.TestCase):
         self.assert_error('{"id": "f1", "function": "hertz_point"', "", identity=None)
 
     def test_function_in_other_places_is_no_call(self):
-        self.assert_error('{"id": "function"}', "surface.summit_density", identity="function")
+        self.assert_error('{"id": "function"}', "bodies.effective_modulus", identity="function")
 
     def test_an_argument_may_come_before_the_function(self):
         self.assert_error('{"argument": 1e999, "order": 1, "function": "gaussian_moment"}', "argument",

@@ -16,7 +16,7 @@ def as_printed(table, path=""):
     made = {}
     for name, one in table.items():
         field = f"{path}{name}"
-        if field == "speed" or not isinstance(one, (dict, list)):
+        if field in ("speed", "accept") or not isinstance(one, (dict, list)):
             made[name] = one
         elif "printed" in one:
             made[name] = float(one["printed"])

@@ -43,9 +43,10 @@ std::vector<std::string> lines_of_every_field() {
   return lines;
 }
 
+// Lists of pairs are left to the other reader.
 TEST(OrdinaryScene, EveryFieldIsReadAlike) {
   for (const std::string& line : lines_of_every_field()) {
-    EXPECT_EQ(is_taken(line), true) << line;
+    EXPECT_EQ(is_taken(line), line.find("[[") == std::string::npos) << line;
     EXPECT_EQ(broken_property(check_ordinary_scene, line), "");
   }
 }

@@ -138,7 +138,9 @@ inline SceneNumbers<verification::Dual> numbers_of(const Scene& scene) {
   std::size_t input = 1;
   SceneNumbers<verification::Dual> numbers =
       numbers_by<verification::Dual>(n, [&](const double& x) -> verification::Dual {
-        if (&x == &n.offset_planes || &x == &n.rms_roughness) return x;
+        const bool is_held = &x == &n.offset_planes || &x == &n.rms_roughness ||
+                             &x == &n.conductivity || &x == &n.temperature_coefficient;
+        if (is_held) return x;
         return {x, input++};
       });
   if (input != verification::Dual::inputs)
