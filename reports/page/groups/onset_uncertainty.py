@@ -42,6 +42,7 @@ def run_sweeps(asked):
     result = asked.places.out / RESULT
     result.parent.mkdir(parents=True, exist_ok=True)
     answer = asked.program.answer("sweep", *paths, "-o", result, "--force")
+    del answer["warnings"]  # the page has its own table of where scenes lie outside of the model
     for scene, path in zip(answer["scenes"], paths):
         scene["file"] = asked.places.shown(path)
         scene["columns"] = [column for column in scene["columns"] if column["name"].endswith(".speed")]
