@@ -69,7 +69,7 @@ def files_in(folder):
             "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}
     paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
     paths["MEASURED"] = folder.write("measured.csv", "speed [m/s],film [nm],friction\n0.1,30,\n4,0,0.1\n")
-    paths["DRAWN"] = folder.write("drawn.toml", sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]",
+    paths["DRAWN"] = folder.write("drawn.toml", sweep({"accept": None, "lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]",
                                                        "outputs": '["film", "regime"]'},
                                                       onset='["film_maximum"]', draws=64, sensitivity="true"))
     paths["GRID"] = folder.write("grid.toml", sweep({"load": "[20, 50]", "speed": "3"}))
