@@ -303,7 +303,7 @@ ordered_json json_number(double value) {
 ordered_json comparison_json(std::string_view scene_id, const std::string& path,
                              const std::vector<Comparison>& comparisons,
                              const ordered_json& warnings) {
-  ordered_json points = ordered_json::array(), quantities = ordered_json::array();
+  ordered_json points = ordered_json::array(), of_quantities = ordered_json::array();
   for (const Comparison& one : comparisons) {
     const bool is_defined = one.computed.undefined.empty();
     points.push_back({{"line", one.measured.line},
@@ -316,7 +316,7 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
     if (!is_defined) points.back()["undefined"] = one.computed.undefined;
   }
   for (const DeviationSummary& one : summaries_of(comparisons))
-    quantities.push_back({{"quantity", info(one.output).name},
+    of_quantities.push_back({{"quantity", info(one.output).name},
                           {"points", one.points},
                           {"compared", one.compared},
                           {"median_deviation_percent", json_number(one.median_percent)},
@@ -325,7 +325,7 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
   return document("curve-data/1", {{"id", scene_id},
                                    {"data", path},
                                    {"points", std::move(points)},
-                                   {"quantities", std::move(quantities)},
+                                   {"quantities", std::move(of_quantities)},
                                    {"warnings", warnings}});
 }
 

@@ -55,13 +55,13 @@ class MixedContact {
         slide_roll_ratio_(scene.slide_roll_ratio),
         fluid_(words.fluid),
         viscosity_law_(words.viscosity),
+        thermal_(words.thermal),
+        supply_(words.supply),
         inlet_law_(detail::inlet_law(words, scene)),
         film_(words.film),
-        thermal_(words.thermal),
         effective_modulus_(scene.effective_modulus),
         conductivity_(scene.conductivity),
         temperature_coefficient_(scene.temperature_coefficient),
-        supply_(words.supply),
         supply_value_(scene.supply),
         hertz_(hertz_contact(words.shape, scene)),
         asperities_(asperity_contact(words.model, scene.summit_density, scene.summit_radius,
@@ -255,11 +255,11 @@ class MixedContact {
   T slide_roll_ratio_;
   FluidShear fluid_;
   ViscosityLaw viscosity_law_;
+  ThermalInlet thermal_;
+  SupplyKind supply_;
   InletLaw<T> inlet_law_;
   const FilmLaw* film_;
-  ThermalInlet thermal_;
   T effective_modulus_, conductivity_, temperature_coefficient_;  // of a heated inlet
-  SupplyKind supply_;
   T supply_value_;
   HertzContact<T> hertz_;
   AsperityContact<T> asperities_;
