@@ -317,11 +317,11 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
   }
   for (const DeviationSummary& one : summaries_of(comparisons))
     of_quantities.push_back({{"quantity", info(one.output).name},
-                          {"points", one.points},
-                          {"compared", one.compared},
-                          {"median_deviation_percent", json_number(one.median_percent)},
-                          {"least_deviation_percent", json_number(one.least_percent)},
-                          {"greatest_deviation_percent", json_number(one.greatest_percent)}});
+                             {"points", one.points},
+                             {"compared", one.compared},
+                             {"median_deviation_percent", json_number(one.median_percent)},
+                             {"least_deviation_percent", json_number(one.least_percent)},
+                             {"greatest_deviation_percent", json_number(one.greatest_percent)}});
   return document("curve-data/1", {{"id", scene_id},
                                    {"data", path},
                                    {"points", std::move(points)},
