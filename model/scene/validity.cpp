@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
 
 #include "scene/schema.hpp"
+#include "scene/text.hpp"
+#include "scene/units.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 
@@ -215,26 +218,28 @@ const std::vector<std::string>& range_words() {
   return words;
 }
 
-// A unit of which one is so many of the unit of a field.
-struct Slip {
-  std::string_view unit;
-  double factor;
-};
-constexpr Slip slips[] = {{"mPa·s", 1e-3}, {"GPa", 1e9},    {"MPa", 1e6},   {"1/GPa", 1e-9},
-                          {"mm", 1e-3},    {"µm", 1e-6},    {"nm", 1e-9},   {"1/mm²", 1e6},
-                          {"mm/s", 1e-3},  {"mm²/s", 1e-6}, {"µm²", 1e-12}, {"mN", 1e-3}};
-
 // The unit that was probably meant; empty where the value would not be in range with it either.
 std::string_view likely_unit(const FieldInfo& field, double value) {
-  for (const Slip& slip : slips)
-    if (slip.unit == field.likely_unit && value * slip.factor >= field.plausible_minimum &&
-        value * slip.factor <= field.plausible_maximum)
-      return slip.unit;
-  return {};
+  const std::string written =
+      scene_detail::number_text(value) + ' ' + std::string(field.likely_unit);
+  const auto decimal = scene_detail::si_decimal(written, field.unit);
+  if (!decimal) return {};
+  const double meant = std::strtod(decimal->c_str(), nullptr);
+  const bool fits = meant >= field.plausible_minimum && meant <= field.plausible_maximum;
+  return fits ? field.likely_unit : std::string_view();
 }
 
 bool accepts(const Scene& scene, std::string_view word) {
   return std::find(scene.accepted.begin(), scene.accepted.end(), word) != scene.accepted.end();
+}
+
+// What the limits on points are computed from.
+OutputSet validity_outputs() {
+  OutputSet outputs;
+  for (const Output output :
+       {Output::film, Output::film_parameter, Output::asperity_load_share, Output::real_area_ratio})
+    outputs.insert(output);
+  return outputs;
 }
 
 State state_of(const Scene& scene, SceneUse use) {
@@ -350,14 +355,6 @@ std::vector<Validity> validity_of(const Scene& scene, SceneUse use) {
 
 std::vector<Validity> passed_limits(const Scene& scene, SceneUse use) {
   return passed_in(state_of(scene, use));
-}
-
-OutputSet validity_outputs() {
-  OutputSet outputs;
-  for (const Output output :
-       {Output::film, Output::film_parameter, Output::asperity_load_share, Output::real_area_ratio})
-    outputs.insert(output);
-  return outputs;
 }
 
 std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,

@@ -128,12 +128,12 @@ line names the columns with their units, separated by commas, semicolons or tabs
   speed [m/s],film [nm],friction
   0.01,7.4,0.049
   0.1,,0.046
-Columns beside the speed are those `outputs` of the scene that are numbers: lengths in m, mm, µm, um
-or nm, pressures in Pa, MPa or GPa, numbers without a unit also in %. An empty cell was not measured,
-a line that begins with # is not read. In place of the curve each number is printed with the model's at that speed, also where it
-lies outside of the curve, and with their deviation, (computed − measured)/measured; below, or in the
-lines "median" of CSV, is the median of each column. With --picture the points are drawn over the
-curve.
+Columns beside the speed are those `outputs` of the scene that are numbers, in units as a scene takes
+them: nm, GPa, and so on; numbers without a unit also in %. An empty cell was not measured, a line
+that begins with # is not read. In place of the curve each number is printed with the model's at that
+speed, also where it lies outside of the curve, and with their deviation, (computed − measured)/
+measured; below, or in the lines "median" of CSV, is the median of each column. With --picture the
+points are drawn over the curve.
 
 Exit code 0: done; 1: the picture is missing; 2: bad usage or input.
 

@@ -12,10 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "build_info.hpp"
 #include "page/project_files.hpp"
 #include "page/texts.hpp"
+#include "scene/units.hpp"
 #include "table.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -30,29 +32,28 @@ using report::ReportError;
 constexpr std::size_t most_bytes = std::size_t{1} << 22;
 constexpr std::size_t most_faults = 20;  // lines that are printed
 
-// A unit in which people write a quantity of an SI unit: so many of it are one of the SI unit.
-struct WrittenUnit {
-  std::string_view si, name;
-  double in_one;
-};
-constexpr auto written_units = std::to_array<WrittenUnit>({{"m", "m", 1},
-                                                           {"m", "mm", 1e3},
-                                                           {"m", "µm", 1e6},
-                                                           {"m", "μm", 1e6},  // the Greek letter
-                                                           {"m", "um", 1e6},
-                                                           {"m", "nm", 1e9},
-                                                           {"m/s", "m/s", 1},
-                                                           {"m/s", "mm/s", 1e3},
-                                                           {"Pa", "Pa", 1},
-                                                           {"Pa", "MPa", 1e-6},
-                                                           {"Pa", "GPa", 1e-9},
-                                                           {"", "-", 1},
-                                                           {"", "%", 100}});
+constexpr std::string_view per_cent_unit = "%";  // of outputs without a unit
 
 std::string units_for(std::string_view si) {
-  if (si == "m/s") return "m/s or mm/s";
-  if (si == "m") return "m, mm, µm, um or nm";
-  return si == "Pa" ? "Pa, MPa or GPa" : "- or %, or no unit";
+  return si.empty() ? "- or %, or no unit" : std::string(scene_detail::usual_units(si));
+}
+
+// The number of a cell, in SI units; nothing where it is no number, or the unit does not fit.
+std::optional<double> number_in(std::string_view cell, std::string_view unit, std::string_view si) {
+  const bool is_per_cent = si.empty() && unit == per_cent_unit;
+  std::string text(cell);
+  if (!si.empty()) {
+    auto decimal = scene_detail::si_decimal(fmt::format("{} {}", cell, unit), si);
+    if (!decimal) return std::nullopt;
+    text = std::move(*decimal);
+  } else if (!is_per_cent && !unit.empty() && unit != "-") {
+    return std::nullopt;
+  }
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
+  return is_per_cent ? number / 100 : number;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -78,7 +79,8 @@ std::vector<std::string_view> cells_in(std::string_view line, char separator) {
 struct DataColumn {
   std::string heading;
   std::optional<Output> output;  // none: the speed
-  double in_one = 1;             // of its unit
+  std::string unit;
+  std::string_view si() const { return output ? info(*output).unit : "m/s"; }
 };
 
 std::string allowed_names(OutputSet asked) {
@@ -156,7 +158,7 @@ class MeasuredReader {
     std::string_view unit = heading.substr(bracket);
     const bool has_unit = unit.size() >= 2 && unit.back() == ']';
     if (has_unit) unit = trimmed(unit.substr(1, unit.size() - 2));
-    DataColumn column{std::string(heading), output_by_name(name)};
+    DataColumn column{std::string(heading), output_by_name(name), std::string(unit)};
     columns_.push_back(column);
     if (name != "speed" && (!column.output || !info(*column.output).words.empty()))
       return refuse(place, heading, "this column is not known",
@@ -168,15 +170,10 @@ class MeasuredReader {
         std::any_of(columns_.begin(), columns_.end() - 1,
                     [&column](const DataColumn& before) { return before.output == column.output; });
     if (is_double) return refuse(place, heading, "this column is there twice", "it once");
-    const std::string_view si = column.output ? info(*column.output).unit : "m/s";
-    if (unit.empty() && si.empty()) return;
-    const auto found = std::find_if(
-        written_units.begin(), written_units.end(),
-        [&](const WrittenUnit& one) { return has_unit && one.si == si && one.name == unit; });
-    if (found == written_units.end())
+    if (column.unit.empty() && column.si().empty()) return;
+    if (!has_unit || !number_in("1", column.unit, column.si()))
       return refuse(place, heading, unit.empty() ? "its unit is missing" : "this unit does not fit",
-                    units_for(si) + ", in brackets behind the name");
-    columns_.back().in_one = found->in_one;
+                    units_for(column.si()) + ", in brackets behind the name");
   }
 
   void read_row(std::string_view line) {
@@ -190,12 +187,12 @@ class MeasuredReader {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const DataColumn& column = columns_[i];
       if (cells[i].empty() && column.output) continue;
-      const std::optional<double> number = number_in(cells[i], i);
+      const std::optional<double> number = number_at(cells[i], i);
       if (!number) continue;
       if (column.output)
-        row.push_back({line_, 0, *column.output, *number / column.in_one});
+        row.push_back({line_, 0, *column.output, *number});
       else
-        speed = *number / column.in_one;
+        speed = *number;
     }
     for (MeasuredNumber& one : row) {
       one.speed = speed;
@@ -203,13 +200,10 @@ class MeasuredReader {
     }
   }
 
-  std::optional<double> number_in(std::string_view cell, std::size_t place) {
+  std::optional<double> number_at(std::string_view cell, std::size_t place) {
     const bool is_speed = !columns_[place].output;
-    double number = 0;
-    const char* const end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data(), end, number);
-    const bool is_number = error == std::errc() && stop == end && std::isfinite(number);
-    if (is_number && (is_speed ? number > 0 : number >= 0)) return number;
+    const auto number = number_in(cell, columns_[place].unit, columns_[place].si());
+    if (number && (is_speed ? *number > 0 : *number >= 0)) return number;
     refuse(place, columns_[place].heading,
            cell.empty() ? "the cell is empty" : printable(cell) + " is not allowed",
            is_speed ? "a number above 0, with a decimal point"

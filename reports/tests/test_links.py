@@ -8,7 +8,7 @@ import unittest
 import urllib.parse
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]).resolve()
-# What is built, and the page's templates, whose links are those of the page that is made of them.
+# Folders that are built, and the page's templates, whose links are those of the page that is made of them.
 LEFT_OUT = {"build", "out", "templates"}
 
 

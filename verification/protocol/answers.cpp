@@ -39,11 +39,7 @@ void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Vali
   if (!reading.scene) return append_first_error(to, reading);
   const Scene& scene = *reading.scene;
   const MixedContact<double> contact(scene);
-  // The limits of validity need some outputs, too.
-  OutputSet outputs = needed_for(scene.outputs);
-  for (const OutputInfo& output : output_infos)
-    if (validity_outputs().contains(output.output)) outputs.insert(output.output);
-  const OperatingPoint<double> point = contact.solve(scene.speeds[0], outputs);
+  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
   AnswerObject answer(to, reading.id);
   for (const OutputInfo& output : output_infos)
     if (scene.outputs.contains(output.output) && !output.is_of_smooth_contact)

@@ -76,7 +76,7 @@ RegimeNumbers<T> regime_numbers(const SimilarityNumbers<T>& numbers) {
           T(common * decimal_power(numbers.load, Fraction{2, 3}))};
 }
 
-// What makes the film: whether the bodies stay rigid or are flattened, and whether pressure
+// Two things make the film: whether the bodies stay rigid or are flattened, and whether pressure
 // thickens the liquid.
 enum class LubricationRegime : std::uint8_t {
   isoviscous_rigid,

@@ -48,9 +48,8 @@ std::vector<Validity> validity_of(const Scene& scene, SceneUse use = SceneUse::s
 // Those of them that the scene passes and does not accept: it is warned of them.
 std::vector<Validity> passed_limits(const Scene& scene, SceneUse use = SceneUse::speeds);
 
-// The same of a scene as a reader made it, with one speed, which is solved already: by its contact,
-// for these outputs at least. Nothing is solved again.
-OutputSet validity_outputs();
+// The same of a scene as a reader made it, with one speed, which its contact has solved already.
+// Nothing more is solved: limits on outputs that the point does not have are left out.
 std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,
                                     const OperatingPoint<double>& point);
 

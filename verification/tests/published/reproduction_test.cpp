@@ -144,7 +144,7 @@ TEST(Tolerances, AreNarrowerAndWiderForAllRules) {
       EXPECT_GE(made.tolerances[k].scores[i], made.tolerances[k - 1].scores[i]);
 }
 
-// What the print leaves open is plausible.
+// A number that the print leaves open is plausible.
 TEST(Inputs, ArePlausibleWithinTheirPrintPrecision) {
   for (const Input& one : read_inputs(published + "/inputs.tsv")) {
     const double half = one.last_digit / 2;
