@@ -72,8 +72,8 @@ struct Surface {
   double summit_plane_offset = 0;  // D_d/σ_s, mean plane to summit plane
   int offset_planes = 1;           // m: how many faces bring that offset, 0, 1 or 2
   SpectralMoments moments = {};    // where they are given, the first four numbers follow from them
-  // Roughness of both faces together, for Λ alone; where the second is given, the first follows from it, as
-  // it does from the moments. 0: not given.
+  // Roughness of both faces together, for Λ alone; where the second is given, the first follows
+  // from it, as it does from the moments. 0: not given.
   double rms_roughness = 0;      // Rq, m
   double average_roughness = 0;  // Ra, m
 
