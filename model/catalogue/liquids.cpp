@@ -4,6 +4,7 @@
 
 #include "catalogue/families.hpp"
 #include "catalogue/parameters.hpp"
+#include "tribo/viscosity_index.hpp"
 
 namespace tribo::catalogue {
 namespace {
@@ -31,6 +32,12 @@ constexpr std::array temperature_parameters{
     temperature_of("temperature", "T, at which the viscosity is asked")};
 constexpr std::array kinematic_results{Result{"value", "ν, kinematic viscosity at T", "m²/s"}};
 
+constexpr std::array index_parameters{
+    kinematic("kinematic_viscosity_40", "ν at 40 °C: 1 mm²/s is 1e-6 m²/s"),
+    kinematic("kinematic_viscosity_100", "ν at 100 °C, 2e-6 m²/s or more")};
+constexpr std::array index_results{
+    Result{"value", "VI, not rounded; below 0 of an oil thicker at 40 °C than one of the index 0"}};
+
 void barus(const Arguments& x, Results& y) {
   y[0] = viscosity_at(ViscosityLaw::barus, x[0], x[1], x[2]);
 }
@@ -52,6 +59,16 @@ std::optional<Refusal> no_line_of_astm_d341(const Arguments& x) {
   if (is_too_thin(x[3])) return Refusal{"second_viscosity", too_thin};
   if (x[0] == x[2])
     return Refusal{"second_temperature", "two different temperatures are needed to draw the line"};
+  return std::nullopt;
+}
+std::optional<Refusal> has_no_index(const Arguments& x) {
+  if (!(x[1] >= 2e-6))
+    return Refusal{"kinematic_viscosity_100",
+                   "the viscosity index is defined from 2e-6 m²/s at 100 °C on"};
+  if (!(x[0] > x[1]))
+    return Refusal{"kinematic_viscosity_40",
+                   "an oil is thicker at 40 °C than at 100 °C: kinematic_viscosity_40 has to be "
+                   "above kinematic_viscosity_100"};
   return std::nullopt;
 }
 
@@ -106,6 +123,22 @@ constexpr std::array entries{
              .contract = astm_d341_contract,
              .example = {313.15, 32e-6, 373.15, 5.4e-6, 353.15},
              .refusal = no_line_of_astm_d341},
+    Function{
+        .name = "viscosity_index",
+        .meaning = "viscosity index, from the kinematic viscosities at 40 and 100 °C",
+        .equation = "with U = ν at 40 °C, Y = ν at 100 °C in mm²/s: VI = 100(L − U)/(L − H), "
+                    "L = aY² + bY + c, H = dY² + eY + f; where U is below H, VI = 100 + (10^N "
+                    "− 1)/0.00715, N = log(H/U)/log Y",
+        .source = "ASTM D2270-10 (ISO 2909): Standard practice for calculating viscosity "
+                  "index from kinematic viscosity at 40 and 100 °C, equations 3, 6 and 7; a "
+                  "to f from its table X2.1, within 0.1 % of its table 1; at the end of a "
+                  "range those of the lower range",
+        .parameters = index_parameters,
+        .results = index_results,
+        .value = [](const Arguments& x, Results& y) { y[0] = tribo::viscosity_index(x[0], x[1]); },
+        .contract = viscosity_index_contract,
+        .example = {46e-6, 6.8e-6},
+        .refusal = has_no_index},
 };
 
 }  // namespace

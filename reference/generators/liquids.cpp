@@ -47,6 +47,60 @@ Ball astm_d341_in_decimals(const Balls& x) {
   return (pow(Ball(10), of_log) - fraction(7, 10)) * fraction(1, 1000000);
 }
 
+// Table X2.1 of ASTM D2270: L = aY^2 + bY + c and H = dY^2 + eY + f up to Y = `end` in m2/s, the
+// end included. Each in 10^-5.
+struct IndexOil {
+  std::array<int, 3> zero, hundred;  // a, b, c of L; d, e, f of H
+  double end;
+};
+constexpr std::array<IndexOil, 16> index_oils{{
+    {{114673, 175760, -10900}, {84155, 155210, -7700}, 3.8e-6},
+    {{338095, -1549520, 3319600}, {78571, 179290, -18300}, 4.4e-6},
+    {{250000, -721430, 1381200}, {82143, 156790, 11900}, 5e-6},
+    {{10100, 1663500, -4546900}, {4985, 916130, -1855700}, 6.4e-6},
+    {{335714, -2356430, 7846600}, {22619, 773690, -1665600}, 7e-6},
+    {{1191, 2147500, -7287000}, {79762, -73210, 1461000}, 7.7e-6},
+    {{41858, 1615580, -5604000}, {5794, 1051560, -2824000}, 9e-6},
+    {{88779, 755270, -1660000}, {26665, 670150, -1081000}, 12e-6},
+    {{76720, 1079720, -3818000}, {20073, 846580, -2249000}, 15e-6},
+    {{97305, 531350, -220000}, {28889, 597410, -493000}, 18e-6},
+    {{97256, 525000, -98000}, {24504, 741600, -1673000}, 22e-6},
+    {{91413, 747590, -2182000}, {20323, 912670, -3423000}, 28e-6},
+    {{87031, 971570, -5077000}, {18411, 1010150, -4675000}, 40e-6},
+    {{84703, 1267520, -13331000}, {17029, 1148660, -8062000}, 55e-6},
+    {{85921, 1110090, -8319000}, {17130, 1136800, -7694000}, 70e-6},
+    {{83531, 1467310, -21624600}, {16841, 1184930, -9694700}, 1e300},
+}};
+const IndexOil& index_oil(double at_100) {
+  const IndexOil* oil = index_oils.data();
+  while (at_100 > oil->end) ++oil;
+  return *oil;
+}
+// L or H in mm2/s: by the powers of Y, and by those of Y - 10.
+Ball oil_at_40(const std::array<int, 3>& k, const Ball& y) {
+  return (k[0] * y * y + k[1] * y + k[2]) / 100000;
+}
+Ball oil_at_40_from_ten(const std::array<int, 3>& k, const Ball& y) {
+  const Ball step = y - 10;
+  const Ball value = Ball(k[0]) * 100 + Ball(k[1]) * 10 + k[2], slope = Ball(k[0]) * 20 + k[1];
+  return fraction(1, 100000) * (value + step * (slope + step * k[0]));
+}
+// Inputs: nu at 40 C and at 100 C. By decimal logarithms, and by a root of H/U.
+Ball viscosity_index(const IndexOil& oil, const Balls& x) {
+  const Ball u = 1000000 * x[0], y = 1000000 * x[1];
+  const Ball zero = oil_at_40(oil.zero, y), hundred = oil_at_40(oil.hundred, y);
+  if (u >= hundred) return 100 * (zero - u) / (zero - hundred);
+  const Ball ten = log(Ball(10)), n = (log(hundred) - log(u)) / log(y);
+  return (exp(n * ten) - 1) / fraction(715, 100000) + 100;
+}
+Ball viscosity_index_by_root(const IndexOil& oil, const Balls& x) {
+  const Ball u = x[0] / fraction(1, 1000000), y = x[1] / fraction(1, 1000000);
+  const Ball zero = oil_at_40_from_ten(oil.zero, y), hundred = oil_at_40_from_ten(oil.hundred, y);
+  if (u > hundred) return 100 - 100 * (u - hundred) / (zero - hundred);
+  const Ball antilog = pow(hundred / u, log(Ball(10)) / log(y));
+  return (antilog - fraction(28500, 100000)) * 100000 / 715;
+}
+
 // Inputs: m0, m2 and m4.
 Ball summits(std::size_t k, const Balls& x) {
   const Ball alpha = x[0] * x[2] / (x[1] * x[1]), limit = fraction(8968, 10000);
@@ -148,6 +202,57 @@ Table temperature_viscosities() {
   return table;
 }
 
+Table viscosity_indices() {
+  Table table{{"viscosity_index",
+               "VI = 100 (L - U)/(L - H); where U is below H, 100 + (10^N - 1)/0.00715 with N = "
+               "log(H/U)/log Y; U and Y = nu at 40 and 100 C in mm2/s, L and H from table X2.1 of "
+               "ASTM D2270, at the end of a range by its lower one",
+               "1",
+               "Y [2, 70] mm2/s, index [0, 300]; both sides of each end of a range of table X2.1, "
+               "and of index 100; far: Y up to 1e4 mm2/s, index below 0 and above 300",
+               "powers of Y, decimal logarithms", "powers of Y - 10, a root of H/U",
+               "kinematic_viscosity_40,kinematic_viscosity_100"},
+              "li"};
+  const auto add = [&](double at_40, double at_100, const char* region) {
+    const IndexOil& oil = index_oil(at_100);
+    table.add(
+        {}, {at_40, at_100}, [&oil](const Balls& x) { return viscosity_index(oil, x); },
+        [&oil](const Balls& x) { return viscosity_index_by_root(oil, x); }, region);
+  };
+  // L or H at `at_100`, in m2/s.
+  const auto at_40 = [](const std::array<int, 3>& k, double at_100) {
+    return (oil_at_40(k, 1000000 * Ball(at_100)) / 1000000).nearest();
+  };
+  const auto zero = [&](double y) { return at_40(index_oil(y).zero, y); };
+  const auto hundred = [&](double y) { return at_40(index_oil(y).hundred, y); };
+
+  Sampler sampler(1535);
+  while (table.rows.size() < 60) {
+    const std::size_t i = table.rows.size();
+    const bool usual = i < 44;
+    const double y = usual ? sampler.log_uniform(2e-6, 70e-6) : sampler.log_uniform(2e-6, 1e-2);
+    const double u = i % 2 == 0
+                         ? hundred(y) + (zero(y) - hundred(y)) * sampler.uniform(0, usual ? 1 : 3)
+                         : hundred(y) * sampler.uniform(usual ? 0.5 : 0.2, 1);
+    if (u > 1.05 * y) add(u, y, usual ? "ordinary" : "far");
+  }
+  // The ends of the ranges: a little below, there, and a little above; below and above index 100.
+  add(7e-6, 2e-6, "ordinary");
+  add(5e-6, 2e-6, "ordinary");
+  add(7e-6, 2.000000002e-6, "ordinary");
+  for (std::size_t i = 0; i + 1 < index_oils.size(); ++i) {
+    const double end = index_oils[i].end;
+    for (const double y : {end * (1 - 1e-9), end, end * (1 + 1e-9)}) {
+      add((hundred(end) + zero(end)) / 2, y, "ordinary");
+      add(0.85 * hundred(end), y, "ordinary");
+    }
+  }
+  for (const double y : {4e-6, 8e-6, 70e-6, 100e-6})
+    for (const double part : {1 - 1e-9, 1., 1 + 1e-9}) add(hundred(y) * part, y, "ordinary");
+  for (const Numbers& x : steps({46e-6, 6.8e-6}, {52e-6, 8.5e-6})) add(x[0], x[1], "ordinary");
+  return table;
+}
+
 Table summits_of_moments() {
   Table table{{"summits_from_spectral_moments",
                "alpha = m0 m4/m2^2, n = m4/(6 pi sqrt3 m2), beta = 3/8 sqrt(pi/m4), sigma_s^2 = "
@@ -181,8 +286,8 @@ Table summits_of_moments() {
 }  // namespace
 
 std::vector<Table> liquids() {
-  return {densities(), temperature_viscosities(), summits_of_moments(), barus_viscosities(),
-          roelands_viscosities()};
+  return {densities(),          temperature_viscosities(), viscosity_indices(),
+          summits_of_moments(), barus_viscosities(),       roelands_viscosities()};
 }
 
 }  // namespace tribo::reference

@@ -219,7 +219,7 @@ void check_function(const Json& question, const Json& answer, const std::string&
   }
   require(answer.contains("value"), "a function has a value", text);
   const double value = number_or(answer, "value", 0);
-  require(value >= 0, "no value is negative", text);
+  require(value >= 0 || name == "viscosity_index", "no value is negative", text);
   if (name == "starvation_ratio") require(is_share(value), "the starved film is a share", text);
   if (name == "gupta_thermal_reduction")
     require(is_share(value), "heating does not thicken the film", text);
