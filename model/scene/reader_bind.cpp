@@ -235,9 +235,14 @@ class SceneBinder {
   }
 
   void take_id(const Value& value) {
-    if (value.kind != ValueKind::text) return problems_.error("id", wrong_kind(value, "a text"));
-    reading_.id = value.text;
-    scene_.id = value.text;
+    const bool is_of_line = use_ == SceneUse::one_speed;
+    if (!is_of_line && value.kind != ValueKind::text)
+      return problems_.error("id", wrong_kind(value, "a text"));
+    reading_.id = line_id(value);
+    if (!reading_.id)
+      return problems_.error("id", wrong_kind(value, std::string(allowed_line_ids)));
+    reading_.id_is_number = value.kind == ValueKind::number;
+    scene_.id = *reading_.id;
   }
 
   // --- The oil.

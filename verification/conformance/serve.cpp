@@ -21,10 +21,10 @@ namespace tribo::conformance {
 namespace {
 
 using protocol::FunctionCall;
+using protocol::LineId;
 using protocol::OutputValue;
 using protocol::Question;
 using protocol::Text;
-using Id = std::optional<std::string_view>;
 
 struct Field {
   std::string_view name;
@@ -93,8 +93,8 @@ bool is_nan_alone(const catalogue::Results& values, const Question& asked) {
 }
 bool is_nan_alone(const PointResult&, const Question&) { return false; }
 
-Id id_of(const Question& question) {
-  return std::visit([](const auto& asked) -> Id { return asked.id; }, question);
+LineId id_of(const Question& question) {
+  return std::visit([](const auto& asked) { return protocol::id_of(asked); }, question);
 }
 
 template <class Result>
@@ -143,7 +143,7 @@ class Server {
       const protocol::Line line = lines.next();
       if (line.kind == protocol::Line::Kind::end_of_input) return;
       if (line.kind == protocol::Line::Kind::too_long)
-        complain(std::nullopt, "", protocol::line_too_long);
+        complain({}, "", protocol::line_too_long);
       else if (!protocol::is_blank(line.text))
         take(protocol::read_question(line.text, number));
     }
@@ -152,8 +152,7 @@ class Server {
  private:
   static constexpr std::size_t most_together = 1024;
 
-  void complain(std::optional<std::string_view> id, std::string_view field,
-                std::string_view message) {
+  void complain(LineId id, std::string_view field, std::string_view message) {
     answer_waiting();
     protocol::append_error(output_.text(), id, field, message);
     output_.end_row();
@@ -161,7 +160,7 @@ class Server {
 
   void take(Question question) {
     if (const auto* call = std::get_if<FunctionCall>(&question); call && call->fault)
-      return complain(call->id, call->fault->field, call->fault->message);
+      return complain(protocol::id_of(*call), call->fault->field, call->fault->message);
     if (const auto* reading = std::get_if<SceneReading>(&question); reading && !reading->scene) {
       answer_waiting();
       protocol::append_first_error(output_.text(), *reading);

@@ -236,7 +236,8 @@ void check_answer(std::string_view line, const std::string& text, bool plausible
   const Json answer = Json::parse(text, nullptr, false);
   require(answer.is_object(), "an answer is JSON", text);
   require(answer.contains("id"), "an answer has an id", text);
-  require(answer["id"].is_null() || answer["id"].is_string(), "an id is null or a text", text);
+  require(answer["id"].is_null() || answer["id"].is_string() || answer["id"].is_number(),
+          "an id is null, a text or a number", text);
   if (answer.contains("error")) return check_error(answer, text);
   check_undefined(answer, text);
   const Json question = Json::parse(line, nullptr, false);
