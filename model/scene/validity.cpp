@@ -26,6 +26,8 @@ constexpr double not_assumed = std::numeric_limits<double>::quiet_NaN();
 constexpr double steel_hardness = 7e9;
 // k_f of mineral oil in W/(m K).
 constexpr double oil_conductivity = 0.14;
+// A ratio of two computed numbers may be this much below the bound that it is to meet.
+constexpr double but_for_rounding = 1 - 1e-9;
 // Where summits carry less of the load than this, their pressure does not matter.
 constexpr double least_share = 0.01;
 
@@ -110,11 +112,11 @@ struct Row {
 
 constexpr Row rows[] = {
     {"hertz_pressure", "The bodies stay elastic under the peak pressure of Hertz.", "Pa", 0, 4e9,
-     "ISO 76: 4 GPa, of ball bearings 4.2 GPa, leave a dent of 1e-4 of the rolling element's "
-     "diameter",
+     "ISO 76: 4 GPa of rollers, 4.2 GPa of balls, leave dents of some 1e-4 of the diameter",
      [](const State& state) { return state.hertz.peak_pressure; }},
     {"half_space", "The contact is far smaller than the radii: a/R is small.", "", 0, 0.5,
-     "Johnson, Contact Mechanics (1985), chapter 4: Hertz takes each body for a half-space",
+     "Johnson, Contact Mechanics (1985), chapter 4: Hertz takes each body for a half-space; the "
+     "bound is common practice",
      slope_at_edge},
     {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
      "model/README.md, section 1; give radius_x and radius_y for an ellipse",
@@ -122,7 +124,8 @@ constexpr Row rows[] = {
        return state.shape == ContactShape::circle ? state.numbers.ellipticity : not_assumed;
      }},
     {"line_length", "A line is longer than it is wide: 2b/L is below 1.", "", 0, 1,
-     "Johnson, Contact Mechanics (1985), chapter 4: a line is a plane problem",
+     "Johnson, Contact Mechanics (1985), chapter 4: a line is a plane problem; the bound is common "
+     "practice",
      [](const State& state) {
        const bool is_line = state.shape == ContactShape::line;
        return is_line ? state.hertz.semi_axis_x / state.hertz.semi_axis_y : not_assumed;
@@ -135,32 +138,34 @@ constexpr Row rows[] = {
      },
      true},
     {"alpha_p0", "The oil is a liquid up to the peak pressure: α p₀ is no more than 30.", "", 0, 30,
-     "e^30 = 1e13: with η₀ = 0.1 Pa·s the viscosity α gives is that of a glass, 1e12 Pa·s",
+     "e^30 = 1e13: with η₀ = 0.1 Pa·s the viscosity α gives is that of a glass, 1e12 Pa·s by "
+     "common practice",
      [](const State& state) {
        return state.numbers.pressure_viscosity * state.hertz.peak_pressure;
      }},
     {"barus", "The viscosity rises by Barus' law up to the pressure in the film.", "Pa", 0, 1e9,
-     "Roelands (1966): at 1 GPa his law has an oil of 20 mPa·s some 400 times thinner",
+     "common practice: at 1 GPa Roelands' law (1966) has an oil of 20 mPa·s and α = 20/GPa 400 "
+     "times thinner",
      [](const State& state) {
        if (!(state.numbers.pressure_viscosity > 0) || !state.follows(ViscosityLaw::barus))
          return not_assumed;
        return state.solves_film() ? state.hertz.peak_pressure : state.hertz.mean_pressure;
      }},
     {"roelands_index", "Roelands' exponent z, from α and η₀, is one of an oil.", "", 0.2, 1.2,
-     "Roelands (1966): oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index},
+     "common practice: mineral oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index},
     {"elastic_summits", "The summits stay elastic under their mean pressure.", "Pa", 0,
      0.4 * steel_hardness,
-     "Greenwood and Williamson (1966), Tabor (1951): flow begins at 0.4 of the hardness, which is "
-     "7 GPa of bearing steel",
+     "Tabor (1951): a sphere of yield stress Y begins to flow at a mean pressure of 1.1 Y, 0.4 of "
+     "its hardness, which is 7 GPa of bearing steel",
      summit_pressure},
     {"summit_roughness", "nβσ_s of the summits is one of a ground or polished face.", "", 1e-3, 1,
-     "Greenwood and Tripp (1970): 0.03 to 0.05",
+     "common practice: 0.03 to 0.05 is quoted of Greenwood and Tripp (1970)",
      [](const State& state) {
        return state.has_summits() && !state.solves_film() ? summit_roughness(state) : not_assumed;
      }},
     {"gaussian_profile", "The face is isotropic and Gaussian: m₀m₄/m₂² is 1.5 or more.", "",
-     least_isotropic_bandwidth*(1 - 1e-9), unbounded,
-     "Longuet-Higgins (1957); McCool, Wear 107 (1986) 37",
+     least_isotropic_bandwidth* but_for_rounding, unbounded,
+     "Longuet-Higgins (1957), by Cauchy and Schwarz: m₀, 2m₂ and 8m₄/3 are moments of one spectrum",
      [](const State& state) {
        const auto& [m0, m2, m4] = state.scene.surface.moments;
        return m0 > 0 && !state.solves_film() ? m0 / m2 * (m4 / m2) : not_assumed;
@@ -175,12 +180,13 @@ constexpr Row rows[] = {
      }},
     {"film_below_molecule", "The film is thick enough to be a liquid, not a few molecules.", "m",
      1e-9, unbounded,
-     "Israelachvili, Intermolecular and Surface Forces: a hydrocarbon chain is 0.4 nm to 0.5 nm "
-     "thick",
+     "Christenson and others, J. Chem. Phys. 87 (1987) 1834: alkanes lie in layers of the width of "
+     "their chain, 0.4 nm to 0.5 nm; two of them",
      [](const State& state) { return least_at_ends(state, &OperatingPoint<double>::film); }},
     {"smooth_film_law", "The film law, which is one of smooth faces, holds at λ = h/σ_s.", "", 0.5,
      unbounded,
-     "Patir and Cheng (1978): flow factors of isotropic rough faces are given from h/σ = 0.5 on",
+     "common practice: flow factors of isotropic rough faces are quoted of Patir and Cheng (1978) "
+     "from h/σ = 0.5 on",
      [](const State& state) {
        const bool is_rough = state.has_summits();
        return is_rough ? least_at_ends(state, &OperatingPoint<double>::film_parameter)
@@ -188,7 +194,8 @@ constexpr Row rows[] = {
      }},
     {"inlet_heating", "Shear does not heat the oil in the inlet: η₀u²/k_f is a few kelvin.", "K", 0,
      10,
-     "Gupta et al. (1992): L = β η₀u²/k_f, with 0.14 W/(m K) of mineral oil; 10 K make L some 0.4",
+     "common practice: with β = 0.04/K these 10 K make L = βη₀u²/k_f of Gupta and others (1992) "
+     "0.4; mineral oil has 0.14 W/(m K)",
      [](const State& state) {
        const double speed = state.speeds.high;
        if (!(speed > 0) || state.scene.lubricant.thermal != ThermalInlet::none) return not_assumed;
@@ -266,7 +273,7 @@ void take_assumptions(const State& state, Which which, const Take& take) {
     double least = row.least, greatest = row.greatest;
     if (row.is_of_film_law) {
       const FilmLaw& law = film_law(state.scene.closures.film);
-      least = law.least_ellipticity * (1 - 1e-9);
+      least = least_fitted_ellipticity(law);
       greatest = law.greatest_ellipticity;
     }
     if (which == Which::not_kept && value >= least && value <= greatest) continue;
@@ -328,6 +335,10 @@ std::vector<Validity> passed_in(const State& state) {
 
 double Validity::limit() const {
   return value < least || !(greatest < unbounded) ? least : greatest;
+}
+
+double least_fitted_ellipticity(const FilmLaw& law) {
+  return law.least_ellipticity * but_for_rounding;
 }
 
 std::span<const std::string_view> limit_words() {

@@ -31,13 +31,22 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// Why something is undefined: in a few words for its line of the table, and as a sentence, which
+// stands once below the table; CSV and JSON have the sentence. Without a sentence the few words are
+// all.
+struct Reason {
+  std::string_view brief, sentence = {};
+
+  std::string_view whole() const { return sentence.empty() ? brief : sentence; }
+};
+
 // A number or a word about a contact, in SI units. Where it is undefined, the value is null and
 // `reason` says why.
 struct Fact {
   std::string_view name, symbol, meaning;
   ordered_json value;
   std::string_view unit = {};
-  std::string_view reason = {};
+  Reason reason = {};
 };
 using Facts = std::vector<Fact>;
 
@@ -81,8 +90,14 @@ struct Asked {
 Fact number(std::string_view name, std::string_view symbol, std::string_view meaning, double value,
             std::string_view unit = {}) {
   if (std::isfinite(value)) return {name, symbol, meaning, value, unit};
-  return {name, symbol, meaning, nullptr, unit, protocol::beyond_double};
+  return {name, symbol, meaning, nullptr, unit, {protocol::beyond_double}};
 }
+
+constexpr Reason no_approach{"a line has none", "of a line it depends on the whole bodies"};
+constexpr Reason no_roughness{
+    "no Rq is given",
+    "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0"};
+constexpr Reason no_summits{"smooth bodies", "the bodies are smooth: they have no σ_s"};
 
 Facts contact_of(const Asked& asked) {
   // In the order of ContactShape.
@@ -121,17 +136,11 @@ Facts contact_of(const Asked& asked) {
       number("peak_pressure", "p₀", "greatest Hertz pressure", hertz.peak_pressure, "Pa"));
   facts.push_back(number("mean_pressure", "p_m", "mean Hertz pressure", hertz.mean_pressure, "Pa"));
   if (asked.is_line())
-    facts.push_back({"approach", "", "approach of the bodies", nullptr, "m",
-                     "of a line it depends on the whole bodies"});
+    facts.push_back({"approach", "", "approach of the bodies", nullptr, "m", no_approach});
   else
     facts.push_back(number("approach", "", "approach of the bodies", hertz.approach, "m"));
   return facts;
 }
-
-constexpr std::string_view no_roughness =
-    "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0";
-
-constexpr std::string_view no_summits = "the bodies are smooth: they have no σ_s";
 
 Facts surfaces_of(const Asked& asked) {
   const double sd = asked.contact.summit_height_sd(), roughness = asked.numbers().rms_roughness;
@@ -161,8 +170,7 @@ Facts surfaces_of(const Asked& asked) {
 // Why the contact is not in the range of a film law; empty where it is. All laws but Moes' are of
 // elastic bodies, those without an exponent of G in an isoviscous liquid.
 std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime) {
-  if (!(ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
-        ellipticity <= law.greatest_ellipticity))
+  if (!(ellipticity >= least_fitted_ellipticity(law) && ellipticity <= law.greatest_ellipticity))
     return fmt::format("k is {}, and it was fitted to {} to {}", readable(ellipticity),
                        readable(law.least_ellipticity), readable(law.greatest_ellipticity));
   const LubricationRegime own = law.material_exponent.p == 0
@@ -283,7 +291,7 @@ std::string usual(double value, std::string_view unit) {
 }
 
 std::string text_of(const Fact& fact) {
-  if (fact.value.is_null()) return fmt::format("undefined: {}", fact.reason);
+  if (fact.value.is_null()) return fmt::format("undefined: {}", fact.reason.brief);
   if (fact.value.is_string()) return fact.value.get<std::string>();
   return usual(fact.value.get<double>(), fact.unit);
 }
@@ -314,6 +322,25 @@ void append_films(Text& to, const std::vector<LawFilm>& films) {
   }
 }
 
+// The sentence of each reason, once, with what it is about.
+void append_reasons(Text& to, const ContactAccount& account) {
+  std::vector<const Fact*> told;
+  const auto tell = [&](const Facts& facts) {
+    for (const Fact& fact : facts) {
+      const auto is_same = [&](const Fact* one) {
+        return one->reason.sentence == fact.reason.sentence;
+      };
+      if (fact.reason.sentence.empty() || std::any_of(told.begin(), told.end(), is_same)) continue;
+      if (told.empty()) append(to, "\n");
+      told.push_back(&fact);
+      append_line(to, fmt::format("  - {}: {}", fact.meaning, fact.reason.sentence));
+    }
+  };
+  tell(account.contact);
+  tell(account.surfaces);
+  for (const AtSpeed& at : account.speeds) tell(at.ratios);
+}
+
 constexpr std::string_view about_ratios =
     "  λ says how deep the summits reach into the film: the model's shares of the load follow from "
     "it.\n"
@@ -341,6 +368,7 @@ void append_table(Text& to, const ContactAccount& account) {
     append(to, "\n  Films and regimes need a speed, which this scene does not have.\n");
   else
     append(to, fmt::format("\n{}", about_ratios));
+  append_reasons(to, account);
   append(to, "\n");
   append_validity(to, account.id, account.validity);
 }
@@ -356,7 +384,7 @@ void append_csv(Text& to, const ContactAccount& account) {
                                                          : std::string();
       append(to,
              fmt::format("{},{},{},{},{},{},{},{}\n", id, speed, part, fact.name, value, fact.unit,
-                         report::csv_text(fact.meaning), report::csv_text(fact.reason)));
+                         report::csv_text(fact.meaning), report::csv_text(fact.reason.whole())));
     }
   };
   add("", "contact", account.contact);
@@ -381,7 +409,7 @@ ordered_json json_of(const Facts& facts) {
                     {"value", fact.value},
                     {"unit", fact.unit},
                     {"meaning", fact.meaning},
-                    {"undefined", fact.reason}});
+                    {"undefined", fact.reason.whole()}});
   return list;
 }
 

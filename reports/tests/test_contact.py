@@ -121,6 +121,16 @@ class Numbers(ContactTest):
         self.assertIsNone(without["value"])
         self.assertIn("surface.rms_roughness", without["undefined"])
 
+    def test_the_table_has_each_reason_once_below_its_few_words(self):
+        for tree, brief, what, sentence, lines in (
+                (quiet_scene(), "no Rq is given", "composite roughness of both faces",
+                 "the scene has none of surface.rms_roughness", 3),
+                (quiet_scene(**LINE), "a line has none", "approach of the bodies", "of a line it depends on the whole bodies", 1)):
+            told = run("contact", self.folder.write("one.json", tree)).out
+            self.assertEqual(told.count(f"undefined: {brief}\n"), lines, told)
+            self.assertEqual(told.count(f"\n  - {what}: {sentence}"), 1, told)
+            self.assertEqual(told.count(sentence), 1, told)
+
     def test_summits_are_those_of_the_formulas(self):
         tree = quiet_scene("smooth")
         told = self.told(tree)

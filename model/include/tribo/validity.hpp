@@ -16,6 +16,7 @@ namespace tribo {
 
 template <class T>
 class MixedContact;
+struct FilmLaw;
 
 // A limit, and where a scene stands to it. All texts live as long as the program.
 struct Validity {
@@ -39,6 +40,9 @@ struct Validity {
 // each field whose numbers have a range.
 std::span<const std::string_view> limit_words();
 std::span<const std::string_view> assumption_words();
+
+// The least ellipticity that a film law was fitted to, less the rounding of a ratio of two axes.
+double least_fitted_ellipticity(const FilmLaw& law);
 
 // The table "is the model valid here?": each assumption that concerns the scene, and the ranges of
 // fields that it leaves. An assumption that this scene does not make is left out: on summits
