@@ -354,20 +354,22 @@ def model(report):
     def value(one, name):
         found = one["values"].get(name, DASH)
         return found if isinstance(found, str) else whole(found)
-    own, smooth = [report["paper"]["scenes"][name] for name in SURFACES], report["paper"]["scenes"]["smooth"]
-    alpha = next(one["values"]["smooth"] for one in report["paper"]["inputs"] if one["field"] == "lubricant.pressure_viscosity")
-    machines = report["contacts"]["scenes"].values()
-    onset, collapse = (", ".join(DASH if one[mark] is None else sig(one[mark]["speed"], 3) for one in own) for mark in ("onset", "collapse"))
-    yield ("Outside of the model: where its assumptions do not hold in these scenes", ["the model assumes", "here"], [
-        ["a constant film of oil at the inlet", f"onset and collapse at {onset} and at {collapse} m/s (rough, medium, smooth)"],
-        ["viscosity by Barus' law at the mean pressure",
-         f"αp = {sig(alpha * smooth['mean_pressure'], 3)} at {sig(1e-9 * smooth['mean_pressure'], 2)} GPa; up to "
-         f"{sig(1e-9 * max(one['mean_pressure'] for one in machines), 2)} GPa in the contacts of machines"],
-        ["elastic summits", ", ".join(sig(1e-9 * one["summit_pressure"], 2) for one in own) + f" GPa on the real area at {whole(smooth['slowest']['speed'])} m/s"],
-        ["the film law of smooth bodies", f"λ = {sig(own[0]['slowest']['film_parameter'], 2)} to {sig(own[0]['onset']['film_parameter'], 3)} "
-                                          "from the lowest speed to the onset"],
-        ["oil as a continuum", f"films from {sig(1e9 * smooth['slowest']['film'], 2)} nm on"],
-        ["no heat from shear in the inlet", f"up to {whole(max(one['fastest']['speed'] for one in machines))} m/s in the contacts of machines"]])
+
+    def quantity(value, unit, digits):
+        if value is None:
+            return DASH
+        scale, usual = {"Pa": (1e-9, " GPa"), "m": (1e9, " nm"), "": (1, "")}.get(unit, (1, f" {unit}"))
+        return sig(scale * value, digits) + usual
+
+    def bounds(one):
+        least, greatest, unit = one["least"], one["greatest"], one["unit"]
+        if least is not None and greatest is not None:
+            return f"{quantity(least, unit, 3)} to {quantity(greatest, unit, 3)}"
+        return f"at most {quantity(greatest, unit, 2)}" if least is None else f"at least {quantity(least, unit, 2)}"
+    yield ("Outside of the model: limits that these scenes pass",
+           ["the model assumes", "limit", *SURFACES, "the limit is from"],
+           [[one["assumption"], bounds(one), *(quantity(one["values"].get(name), one["unit"], 3) for name in SURFACES), one["source"]]
+            for one in report["paper"]["limits_passed"]])
     yield ("The inputs of the scenes", ["input", "meaning", "unit", *SURFACES, "differs from the print"],
            [[one["field"], one["meaning"], one["unit"] or DASH, *(value(one, name) for name in SURFACES),
              f"{one['erratum']}, printed: {errata[one['erratum']]}" if one["erratum"] else ""] for one in report["paper"]["inputs"]])

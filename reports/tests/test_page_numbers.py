@@ -146,9 +146,10 @@ class Numbers(WrittenReport):
         smooth = self.contacts["smooth"]
         own = smooth.share(0)
         self.tells("model", r"the smooth surface has A = NUMBER and A² = NUMBER", own, own ** 2)
-        self.tells("model", r"αp = NUMBER at NUMBER GPa", ALPHA * MEAN_PRESSURE, 1e-9 * MEAN_PRESSURE)
-        self.tells("model", r"elastic summits \| NUMBER, NUMBER, NUMBER GPa", *(1e-9 * one.summit_pressure() for one in self.contacts.values()))
-        self.tells("model", r"films from NUMBER nm", 1e9 * smooth.sd * smooth.film(SLOW))
+        self.tells("model", r"αp at the mean pressure is NUMBER", ALPHA * MEAN_PRESSURE)
+        self.tells("model", r"summits stay elastic .*? \| at most 2.8 GPa \| NUMBER GPa \| NUMBER GPa \| NUMBER GPa", *(1e-9 * one.summit_pressure() for one in self.contacts.values()))
+        self.tells("model", r"to be a liquid.*? \| at least 1.0 nm \| NUMBER nm \| NUMBER nm \| NUMBER nm",
+                   *(1e9 * one.sd * one.film(SLOW) for one in self.contacts.values()))
         self.tells("claims", r"carry at most NUMBER of the load", self.contacts["rough"].share(0))
         self.tells("misprints", r"E14 .* \| NUMBER \| NUMBER \| 1.22", 2.69 * (1 - 0.6 * math.exp(-0.73)), 2.69 * (1 - 0.61 * math.exp(-0.73)))
         self.tells("requirements", r"by NUMBER from smooth to medium and by NUMBER from medium", self.contacts["medium"].onset / smooth.onset,
