@@ -114,8 +114,10 @@ void take_worse_answers(Conversation& conversation, const std::vector<TestCase>&
 void mark_unsteady(ConformanceResult& result) {
   for (QuantityVerdict& one : result.quantities)
     for (const Unsteady& changing : result.unsteady) {
-      one.is_unsteady |= changing.quantity == one.quantity;
-      one.is_of_unsteady_function |= function_of(changing.quantity) == function_of(one.quantity);
+      const double change = changing.apart_per_condition;
+      if (changing.quantity == one.quantity) one.change_asked_again = change;
+      if (function_of(changing.quantity) == function_of(one.quantity))
+        one.change_of_function = std::max(one.change_of_function, change);
     }
 }
 

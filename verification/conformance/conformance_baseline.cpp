@@ -96,6 +96,10 @@ std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& bef
   return worst_of(now, [&](const std::string& id) { return !failed.contains(id); });
 }
 
+// Answers may change when they are asked again at another place of an array, where the compiler
+// takes other instructions. That is rounding, and no loss.
+bool is_more_than_rounding(double change) { return is_beyond_ratchet(change, 0); }
+
 // Answers of a function change now and then from one ask to the next, those of one quantity in this
 // run and those of another in that. A row without the member is of a function that is steady.
 bool is_unsteady(const json& row) { return row.value("unsteady", false); }
@@ -112,7 +116,7 @@ json row_of(const QuantityVerdict& one) {
   const HeldCase worst = worst_of(one, [](const std::string&) { return true; });
   json row{{"status", name(one.status)}, {"asked", one.asked},         {"held", one.held},
            {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
-  put_unsteady(row, one.is_of_unsteady_function);
+  put_unsteady(row, is_more_than_rounding(one.change_of_function));
   return row;
 }
 
@@ -207,7 +211,7 @@ Difference what_is_worse(const QuantityVerdict& now, const json& before) {
     return {fmt::format("the worst error was {:.3g}, is {:.3g} (case {}); more than {} times",
                         error, worst->error, worst->id, ratchet),
             "worst_error", error, worst->error};
-  if (now.is_unsteady && !is_unsteady(before))
+  if (is_more_than_rounding(now.change_asked_again) && !is_unsteady(before))
     return {"its answers were the same each time, and change now when they are asked again"};
   return {};
 }
@@ -235,7 +239,7 @@ Difference what_is_better(const QuantityVerdict& now, const json& before) {
 // The quantity as it would be had the lost cases held that did not fail before.
 QuantityVerdict without_losses(const QuantityVerdict& now, const json& before) {
   QuantityVerdict mended = now;
-  mended.is_unsteady = false;  // the loss may be the change
+  mended.change_asked_again = 0;  // the loss may be the change
   mended.failed_cases.clear();
   bool is_as_before = true;  // all that still fails failed before
   for (const FailedCase& one : now.failed_cases) {
@@ -352,7 +356,7 @@ json baseline_of(const ConformanceResult& result, const json& before) {
              what_is_worse(one, row).text.empty() && !what_is_better(one, row).text.empty())
       rows[one.quantity] = merged_row(one, row);
     if (!before.is_null() && schema_of(before) == oldest_schema)
-      put_unsteady(rows.at(one.quantity), one.is_of_unsteady_function);
+      put_unsteady(rows.at(one.quantity), is_more_than_rounding(one.change_of_function));
   }
   if (!before.is_null() && is_of_other_version(before))
     for (auto row = rows.begin(); row != rows.end();)

@@ -6,7 +6,8 @@
 // those that held ("worst_error": relative, over the condition), and under "failed" each case that
 // failed with its error: a number (relative; absolute where 0 is expected), "wrong" (NaN, null,
 // another word …) or "no answer". "losses" are the cases at which the subject ended or was late.
-// "unsteady" stands where answers of the quantity's function changed when they were asked again.
+// "unsteady" stands where answers of the quantity's function changed by more than rounding when
+// they were asked again.
 // Each of these is a line, so that a diff can be read. Its head says which program wrote it, and
 // when; a file of schema 2 has neither that nor "losses", and is read too.
 #pragma once

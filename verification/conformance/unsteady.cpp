@@ -59,6 +59,8 @@ std::vector<Unsteady> unsteady_quantities(const std::vector<TestCase>& cases,
       if (!differ(first, second, expected.field)) continue;
       const Said before = said(first, expected.field), after = said(second, expected.field);
       const double apart = distance(before, after);
+      one.apart_per_condition =
+          std::max(one.apart_per_condition, apart / std::max(1.0, expected.condition));
       if (one.changed++ > 0 && apart <= one.apart) continue;
       one.id = asked.id;
       one.first = before;

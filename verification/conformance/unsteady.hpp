@@ -28,6 +28,8 @@ struct Unsteady {
   std::string_view unit;
   // Relative to the greater one; infinite where one of them is no number.
   double apart = 0;
+  // The greatest of all cases, over the condition: what rounding in another order changes.
+  double apart_per_condition = 0;
 };
 
 // The quantities of which any answer differs in any bit, in the order of the cases.
