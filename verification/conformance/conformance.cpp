@@ -198,7 +198,10 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const Offers& offers
   std::string why_not;
   const std::optional<Measured> found = measured(of, offers, tolerance, why_not);
   if (!found) {
-    if (verdict.skipped++ == 0 && verdict.failed == 0) verdict.first_reason = why_not;
+    if (verdict.skipped++ == 0) {
+      verdict.first_skipped = fmt::format("{}: {}", of.asked.id, why_not);
+      if (verdict.failed == 0) verdict.first_reason = why_not;
+    }
     return;
   }
   const bool is_physical = of.expected.is_physical;
