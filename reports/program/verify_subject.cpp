@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "build_info.hpp"
+#include "junit.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 #include "page/project_files.hpp"
@@ -39,7 +40,7 @@ std::optional<Subject> subject_of(const SubjectArguments& given) {
   check_solver(given.plugin, given.command);
   const bool is_plugin = !given.plugin.empty();
   return Subject{is_plugin ? given.plugin : given.command,
-                 is_plugin ? plugin_host_command(given.plugin) : given.command,
+                 is_plugin ? plugin_host_command(given.plugin, "--places") : given.command,
                  {milliseconds(given.case_timeout), milliseconds(given.start_timeout),
                   milliseconds(given.timeout), is_plugin}};
 }
@@ -111,6 +112,29 @@ void update_baseline(const BaselineUse& use, const nlohmann::json& before,
   verdict.changes = compare(verdict.result, after);
 }
 
+// Diagnoses of quantities that hold and are worse than the baseline says: as of a tolerance that
+// allows them as much as the baseline does, and all others anything.
+std::vector<Diagnosis> slight_diagnoses(const std::vector<TestCase>& cases,
+                                        const SubjectVerdict& verdict,
+                                        const std::vector<Mistake>& mistakes) {
+  Tolerance tight{.name = "baseline", .relative = 1e300};
+  for (const BaselineChange& one : verdict.changes->worse)
+    if (one.fact == "worst_error")
+      tight.quantity[one.quantity] = greatest_as_before(one.before.get<double>());
+  if (tight.quantity.empty()) return {};
+  std::vector<Diagnosis> found;
+  for (Diagnosis& one : diagnose(cases, verdict.result.conversation, tight, mistakes)) {
+    const bool is_known = std::any_of(
+        verdict.diagnoses.begin(), verdict.diagnoses.end(), [&](const Diagnosis& known) {
+          return function_of(known.quantity) == function_of(one.quantity);
+        });
+    if (is_known || !tight.quantity.contains(one.quantity)) continue;
+    one.text = "Worse than the baseline, still within the tolerance: " + one.text;
+    found.push_back(std::move(one));
+  }
+  return found;
+}
+
 // The cases that --show names.
 std::vector<TestCase> shown_of(const std::vector<std::string>& ids,
                                const std::vector<TestCase>& all) {
@@ -159,6 +183,20 @@ void save_cases(const std::string& path, const std::vector<TestCase>& cases, Out
   output.flush();
 }
 
+// The end of a run that could judge nothing. A CI reads files, and not stderr: these say why.
+int fail_unjudged(const SubjectArguments& arguments, const std::string& why,
+                  const std::vector<std::string>& errors, OutputStream& output) {
+  complain(why);
+  complain_of(last_errors, errors);
+  if (!arguments.junit.empty())
+    report::write_file(arguments.junit, junit_of_error("verify", why, errors));
+  if (arguments.format == "markdown" && arguments.shown.empty()) {
+    append(output.text(), markdown_of_error("verify", why, errors));
+    output.flush();
+  }
+  return exit_bad;
+}
+
 int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   if (arguments.saved_cases == "-" && arguments.has_subject())
     throw std::invalid_argument(
@@ -186,11 +224,11 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
     Conversation conversation =
         conversation_with(*subject, cases, [&](std::size_t) { progress.step(); },
                           {arguments.jobs, cases_to_repeat(cases)});
-    if (!conversation.never_answered.empty()) {  // what is wrong is one thing: nothing is judged
-      complain(fmt::format("{} never answered: {}", subject->name, conversation.never_answered));
-      complain_of(last_errors, conversation.error_lines);
-      return exit_bad;
-    }
+    if (!conversation.never_answered.empty())  // what is wrong is one thing: nothing is judged
+      return fail_unjudged(
+          arguments,
+          fmt::format("{} never answered: {}", subject->name, conversation.never_answered),
+          conversation.error_lines, output);
     verdict.result = judge(subject->name, cases, std::move(conversation), tolerance);
     verdict.result.sample = arguments.sample;
     verdict.missing = missing_of(arguments.required, verdict.result);
@@ -199,6 +237,13 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   verdict.baseline = arguments.baseline.file;
   verdict.same_question = same_question(arguments);
   verdict.changes = changes_since(before, arguments.baseline, verdict.result);
+  if (std::string newer = before.is_null() ? "" : newer_version_text(before); !newer.empty()) {
+    newer[0] = 'T';  // a sentence
+    verdict.result.notes.push_back(newer + '.');
+  }
+  if (verdict.changes)
+    for (Diagnosis& one : slight_diagnoses(cases, verdict, mistakes))
+      verdict.diagnoses.push_back(std::move(one));
   update_baseline(arguments.baseline, before, verdict);
   append_verdict(output.text(), verdict, arguments.format);
   output.flush();
@@ -211,7 +256,14 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
 
 int verify_subject(SubjectArguments arguments, OutputStream& output) {
   arguments.baseline.renewal = renewal(arguments);
-  return answered_or_complained([&] { return judge_subject(arguments, output); });
+  arguments.baseline.restoration = "git checkout -- " + shell_word(arguments.baseline.file);
+  return answered_or_complained([&] {
+    try {
+      return judge_subject(arguments, output);
+    } catch (const std::invalid_argument& error) {
+      return fail_unjudged(arguments, error.what(), {}, output);
+    }
+  });
 }
 
 }  // namespace tribo::cli

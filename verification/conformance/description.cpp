@@ -145,6 +145,13 @@ std::string powers_in_words(const catalogue::Function& function,
 
 // --- Where and how numbers are wrong
 
+// "from d = 2 to 5.1"; "at d = 2" where four digits do not tell the ends apart.
+std::string stretch_in_words(const std::string& symbol, double low, double high) {
+  const std::string first = fmt::format("{:.4g}", low), last = fmt::format("{:.4g}", high);
+  return first == last ? fmt::format("at {} = {}", symbol, first)
+                       : fmt::format("from {} = {} to {}", symbol, first, last);
+}
+
 // Part of the cases, and of the right or the wrong ones, that may lie on the wrong side of a
 // border.
 constexpr double stray = 0.02, stray_of_few = 0.1;
@@ -238,8 +245,8 @@ std::optional<Where> where_along(const Part& part, std::size_t input) {
     text = fmt::format("{} up to {} = {:.4g}, {} from {:.4g} on", other, symbol,
                        points[inside.first - 1].input(input), word, low);
   else
-    text = fmt::format("{} from {} = {:.4g} to {:.4g}, {} below and beyond", word, symbol, low,
-                       high, other);
+    text =
+        fmt::format("{} {}, {} below and beyond", word, stretch_in_words(symbol, low, high), other);
   return Where{std::move(text), inside.misplaced};
 }
 
@@ -306,6 +313,8 @@ std::string manner_of_errors(const Part& part) {
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
+  if (std::isinf(ratio)) return "beyond any double";
+  if (ratio == 0) return "0 times the right value";
   if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value";
   if (ratio < 0) return fmt::format("{:.4g} times the right value, of the wrong sign", ratio);
   if (ratio > 3) return fmt::format("{:.4g} times too large", ratio);
@@ -428,7 +437,13 @@ std::string constant_factor(const Part& part) {
     least = std::min(least, one->got / one->expected->high);
     greatest = std::max(greatest, one->got / one->expected->high);
   }
-  return greatest - least < 1e-9 * std::abs(greatest) ? known_factor(least) : "";
+  if (greatest - least >= 1e-9 * std::abs(greatest)) return {};
+  const double off = (least + greatest) / 2 - 1;
+  if (std::abs(off) < rounding && greatest - least < 0.01 * std::abs(off))
+    return fmt::format(
+        "It is off by one factor, 1 {} {:.3g}, as a constant with too few digits makes it.",
+        off < 0 ? "−" : "+", std::abs(off));
+  return known_factor(least);
 }
 
 }  // namespace
@@ -445,7 +460,8 @@ std::string pattern(const Part& part) {
           ? "everywhere"
           : fmt::format("in {} of {} cases", part.wrong.size(), part.all.size());
   if (least == 0 && greatest == 0) return "answered as 0 " + where;
-  if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
+  const double off = std::abs(middle - 1);
+  if (greatest - least <= 2e-3 * off + std::min(1e-9, 1e-3 * off))
     return fmt::format("{} {}", in_words(middle), where);
   return fmt::format("off {}, between {} and {}; median: {}", where, in_words(least),
                      in_words(greatest), in_words(middle));

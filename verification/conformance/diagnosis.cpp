@@ -109,7 +109,7 @@ class Diagnoser {
   // Adds the diagnosis of a cause that was found for all cases, or for these branches.
   void tell(Cause cause, const std::vector<std::string>& branches) {
     const Part part = shown(cause.explains);
-    Diagnosis one{part.quantity(), {}, cause.explains.size(), wrong_, {}};
+    Diagnosis one{part.quantity(), {function_}, {}, cause.explains.size(), wrong_, {}};
     std::string causes;
     for (const Mistakes& choice : cause.choices) {
       std::string name, text;
@@ -120,6 +120,7 @@ class Diagnoser {
       one.mistakes.push_back(name);
       causes += (causes.empty() ? "" : "; or ") + text;
     }
+    if (branches.empty()) one.cause = causes;
     const std::size_t together = cause.choices.front().size();
     one.text = fmt::format(
         "{}{} is {}. These are the numbers that {}: {} ({} of {} answers of {} that {} would "
@@ -132,12 +133,13 @@ class Diagnoser {
         causes, cause.met, cause.changed, function_, together == 1 ? "it" : "they",
         cause.explains.size(), wrong_);
     if (const auto before = named_before_.find(cause.choices.front().front()->follows);
-        together == 1 && before != named_before_.end())
+        together == 1 && before != named_before_.end()) {
+      one.cause = "follows from " + before->second;
       one.text = fmt::format(
           "{} is {}. This follows from {}: its answers are taken here as it gives them ({} of {} "
           "answers that this would change).",
           one.quantity, pattern(part), before->second, cause.met, cause.changed);
-    else if (one.mistakes.size() > 1)
+    } else if (one.mistakes.size() > 1)
       one.text += " The numbers do not tell these apart.";
     for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;
     found_.push_back(std::move(one));
@@ -216,7 +218,7 @@ class Diagnoser {
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.wrong.size() > b.wrong.size(); });
     const std::size_t first = parts.front().place;
-    Diagnosis one{parts.front().quantity(), {}, 0, wrong_, {}};
+    Diagnosis one{parts.front().quantity(), {function_}, {}, 0, wrong_, {}};
     one.text = precision_text(one.quantity, parts.front());
     if (one.text.empty()) one.text = rests_text(one.quantity, first, parts);
     if (one.text.empty()) one.text = described_by_branch(one.quantity, first, parts);
@@ -231,6 +233,27 @@ class Diagnoser {
   std::size_t wrong_ = 0;
   std::vector<Diagnosis> found_;
 };
+
+// Adds a diagnosis to the one of the same cause in other functions, if there is one.
+void add(std::vector<Diagnosis>& found, Diagnosis&& one) {
+  const auto same = std::find_if(found.begin(), found.end(), [&](const Diagnosis& other) {
+    return !one.cause.empty() && other.cause == one.cause;
+  });
+  if (same == found.end()) return found.push_back(std::move(one));
+  same->functions.push_back(one.functions.front());
+  same->explained += one.explained;
+  same->wrong += one.wrong;
+  for (std::string& mistake : one.mistakes)
+    if (std::find(same->mistakes.begin(), same->mistakes.end(), mistake) == same->mistakes.end())
+      same->mistakes.push_back(std::move(mistake));
+}
+
+// Where the cause is found in several functions, as they share a helper.
+std::string shared_text(const Diagnosis& one) {
+  if (one.functions.size() == 1) return {};
+  const std::vector<std::string> others(one.functions.begin() + 1, one.functions.end());
+  return fmt::format(" The same explains the answers of {}.", fmt::join(others, ", "));
+}
 
 }  // namespace
 
@@ -258,9 +281,10 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
              .run()) {
       wrong.insert(function);
       for (const std::string& mistake : one.mistakes) named[mistake] = function;
-      found.push_back(std::move(one));
+      add(found, std::move(one));
     }
   }
+  for (Diagnosis& one : found) one.text += shared_text(one);
   return found;
 }
 

@@ -426,6 +426,36 @@ TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
   }
 }
 
+// An answer that is asked again in another place of an array may be rounded otherwise.
+TEST(Baseline, TakesAChangeOfAnAnswerAskedAgainForALossBeyondRoundingAlone) {
+  const auto asked_again = [](double change) {
+    QuantityVerdict one = row(Verdict::held, 10, 0, 0);
+    one.change_asked_again = one.change_of_function = change;
+    return one;
+  };
+  for (const double before : {0.0, epsilon, 16 * epsilon}) {
+    for (const double now : {0.0, epsilon / 2, 16 * epsilon})
+      EXPECT_EQ(change(asked_again(before), asked_again(now)), Way::same);
+    for (const double now : {above(16 * epsilon), 1e-9, std::numeric_limits<double>::infinity()})
+      EXPECT_EQ(change(asked_again(before), asked_again(now)), Way::worse) << now;
+  }
+  EXPECT_EQ(change(asked_again(1e-13), asked_again(1e-9)), Way::same);
+}
+
+// The condition says how much a rounding changes an answer.
+TEST(Unsteady, IsMeasuredOverTheConditionToo) {
+  const std::vector<TestCase> cases{asked_for({number(2, 100)}, "a"), asked_for({number(2)}, "b")};
+  Conversation conversation;
+  conversation.answers = {with({{"value", 2}}), with({{"value", 2}})};
+  conversation.again = {0, 1};
+  conversation.second_answers = {with({{"value", 2 + 2e-12}}), with({{"value", 2 + 2e-13}})};
+  const ConformanceResult result = judge("subject", cases, conversation, engineering_tolerance());
+  EXPECT_TRUE(is_close(result.unsteady.at(0).apart, 1e-12, 1e-3, {}));
+  EXPECT_EQ(result.unsteady[0].id, "a");
+  EXPECT_TRUE(is_close(result.quantities[0].change_asked_again, 1e-13, 1e-2, {}));
+  EXPECT_EQ(result.quantities[0].change_of_function, result.quantities[0].change_asked_again);
+}
+
 // --- Cases that failed stay held to how they failed.
 
 TEST(Baseline, HoldsEachCaseThatFailedToFourTimesItsOwnError) {
