@@ -182,13 +182,15 @@ TEST(SmoothContact, GivesPressuresLeastFilmAndLambda) {
         smooth_film<long double>(minimum_film_law(law), shape, numbers, speed) /
         smooth_film<long double>(law, shape, numbers, speed);
     const long double film = solved.in<long double>().solve(speed).film * part;
-    const double film_error = 1e-13;  // operating_point_contract is on top of the laws'
+    const double film_error = 2e-14;  // operating_point_contract is on top of the laws'
     hold(Output::minimum_film, film, film_error);
     hold(Output::lambda_ratio,
          film / (1.25L * static_cast<long double>(scene.surface.summit_height_sd)), film_error);
     const double least = contact.value(Output::minimum_film, speed, film_of_point);
     EXPECT_GE(least, 0) << describe_scene(scene);
-    if (part <= 1) EXPECT_LE(least, film_of_point) << describe_scene(scene);
+    if (part <= 1) {
+      EXPECT_LE(least, film_of_point) << describe_scene(scene);
+    }
     if (film_of_point == 0) ++collapsed;
   }
   EXPECT_GE(collapsed, 10u);
