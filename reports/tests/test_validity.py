@@ -46,14 +46,18 @@ class Warnings(ValidityTest):
         self.assertIn("length_range", self.passed("solve", with_field(roller, "bodies.length", 10.0)))
         self.assertIn("hertz_pressure", self.passed("solve", roller | {"load": 46e4}))
 
+    @staticmethod
+    def smooth_scene(speed):
+        return without_field(quiet_scene(speed=speed), "supply")
+
     def test_faces_known_by_rq_alone_are_computed_as_smooth_and_the_warning_says_so(self):
-        faces = {"surface": {"rms_roughness": "300 nm"}, "supply": None, "outputs": ["film", "regime"], "accept": []}
-        done = run("solve", self.write(quiet_scene(speed=[0.1, 1]) | faces | {"accept": []}))
+        faces = {"surface": {"rms_roughness": "300 nm"}, "outputs": ["film", "regime"], "accept": []}
+        done = run("solve", self.write(self.smooth_scene([0.1, 1]) | faces))
         self.assertRegex(done.warned, r"rough_as_smooth 0\.0\d* \(at least 3; touches shares, friction; this is Λ: the faces "
                                       r"touch, and are computed as smooth, because Rq alone does not say what the summits carry; give "
                                       r"summits or spectral moments\)")
         self.assertEqual(len(done.said.splitlines()), 1)
-        self.assertEqual(self.passed("solve", quiet_scene(speed=10) | faces | {"surface": {"rms_roughness": "1 nm"}}), ["inlet_heating"])
+        self.assertEqual(self.passed("solve", self.smooth_scene(1) | faces | {"surface": {"rms_roughness": "1 nm"}}), [])
 
     def test_a_law_of_another_regime_is_told_with_the_one_to_take(self):
         rubber = quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3}, supply=None, accept=[], load=1)
