@@ -173,8 +173,8 @@ TEST(Validity, AContactIsComparedWithTheBodiesNotWithTheGap) {
   const double gap = 1 / (1 / 0.014 - 1 / 0.01408);
   const double axis = std::cbrt(3 * 50 * gap / (4 * 107.9e9));
   EXPECT_NEAR(limit_of(scene_of(text), "half_space").value / (axis / 0.014), 1, 1e-6);
-  EXPECT_TRUE(passes(with(text, "load", 50 * std::pow(0.0071 / axis, 3)), "half_space"));
-  EXPECT_FALSE(passes(with(text, "load", 50 * std::pow(0.0069 / axis, 3)), "half_space"));
+  EXPECT_EQ(passes(with(text, "load", 50 * std::pow(0.0071 / axis, 3)), "half_space"), true);
+  EXPECT_EQ(passes(with(text, "load", 50 * std::pow(0.0069 / axis, 3)), "half_space"), false);
   // Without the bodies the gap is all that is known.
   SceneText other = ordinary().remove("bodies.reduced_radius");
   other.set("bodies.radius_x", "0.02").set("bodies.radius_y", "0.02");
