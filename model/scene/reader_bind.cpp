@@ -402,10 +402,11 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   bool is_of_line_film() const { return use_ == SceneUse::line_film; }
-  // The film is solved for a constant viscosity, too, for which film formulas give nothing.
-  bool is_without_rise(const FieldInfo& info, const Value& value) const {
-    return is_of_line_film() && info.path == "lubricant.pressure_viscosity" &&
-           value.kind == ValueKind::number && value.fault == NumberFault::none && value.number == 0;
+  // A viscosity that does not rise with pressure; which films have none then, check_contact()
+  // knows.
+  static bool is_without_rise(const FieldInfo& info, const Value& value) {
+    return info.path == "lubricant.pressure_viscosity" && value.kind == ValueKind::number &&
+           value.fault == NumberFault::none && value.number == 0;
   }
   // A scene is of smooth bodies where [surface] is not there, or has the roughness for Λ alone.
   bool is_smooth() const {

@@ -248,6 +248,13 @@ class Oils(GivenTest):
                                       "lubricant.kinematic_viscosity", *words)
         self.assert_scene_refused(smooth_scene(lubricant={**GRADE, "iso_vg": 3}), "lubricant.viscosity_index", "index")
 
+    def test_temperatures_that_were_meant_in_celsius(self):
+        self.assert_scene_refused(smooth_scene(lubricant={**GRADE, "temperature": 70}), "lubricant.temperature: 70 K is -203 °C",
+                                  'allowed: "70 °C", or a number from 150 on, in K')
+        pairs = {key: value for key, value in GRADE.items() if key not in ("iso_vg", "viscosity_index")}
+        self.assert_scene_refused(smooth_scene(lubricant={**pairs, "kinematic_viscosity": [[40, 46e-6], [100, 6.8e-6]]}),
+                                  "lubricant.kinematic_viscosity: 40 K is -233 °C")
+
 
 class HeatedInlets(GivenTest):
     GUPTA = {"thermal": "gupta", "conductivity": 0.14, "temperature_coefficient": 0.04}

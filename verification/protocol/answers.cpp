@@ -48,7 +48,7 @@ void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Vali
     const SmoothContact smooth(contact);
     for (const OutputInfo& output : output_infos)
       if (scene.outputs.contains(output.output) && output.is_of_smooth_contact)
-        answer.value(output.name, value_of(smooth, output.output, point.speed));
+        answer.value(output.name, value_of(smooth, output.output, point));
   }
   answer.close();
   to.push_back('\n');
@@ -80,13 +80,14 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output) {
   return number(numbers_of(point)[static_cast<std::size_t>(output)]);
 }
 
-OutputValue value_of(const SmoothContact& contact, Output output, double speed) {
-  return number(contact.value(output, speed));
+OutputValue value_of(const SmoothContact& contact, Output output,
+                     const OperatingPoint<double>& point) {
+  return number(contact.value(output, point.speed, point.film));
 }
 
 OutputSet needed_for(OutputSet asked) {
   if (asked.contains(Output::inlet)) asked.insert(Output::film);
-  return asked;
+  return solved_outputs(asked);
 }
 
 void append_json_text(Text& to, std::string_view text) {

@@ -38,9 +38,12 @@ struct OutputValue {
 
 // The output is none of smooth_outputs(), which a point does not hold.
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
-OutputValue value_of(const SmoothContact& contact, Output output, double speed);
+// The point has its speed and its film.
+OutputValue value_of(const SmoothContact& contact, Output output,
+                     const OperatingPoint<double>& point);
 
-// The outputs to compute so that value_of() can tell a word that rests on an overflow.
+// The outputs to compute so that value_of() has what it needs: the film of the least film, and of a
+// word the number by which an overflow is told.
 OutputSet needed_for(OutputSet asked);
 
 // A JSON text with its quotes; bytes that are not UTF-8 become U+FFFD.
