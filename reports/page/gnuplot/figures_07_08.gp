@@ -10,8 +10,10 @@ if (prefix eq "figure_07") {
   half = 0.5*first_mean
   do for [i = 1:3] {
     s = word(surfaces, i)
+    undefine onset_*
     stats marks using (mark("onset", s, "GT", speed)) nooutput name "onset"
-    stats gt(s) using (column(y) > half && column(speed) < onset_max ? column(speed) : NaN) nooutput name "high"
+    falling = exists("onset_max") ? onset_max : speeds_max
+    stats gt(s) using (column(y) > half && column(speed) <= falling ? column(speed) : NaN) nooutput name "high"
     set label s at first high_max, half center rotate by -17 offset 0,-0.75 font small textcolor rgb colour(s)
   }
 } else {
