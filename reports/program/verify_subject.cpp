@@ -117,7 +117,7 @@ void update_baseline(const BaselineUse& use, const nlohmann::json& before,
 std::vector<Diagnosis> slight_diagnoses(const std::vector<TestCase>& cases,
                                         const SubjectVerdict& verdict,
                                         const std::vector<Mistake>& mistakes) {
-  Tolerance tight{.name = "baseline", .relative = 1e300};
+  Tolerance tight{.name = "baseline", .relative = 1e300, .quantity = {}};
   for (const BaselineChange& one : verdict.changes->worse)
     if (one.fact == "worst_error")
       tight.quantity[one.quantity] = greatest_as_before(one.before.get<double>());

@@ -167,9 +167,9 @@ def reading_table(ledger, name):
 # --- The tables, a section each.
 
 def first(report):
-    labels = {"C1.smooth": "onset of starvation, m/s: smooth", "C1.medium": "onset of starvation, m/s: medium", "C1.rough": "onset of starvation, m/s: rough",
-              "C2.smooth": "film/roughness λ at the onset", "C4.rough": "share of the load on summits at low speed: rough",
-              "C4.smooth": "share of the load on summits at low speed: smooth"}
+    labels = {"C1.smooth": "onset of starvation, m/s: smooth", "C1.medium": "onset, m/s: medium", "C1.rough": "onset, m/s: rough",
+              "C2.smooth": "film/roughness λ at the onset", "C4.rough": "load on summits at low speed: rough",
+              "C4.smooth": "load on summits at low speed: smooth"}
     items = {one["item"]: one for one in report["ledger"]["items"]}
 
     def word(got):

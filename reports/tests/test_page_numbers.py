@@ -22,8 +22,8 @@ class Numbers(Told):
             self.tells("claims", rf"onset of starvation, {name}, m/s \| [\d.]+ \| NUMBER \| NUMBER \| NUMBER \|", *(choice[i].onset for choice in choices))
 
     def test_the_first_screen(self):
-        for name, words, printed in (("smooth", "onset of starvation, m/s: smooth", 0.09), ("medium", "onset of starvation, m/s: medium", 0.15),
-                                     ("rough", "onset of starvation, m/s: rough", 0.5)):
+        for name, words, printed in (("smooth", "onset of starvation, m/s: smooth", 0.09), ("medium", "onset, m/s: medium", 0.15),
+                                     ("rough", "onset, m/s: rough", 0.5)):
             speed = self.contacts[name].onset
             self.tells("first", rf"\| {words} \| {printed} \| NUMBER \(NUMBER times\)", speed, speed / printed)
         self.tells("first", r"λ at the onset \| 1.4 \| NUMBER:", self.contacts["smooth"].film(self.contacts["smooth"].onset))
