@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck curve: the Stribeck curve over the range of a scene's speeds, even in their logarithm.
+// tribocheck curve: the Stribeck curve over the range of a scene's speeds, even in their logarithm,
+// or at the speeds of its list.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,11 +43,14 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const detail::SpeedSpan span = detail::speed_span(scene.speeds);
   writer.begin_scene(scene, contact);
-  stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
-                 protocol::needed_for(scene.outputs), [&](const OperatingPoint<double>& point) {
-                   writer.add(point);
-                   progress.step();
-                 });
+  const auto add = [&](const OperatingPoint<double>& point) {
+    writer.add(point);
+    progress.step();
+  };
+  if (scene.speeds.list.empty())
+    return stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
+                          protocol::needed_for(scene.outputs), add);
+  for (const double speed : scene.speeds.list) add(contact.solve(speed));
 }
 
 void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
@@ -65,13 +69,15 @@ std::vector<Comparison> compared(const Scene& scene,
                                  const std::vector<MeasuredNumber>& measurements) {
   const MixedContact<double> contact(scene);
   const SmoothContact smooth(contact);
+  const detail::SpeedSpan span = detail::speed_span(scene.speeds);
   std::vector<Comparison> comparisons;
   for (const MeasuredNumber& one : measurements) {
     const protocol::OutputValue computed = value_at(contact.solve(one.speed), smooth, one.output);
     const bool has_both = computed.undefined.empty() && one.value > 0;
     comparisons.push_back({one, computed,
                            has_both ? 100 * (computed.number / one.value - 1)
-                                    : std::numeric_limits<double>::quiet_NaN()});
+                                    : std::numeric_limits<double>::quiet_NaN(),
+                           one.speed < span.low || one.speed > span.high});
   }
   return comparisons;
 }
@@ -102,7 +108,11 @@ int curve(const CurveArguments& arguments, OutputStream& output) {
     write_curves(arguments, loaded, output);
   } else {
     const Scene& scene = loaded.scenes.front();
-    comparisons = compared(scene, read_measured(arguments.data, scene.outputs));
+    const MeasuredPoints measured = read_measured(arguments.data, scene.outputs);
+    if (!measured.ignored.empty())
+      complain(fmt::format("{}: columns that are not compared: {}", arguments.data,
+                           fmt::join(measured.ignored, ", ")));
+    comparisons = compared(scene, measured.numbers);
     write_comparisons(arguments.format, scene.id, arguments.data, comparisons,
                       loaded.warnings.json(), output);
   }
@@ -117,11 +127,12 @@ int curve(const CurveArguments& arguments, OutputStream& output) {
 
 constexpr const char* curve_footer =
     R"(The curve spans the scene's range of speeds with as many points as it has, spaced evenly in the
-logarithm of speed, also where the scene gives a list or a range spaced otherwise. Columns and
-formats are those of `tribocheck solve`.
+logarithm of speed, also where the range is spaced otherwise. A list of speeds is answered at these
+speeds. Columns and formats are those of `tribocheck solve`.
 
 --picture draws friction, film and the asperities' share of the load against speed, as far as the
-scenes ask for them, and marks the onset of starvation (film_maximum) and the end of the film.
+scenes ask for them, from the least to the greatest speed, and marks the film's maximum
+(film_maximum) and the last point before the film collapses.
 
 --data compares one scene with what was measured. Each line of the file is a point, and its first
 line names the columns with their units, separated by commas, semicolons or tabs:
@@ -129,11 +140,14 @@ line names the columns with their units, separated by commas, semicolons or tabs
   0.01,7.4,0.049
   0.1,,0.046
 Columns beside the speed are those `outputs` of the scene that are numbers, in units as a scene takes
-them: nm, GPa, and so on; numbers without a unit also in %. An empty cell was not measured, a line
-that begins with # is not read. In place of the curve each number is printed with the model's at that
-speed, also where it lies outside of the curve, and with their deviation, (computed − measured)/
-measured; below, or in the lines "median" of CSV, is the median of each column. With --picture the
-points are drawn over the curve.
+them: nm, GPa, and so on; numbers without a unit also in %. A unit stands in [ ], in ( ) or behind
+a /. Usual names will do as well: rolling, entrainment or mean speed; film thickness; CoF, μ, mu,
+friction or traction coefficient. Other columns are named in one line and not read. An empty cell
+was not measured, a line that begins with # is not read. Between semicolons or tabs a number may
+have a decimal comma. In place of the curve each number is printed with the model's at that speed,
+and with their deviation, (computed − measured)/measured, where more than 0 was measured; a speed
+outside of the curve is marked. Below, or in the lines "median" of CSV, is the median of each column.
+With --picture the points are drawn over the curve.
 
 Exit code 0: done; 1: the picture is missing; 2: bad usage or input.
 

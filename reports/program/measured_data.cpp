@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -76,10 +77,77 @@ std::vector<std::string_view> cells_in(std::string_view line, char separator) {
   }
 }
 
+// Names that people and test rigs give to the speed and to outputs, in small letters. An output's
+// own name is known as well.
+struct ColumnName {
+  std::string_view name;
+  std::optional<Output> output;  // none: the speed
+};
+constexpr auto column_names = std::to_array<ColumnName>({
+    {"speed", std::nullopt},
+    {"rolling speed", std::nullopt},
+    {"entrainment speed", std::nullopt},
+    {"mean speed", std::nullopt},
+    {"film thickness", Output::film},
+    {"central film thickness", Output::film},
+    {"minimum film thickness", Output::minimum_film},
+    {"cof", Output::friction},
+    {"mu", Output::friction},
+    {"μ", Output::friction},
+    {"µ", Output::friction},  // the micro sign, which keyboards have
+    {"friction coefficient", Output::friction},
+    {"coefficient of friction", Output::friction},
+    {"traction coefficient", Output::friction},
+    {"traction coeff", Output::friction},
+});
+
+// In small letters, with blanks for underscores, and without a dot at the end.
+std::string plain_name(std::string_view name) {
+  std::string plain(name);
+  for (char& letter : plain) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    if (letter == '_') letter = ' ';
+  }
+  if (plain.ends_with('.')) plain.pop_back();
+  return plain;
+}
+
+// The speed, or an output that is a number; nothing where the name is not known.
+std::optional<ColumnName> column_name(std::string_view name) {
+  const std::string plain = plain_name(name);
+  for (const ColumnName& known : column_names)
+    if (known.name == plain) return known;
+  for (const OutputInfo& output : output_infos)
+    if (output.words.empty() && plain_name(output.name) == plain)
+      return ColumnName{output.name, output.output};
+  return std::nullopt;
+}
+
+// A heading as "film [nm]", "film (nm)" or "film / nm".
+struct Heading {
+  std::string_view name, unit;
+  bool is_closed = true;  // the bracket
+};
+
+Heading parts_of(std::string_view heading) {
+  const std::size_t bracket = heading.find_first_of("[(");
+  if (bracket == std::string_view::npos) {
+    const std::size_t slash = std::min(heading.find('/'), heading.size());
+    const std::string_view unit = heading.substr(std::min(slash + 1, heading.size()));
+    return {trimmed(heading.substr(0, slash)), trimmed(unit)};
+  }
+  const std::string_view name = trimmed(heading.substr(0, bracket));
+  const std::string_view behind = heading.substr(bracket + 1);
+  if (!behind.ends_with(heading[bracket] == '[' ? ']' : ')')) return {name, behind, false};
+  return {name, trimmed(behind.substr(0, behind.size() - 1))};
+}
+
 struct DataColumn {
   std::string heading;
+  bool is_known = true;          // else it is not read
   std::optional<Output> output;  // none: the speed
   std::string unit;
+  bool is_speed() const { return is_known && !output; }
   std::string_view si() const { return output ? info(*output).unit : "m/s"; }
 };
 
@@ -116,14 +184,17 @@ class MeasuredReader {
       refuse("nothing was measured", "a line for each point, below the names of the columns");
   }
 
-  std::vector<MeasuredNumber> finish() {
+  MeasuredPoints finish() {
     if (faults_.size() > most_faults) {
       const std::size_t more = faults_.size() - most_faults;
       faults_.resize(most_faults);
       faults_.push_back(fmt::format("{}: {} more mistakes", path_, more));
     }
     if (!faults_.empty()) throw ReportError(std::move(faults_));
-    return std::move(measurements_);
+    MeasuredPoints points{std::move(measurements_), {}};
+    for (const DataColumn& column : columns_)
+      if (!column.is_known) points.ignored.push_back(column.heading);
+    return points;
   }
 
  private:
@@ -143,37 +214,37 @@ class MeasuredReader {
     const bool has_semicolons = line.find(';') != std::string_view::npos;
     separator_ = has_tabs ? '\t' : has_semicolons ? ';' : ',';
     for (const std::string_view heading : cells_in(line, separator_)) add_column(heading);
-    const auto is_speed = [](const DataColumn& column) { return !column.output; };
     if (!faults_.empty()) return;
+    const auto is_speed = [](const DataColumn& column) { return column.is_speed(); };
+    const auto is_measured = [](const DataColumn& column) { return column.output.has_value(); };
     if (std::none_of(columns_.begin(), columns_.end(), is_speed))
       refuse("there is no column speed", "speed [m/s] or speed [mm/s], beside what was measured");
-    else if (columns_.size() == 1)
-      refuse("there is no column of what was measured", allowed_names(asked_));
+    else if (std::none_of(columns_.begin(), columns_.end(), is_measured))
+      refuse("there is no column of what was measured",
+             allowed_names(asked_) + ", each with its unit, as film [nm]");
   }
 
   void add_column(std::string_view heading) {
     const std::size_t place = columns_.size();
-    const std::size_t bracket = std::min(heading.find('['), heading.size());
-    const std::string_view name = trimmed(heading.substr(0, bracket));
-    std::string_view unit = heading.substr(bracket);
-    const bool has_unit = unit.size() >= 2 && unit.back() == ']';
-    if (has_unit) unit = trimmed(unit.substr(1, unit.size() - 2));
-    DataColumn column{std::string(heading), output_by_name(name), std::string(unit)};
+    const Heading parts = parts_of(heading);
+    const std::optional<ColumnName> known = column_name(parts.name);
+    const DataColumn column{std::string(heading), known.has_value(),
+                            known ? known->output : std::nullopt, std::string(parts.unit)};
     columns_.push_back(column);
-    if (name != "speed" && (!column.output || !info(*column.output).words.empty()))
-      return refuse(place, heading, "this column is not known",
-                    allowed_names(asked_) + ", each with its unit, as film [nm]");
+    if (!column.is_known) return;
     if (column.output && !asked_.contains(*column.output))
       return refuse(place, heading, "the scene's `outputs` do not ask for it",
                     allowed_names(asked_));
     const bool is_double =
-        std::any_of(columns_.begin(), columns_.end() - 1,
-                    [&column](const DataColumn& before) { return before.output == column.output; });
+        std::any_of(columns_.begin(), columns_.end() - 1, [&column](const DataColumn& before) {
+          return before.is_known && before.output == column.output;
+        });
     if (is_double) return refuse(place, heading, "this column is there twice", "it once");
     if (column.unit.empty() && column.si().empty()) return;
-    if (!has_unit || !number_in("1", column.unit, column.si()))
-      return refuse(place, heading, unit.empty() ? "its unit is missing" : "this unit does not fit",
-                    units_for(column.si()) + ", in brackets behind the name");
+    if (!parts.is_closed || !number_in("1", column.unit, column.si()))
+      return refuse(place, heading,
+                    column.unit.empty() ? "its unit is missing" : "this unit does not fit",
+                    units_for(column.si()) + ", in brackets or after a / behind the name");
   }
 
   void read_row(std::string_view line) {
@@ -186,7 +257,7 @@ class MeasuredReader {
     double speed = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const DataColumn& column = columns_[i];
-      if (cells[i].empty() && column.output) continue;
+      if (!column.is_known || (cells[i].empty() && column.output)) continue;
       const std::optional<double> number = number_at(cells[i], i);
       if (!number) continue;
       if (column.output)
@@ -201,14 +272,28 @@ class MeasuredReader {
   }
 
   std::optional<double> number_at(std::string_view cell, std::size_t place) {
-    const bool is_speed = !columns_[place].output;
-    const auto number = number_in(cell, columns_[place].unit, columns_[place].si());
-    if (number && (is_speed ? *number > 0 : *number >= 0)) return number;
-    refuse(place, columns_[place].heading,
+    const DataColumn& column = columns_[place];
+    const auto number = number_in(with_point(cell), column.unit, column.si());
+    const bool may_be_negative = column.output == Output::friction;  // a rig's zero is off a little
+    if (number && (column.is_speed() ? *number > 0 : may_be_negative || *number >= 0))
+      return number;
+    const std::string sign = separator_ == ',' ? "with a decimal point" : "with a decimal sign";
+    refuse(place, column.heading,
            cell.empty() ? "the cell is empty" : printable(cell) + " is not allowed",
-           is_speed ? "a number above 0, with a decimal point"
-                    : "a number not below 0, with a decimal point, or an empty cell");
+           column.is_speed() ? "a number above 0, " + sign
+           : may_be_negative ? "a number, " + sign + ", or an empty cell"
+                             : "a number not below 0, " + sign + ", or an empty cell");
     return std::nullopt;
+  }
+
+  // The cell with a point in place of a decimal comma, which there is where no comma separates.
+  std::string with_point(std::string_view cell) const {
+    std::string text(cell);
+    const std::size_t comma = text.find(',');
+    const bool is_decimal =
+        separator_ != ',' && comma != std::string::npos && text.find('.') == std::string::npos;
+    if (is_decimal) text[comma] = '.';
+    return text;
   }
 
   const std::string& path_;
@@ -236,12 +321,15 @@ void append_comparison_table(Text& to, std::string_view title,
   std::size_t widest = 0;
   for (const Comparison& one : comparisons)
     widest = std::max(widest, info(one.measured.output).name.size() + 6);
-  const std::vector<ColumnHead> heads{{"line", "", 4},
-                                      {"speed", "[m/s]", number_width},
-                                      {"quantity", "", widest},
-                                      {"measured", "", number_width},
-                                      {"computed", "", number_width},
-                                      {"deviation", "[%]", 9}};
+  const bool any_outside = std::any_of(comparisons.begin(), comparisons.end(),
+                                       [](const Comparison& one) { return one.is_outside; });
+  std::vector<ColumnHead> heads{{"line", "", 4},
+                                {"speed", "[m/s]", number_width},
+                                {"quantity", "", widest},
+                                {"measured", "", number_width},
+                                {"computed", "", number_width},
+                                {"deviation", "[%]", 9}};
+  if (any_outside) heads.emplace_back("", "", 7);
   append_title(to, title);
   append_heads(to, heads);
   std::vector<std::string_view> reasons;
@@ -249,12 +337,15 @@ void append_comparison_table(Text& to, std::string_view title,
     const std::string_view why = one.computed.undefined;
     if (!why.empty() && std::find(reasons.begin(), reasons.end(), why) == reasons.end())
       reasons.push_back(why);
-    append_row(to, heads,
-               {std::to_string(one.measured.line), readable(one.measured.speed),
-                fmt::format("{} {}", info(one.measured.output).name,
-                            unit_in_brackets(one.measured.output)),
-                readable(one.measured.value), why.empty() ? readable(one.computed.number) : "-",
-                per_cent(one.deviation_percent)});
+    std::vector<std::string> cells{
+        std::to_string(one.measured.line),
+        readable(one.measured.speed),
+        fmt::format("{} {}", info(one.measured.output).name, unit_in_brackets(one.measured.output)),
+        readable(one.measured.value),
+        why.empty() ? readable(one.computed.number) : "-",
+        per_cent(one.deviation_percent)};
+    if (any_outside) cells.emplace_back(one.is_outside ? "outside" : "-");
+    append_row(to, heads, cells);
   }
   for (const std::string_view why : reasons) append_line(to, fmt::format("  - computed: {}", why));
   for (const DeviationSummary& one : summaries_of(comparisons)) {
@@ -268,6 +359,8 @@ void append_comparison_table(Text& to, std::string_view title,
                                       per_cent(one.greatest_percent)));
   }
   append_line(to, "  - deviation: (computed − measured)/measured, each at the speed of its point");
+  if (any_outside)
+    append_line(to, "  - outside: the speed is not among those of the scene's curve");
 }
 
 // Empty for NaN.
@@ -276,17 +369,17 @@ std::string csv_number(double value) { return std::isnan(value) ? "" : report::e
 void append_comparison_csv(Text& to, std::string_view scene_id,
                            const std::vector<Comparison>& comparisons) {
   const std::string id = report::csv_text(scene_id);
-  append(to, "id,line,quantity,unit,speed,measured,computed,deviation_percent\n");
+  append(to, "id,line,quantity,unit,speed,measured,computed,deviation_percent,outside\n");
   for (const Comparison& one : comparisons) {
     const OutputInfo& quantity = info(one.measured.output);
-    append(to, fmt::format("{},{},{},{},{},{},{},{}\n", id, one.measured.line, quantity.name,
+    append(to, fmt::format("{},{},{},{},{},{},{},{},{}\n", id, one.measured.line, quantity.name,
                            quantity.unit, report::exact(one.measured.speed),
                            report::exact(one.measured.value),
                            one.computed.undefined.empty() ? report::exact(one.computed.number) : "",
-                           csv_number(one.deviation_percent)));
+                           csv_number(one.deviation_percent), one.is_outside));
   }
   for (const DeviationSummary& one : summaries_of(comparisons))
-    append(to, fmt::format("{},median,{},{},,,,{}\n", id, info(one.output).name,
+    append(to, fmt::format("{},median,{},{},,,,{},\n", id, info(one.output).name,
                            info(one.output).unit, csv_number(one.median_percent)));
 }
 
@@ -306,7 +399,8 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
                       {"speed", one.measured.speed},
                       {"measured", one.measured.value},
                       {"computed", is_defined ? ordered_json(one.computed.number) : nullptr},
-                      {"deviation_percent", json_number(one.deviation_percent)}});
+                      {"deviation_percent", json_number(one.deviation_percent)},
+                      {"outside", one.is_outside}});
     if (!is_defined) points.back()["undefined"] = one.computed.undefined;
   }
   for (const DeviationSummary& one : summaries_of(comparisons))
@@ -325,12 +419,13 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
 
 }  // namespace
 
-std::vector<MeasuredNumber> read_measured(const std::string& path, OutputSet asked) {
+MeasuredPoints read_measured(const std::string& path, OutputSet asked) {
   std::ifstream file(path, std::ios::binary);
   std::string text(most_bytes + 1, ' ');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.is_open()) file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file.is_open() || file.bad())
-    throw ReportError(fmt::format("{}: the file cannot be read", path));
+    throw ReportError(fmt::format("{}: the file cannot be read: {}", path,
+                                  std::generic_category().message(errno)));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > most_bytes) throw ReportError(fmt::format("{}: the file is over 4 MiB", path));
   MeasuredReader reader(path, asked);

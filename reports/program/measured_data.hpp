@@ -23,16 +23,23 @@ struct MeasuredNumber {
   double value = 0;
 };
 
+struct MeasuredPoints {
+  std::vector<MeasuredNumber> numbers;
+  std::vector<std::string> ignored;  // headings of the columns that no output stands for
+};
+
 // Reads a file of which each line is a point. The first line has the names of the columns with
-// their units: `speed [m/s],film [nm],friction`; names are those of outputs that are numbers. An
-// empty cell was not measured. Blank lines, and lines that begin with #, are skipped. Throws
-// report::ReportError with one line for each mistake; one that is not `asked` for is a mistake.
-std::vector<MeasuredNumber> read_measured(const std::string& path, OutputSet asked);
+// their units: `speed [m/s],film [nm],friction`; names are those of outputs that are numbers, and
+// those that test rigs use for them. An empty cell was not measured. Blank lines, and lines that
+// begin with #, are skipped. Throws report::ReportError with one line for each mistake; an output
+// that is not `asked` for is a mistake.
+MeasuredPoints read_measured(const std::string& path, OutputSet asked);
 
 struct Comparison {
   MeasuredNumber measured;
   protocol::OutputValue computed;
   double deviation_percent = 0;  // (computed − measured)/measured; NaN where there is none
+  bool is_outside = false;       // of the speeds of the scene's curve
 };
 
 // The deviations of one output: the median, the least and the greatest of those that exist.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,38 +58,64 @@ std::vector<Onset<double>> onsets_of(const Scene& scene, const OnsetArguments& a
 
 constexpr std::size_t criterion_width = width_of_words(onset_criterion_words);
 
-std::vector<Column> columns() {
-  return {{"criterion", "", criterion_width, true},
-          {"speed", "m/s"},
-          {"film", "m"},
-          {"film_parameter"}};
+// A table names the law of the inlet in its title, and has no column for it.
+std::vector<Column> columns(std::string_view format) {
+  std::vector<Column> columns{{"criterion", "", criterion_width, true},
+                              {"speed", "m/s"},
+                              {"film", "m"},
+                              {"film_parameter"}};
+  if (format != "table") columns.push_back({"starvation", "", 0, true});
+  return columns;
 }
 
-std::array<protocol::OutputValue, 4> cells_of(const Onset<double>& onset) {
+std::string_view law_of(const Scene& scene) {
+  return starvation_closure_words[static_cast<std::size_t>(scene.closures.starvation)];
+}
+
+std::string title_of(const Scene& scene) {
+  const std::string title = scene.id + ": onset of starvation";
+  const bool is_flooded = scene.supply.kind == SupplyKind::flooded;
+  return is_flooded ? title : fmt::format("{}, starvation = {}", title, law_of(scene));
+}
+
+std::array<protocol::OutputValue, 5> cells_of(const Scene& scene, const Onset<double>& onset) {
   const std::string_view reason = onset.exists ? std::string_view() : onset.reason;
   const bool is_smooth = onset.exists && std::isnan(onset.film_parameter);
   return {{{{}, name(onset.criterion)},
            {reason, {}, onset.speed},
            {reason, {}, onset.film},
-           {is_smooth ? without_roughness : reason, {}, onset.film_parameter}}};
+           {is_smooth ? without_roughness : reason, {}, onset.film_parameter},
+           {{}, law_of(scene)}}};
 }
 
 int find_onsets(const OnsetArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::onset);
   if (loaded.scenes.empty()) return exit_bad;
-  RowWriter writer(arguments.scenes.format, output, columns(), {"onset/1", "onsets"},
-                   RowWriter::Reasons::in_rows);
+  const std::string& format = arguments.scenes.format;
+  const std::vector<Column> told = columns(format);
+  RowWriter writer(format, output, told, {"onset/1", "onsets"}, RowWriter::Reasons::in_rows);
+  bool is_any_supplied = false;
   for (const Scene& scene : loaded.scenes) {
-    writer.begin(scene.id, scene.id + ": onset of starvation", columns());
-    for (const Onset<double>& onset : onsets_of(scene, arguments)) writer.add(cells_of(onset));
+    is_any_supplied = is_any_supplied || scene.supply.kind != SupplyKind::flooded;
+    writer.begin(scene.id, title_of(scene), told);
+    for (const Onset<double>& onset : onsets_of(scene, arguments)) {
+      const auto cells = cells_of(scene, onset);
+      writer.add(std::span(cells).first(told.size()));
+    }
   }
   writer.finish({{"warnings", loaded.warnings.json()}});
+  if (format == "table" && is_any_supplied)
+    append(output.text(),
+           "  - another law of the inlet gives other speeds, several times as high or "
+           "low: closures.starvation\n");
   return loaded.exit_code(arguments.scenes);
 }
 
 constexpr const char* onset_footer =
     R"(Speed in m/s, film in m, film_parameter = film/summit_height_sd. Where a criterion has no point, the
-answer says why. `speed` may be absent from the scene; friction_minimum alone needs it.
+answer says why. `speed` may be absent from the scene; friction_minimum alone needs it. The title, or
+"starvation" in CSV and JSON, names the law of the inlet, closures.starvation: another law gives other
+speeds, several times as high or low.
 
 Example:
   tribocheck onset reference/published/rough.toml

@@ -90,7 +90,8 @@ class Data(CurveTest):
             return [(one["speed"], one["quantity"], one["measured"]) for one in self.compared(text, None, "--format", "json").json()["points"]]
         wanted = numbers(HEAD + "0.01,7,0.05\n")
         self.assertEqual(wanted, [(0.01, "film", 7e-9), (0.01, "friction", 0.05)])
-        for text in ("\ufeff" + HEAD + "0.01,7,0.05", "speed [m/s];film [nm];friction\r\n0.01;7;0.05\r\n",
+        for text in ("Rolling Speed (mm/s);Film Thickness (nm);Traction Coeff. (-)\n10;7,0;0,05\n", "SPEED / mm/s\tfilm/nm\tCoF\n1e1\t7\t0,05\n",
+                     "entrainment speed (m/s),film_thickness [nm],μ [%]\n0.01,7,5\n", "\ufeff" + HEAD + "0.01,7,0.05", "speed [m/s];film [nm];friction\r\n0.01;7;0.05\r\n",
                      "speed [mm/s]\tfilm [µm]\tfriction [%]\n10\t0.007\t5\n", '"speed [m/s]","film [um]","friction [-]"\n"1e-2","7e-3","0.05"\n',
                      "film [mm] , friction , speed [mm/s]\n 7e-6 , 0.05 , 10 \n"):
             with self.subTest(text):
@@ -99,9 +100,12 @@ class Data(CurveTest):
     def test_each_mistake_is_one_line_with_its_place(self):
         for text, *expected in [
                 ("", "line 0: no columns"), (HEAD, "line 1: nothing was measured"),
-                ("0.01,7\n", "line 1, column 1 (0.01): this column is not known", "line 1, column 2 (7): this column is not known"),
-                ("speed [m/s],flim [nm]\n", "line 1, column 2 (flim [nm]): this column is not known"),
-                ("speed [m/s],regime\n", "line 1, column 2 (regime): this column is not known"),
+                ("0.01,7\n", "line 1: there is no column speed"),
+                ("speed [m/s],flim [nm]\n", "line 1: there is no column of what was measured"),
+                ("speed [m/s],regime\n", "line 1: there is no column of what was measured"),
+                ("speed [m/s],CoF,friction\n", "line 1, column 3 (friction): this column is there twice"),
+                ("speed [m/s],friction\n0,105,3\n", "line 2: 3 cells"),
+                ("speed [m/s];film [nm]\n0,1;-2\n", "line 2, column 2 (film [nm]): -2 is not allowed"),
                 ("speed,film [nm]\n", "line 1, column 1 (speed): its unit is missing"),
                 ("speed [m/s],film\n", "line 1, column 2 (film): its unit is missing"),
                 ("speed [m/s],film [µm\n", "line 1, column 2 (film [µm): this unit does not fit"),
@@ -112,12 +116,23 @@ class Data(CurveTest):
                 (HEAD + "0,20,0.1\n-1,20,x\n,20,0.1\n", "line 2, column 1 (speed [m/s]): 0 is not allowed",
                  "line 3, column 1 (speed [m/s]): -1 is not allowed", "line 3, column 3 (friction): x is not allowed",
                  "line 4, column 1 (speed [m/s]): the cell is empty"),
-                ("speed [m/s];film [nm]\n0,1;20\n0.1;nan\n0.1;-2\n", "line 2, column 1 (speed [m/s]): 0,1 is not allowed",
+                ("speed [m/s];film [nm]\n1.000,1;20\n0.1;nan\n0.1;-2\n", "line 2, column 1 (speed [m/s]): 1.000,1 is not allowed",
                  "line 3, column 2 (film [nm]): nan is not allowed", "line 4, column 2 (film [nm]): -2 is not allowed")]:
             with self.subTest(text):
                 self.refused(text, *expected)
         self.refused(HEAD + "0.1,20,0.1\n", "line 1, column 3 (friction): the scene's `outputs` do not ask for it",
                      tree=quiet_scene("smooth", outputs=["film"]))
+
+    def test_other_columns_are_named_in_one_line(self):
+        path = self.folder.write("measured.csv", "time [s],speed [m/s],friction,temperature [°C]\n1,0.01,-0.002,warm\n,5,0.05,\n")
+        result = run("curve", self.write(quiet_scene("smooth")), "--data", path, "--format", "json")
+        self.assertEqual((result.code, result.err), (0, f"tribocheck: {path}: columns that are not compared: time [s], temperature [°C]\n"))
+        first, second = result.json()["points"]
+        self.assertEqual((first["measured"], first["deviation_percent"], first["outside"]), (-0.002, None, False))
+        self.assertEqual((second["measured"], second["outside"]), (0.05, True))
+        table = run("curve", self.write(quiet_scene("smooth")), "--data", path).out.splitlines()
+        self.assertEqual([line.split()[-1] for line in table[4:6]], ["-", "outside"])
+        self.assertIn("  - outside: the speed is not among those of the scene's curve", table)
 
     def test_many_mistakes_are_twenty_lines_and_their_number(self):
         path = self.folder.write("measured.csv", HEAD + "x,1,1\n" * 30)
@@ -127,12 +142,19 @@ class Data(CurveTest):
 
     def test_what_cannot_be_compared_is_one_line(self):
         path = self.write(quiet_scene())
-        for arguments, words in ((["--data", self.folder.path("none.csv")], "none.csv: the file cannot be read"),
+        for arguments, words in ((["--data", self.folder.path("none.csv")], "none.csv: the file cannot be read: No such file or directory"),
                                  (["--data", self.folder.name], "the file cannot be read"),
                                  ([path, "--data", self.folder.write("m.csv", HEAD)], "--data is compared with one scene, and these are 2")):
             result = run("curve", path, *arguments)
             self.assertEqual((result.code, result.out, len(result.error_lines)), (2, "", 1), result.err)
             self.assertIn(words, result.err)
+
+
+class Speeds(CurveTest):
+    def test_a_list_is_answered_at_its_speeds(self):
+        tree = quiet_scene("smooth", speed=[0.01, 0.1, 0.5])
+        told = run("curve", self.write(tree), "--format", "json").json()["points"]
+        self.assertEqual(told, self.solved(tree, [0.01, 0.1, 0.5]))
 
 
 class Pictures(CurveTest):
@@ -163,14 +185,14 @@ class Pictures(CurveTest):
             strokes = [place for series in plot.series for place in series.lines]
             self.assertTrue(any(math.hypot(x - across.place(1e-4), y - up.place(factor * first[name])) < 0.2 for x, y in strokes), (name, strokes[:3]))
         words = {text for text, *_ in svg_plots.texts(target)}
-        self.assertLessEqual({title for title, _ in PANELS.values()} | {"measured", "onset of starvation", "the film collapses"}, words)
+        self.assertLessEqual({title for title, _ in PANELS.values()} | {"measured", "film maximum", "last point before the collapse"}, words)
 
     def test_only_what_scenes_ask_for_is_drawn(self):
         flooded = self.write(quiet_scene("smooth", id="flooded", supply=None, outputs=["film", "inlet"]), "flooded.toml")
         target = self.drawn(flooded)
         words = {text for text, *_ in svg_plots.texts(target)}
         self.assertIn("film h* (nm)", words)
-        self.assertFalse(words & {"friction coefficient μ (–)", "onset of starvation", "the film collapses", "measured"}, words)
+        self.assertFalse(words & {"friction coefficient μ (–)", "film maximum", "last point before the collapse", "measured"}, words)
         target = self.drawn(flooded, self.write(quiet_scene("rough")), name="both.svg")
         self.assertLessEqual({"flooded", "rough", "friction coefficient μ (–)"}, {text for text, *_ in svg_plots.texts(target)})
 

@@ -42,6 +42,14 @@ class OnsetTest(ProgramTest):
     def test_the_default_departure_is_one_twentieth(self):
         self.assertEqual(self.found(scene()), self.found(scene(), "--departure", "0.05"))
 
+    def test_the_law_of_the_inlet_is_named(self):
+        for law in ("flooded_inlet", "damiens"):
+            tree = {**scene(), "closures": {"starvation": law}}
+            self.assertEqual({one["starvation"] for one in self.found(tree).values()}, {law})
+            table = run("onset", self.folder.write("law.toml", tree)).out
+            self.assertIn(f": onset of starvation, starvation = {law}\n", table)
+            self.assertEqual(table.count("another law of the inlet gives other speeds"), 1)
+
     def test_only_the_criteria_that_are_asked_for(self):
         found = self.found(scene(), "--criterion", "friction_minimum", "--criterion", "film_maximum")
         self.assertEqual(sorted(found), ["film_maximum", "friction_minimum"])
@@ -79,7 +87,7 @@ class OnsetTest(ProgramTest):
             path = self.folder.write("scene.toml", tree)
             found = self.found(tree)
             rows = run("onset", path, "--format", "csv").rows()
-            table = run("onset", path).out.splitlines()[5:]
+            table = [line for line in run("onset", path).out.splitlines()[5:] if not line.startswith("  - another law")]
             for row, line in zip(rows, table, strict=True):
                 self.assert_agree(found[row["criterion"]], row, line)
 

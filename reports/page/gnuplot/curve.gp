@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Outputs of scenes against speed, a panel each over one axis.
 # Blocks: 0 the ends of the speed axis, and how many marks of each kind there are; 1 the axis of each panel; 2 the
-# scenes; 3 the marks: 1 the onset of starvation, 2 the last point before the film collapses, 3 a measured point; 4 and
+# scenes; 3 the marks: 1 the film maximum, 2 the last point before the film collapses, 3 a measured point; 4 and
 # on the curve of each scene. Curves and marks have a value for each panel.
 load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), onsets = column(3), ends = column(4), \
@@ -28,8 +28,8 @@ set style line 9 pointtype 4 pointsize 1.2*outline linewidth 1.6 linecolor rgb "
 
 # Entries without a mark would leave gaps in the legend.
 legend = ""
-if (onsets > 0) { legend = legend.', keyentry with points linestyle 7 linecolor rgb grey title "onset of starvation"' }
-if (ends > 0) { legend = legend.', keyentry with points linestyle 8 linecolor rgb grey title "the film collapses"' }
+if (onsets > 0) { legend = legend.', keyentry with points linestyle 7 linecolor rgb grey title "film maximum"' }
+if (ends > 0) { legend = legend.', keyentry with points linestyle 8 linecolor rgb grey title "last point before the collapse"' }
 if (measured > 0) { legend = legend.', keyentry with points linestyle 9 title "measured"' }
 
 foot = 150.0/tall

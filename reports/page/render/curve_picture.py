@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The picture of Stribeck curves: friction, film and load share against speed, a panel each, with the onset of
-starvation and with measured points.
+"""The picture of Stribeck curves: friction, film and load share against speed, a panel each, with the film's
+maximum and with measured points.
 
 `tribocheck curve --picture` calls this. DATA is what curve_picture() of curve_picture.cpp makes. Prints what was
 drawn, as JSON.
@@ -33,7 +33,7 @@ def axis(name, unit, values):
         return label, 0, 1, False, factor
     if name != "friction" and positive and max(positive) > LOG_FROM_RATIO * min(positive):
         return label, *with_room(min(positive), max(positive), 0.05), True, factor
-    return label, *linear_range(0, max(shown, default=1) or 1), False, factor
+    return label, *linear_range(min([0, *shown]), max(shown, default=1) or 1), False, factor
 
 
 def drawn_values(values, axes):
@@ -88,7 +88,7 @@ def subtitle_of(data):
     scenes, found = data["scenes"], [scene["onset"]["speed"] for scene in data["scenes"] if scene["onset"]]
     texts = []
     if found:
-        texts.append("starvation sets in at the film maximum" + (f", {rounded(found[0], 3)} m/s" if len(scenes) == 1 else ""))
+        texts.append("dot: film maximum" + (f", at {rounded(found[0], 3)} m/s" if len(scenes) == 1 else ""))
     if data["measured"]:
         texts.append("squares: measured")
     return with_capital("; ".join(texts)) or " "
