@@ -2,6 +2,7 @@
 // Wrong numbers in words: how far off they are, where, and by which powers of the inputs.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,9 @@ struct Description {
 };
 // The pattern of a part that no known mistake gives, where it is wrong, and its law if it has one.
 Description described(const Part& part, const std::vector<Mistake>& mistakes);
+
+// The factor of the wrong answers, where it is a product of powers of the inputs, or a constant;
+// empty where it is none.
+std::function<double(const Question&)> power_factor(const Part& part);
 
 }  // namespace tribo::conformance
