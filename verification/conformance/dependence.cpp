@@ -22,7 +22,8 @@ constexpr double most_rough = 2e-3, most_rough_ranks = 0.1;
 constexpr double as_good = 4;  // a variable that stands before may be rougher by this
 
 struct Sample {
-  double x, y;  // the variable, or its logarithm; the logarithm of the factor
+  double x, y;   // the variable, or its logarithm; the logarithm of the factor
+  double value;  // the variable
 };
 
 double interpolated(const Sample& a, const Sample& b, double x) {
@@ -67,7 +68,6 @@ struct Curve {
   double rough = INFINITY;
 
   double scaled(double x) const { return log_offset ? std::log(x + *log_offset) : x; }
-  double unscaled(double x) const { return log_offset ? std::exp(x) - *log_offset : x; }
 };
 
 // Empty: cases with the same value have different factors, or there are too few values.
@@ -82,7 +82,7 @@ std::optional<Curve> curve_of(const Part& part, const Variable& variable) {
     if (!(factor > 0) || !std::isfinite(factor) || !std::isfinite(x)) return std::nullopt;
     lowest = std::min(lowest, x);
     if (x > 0) least_positive = std::min(least_positive, x);
-    curve.samples.push_back({x, std::log(factor)});
+    curve.samples.push_back({x, std::log(factor), x});
     least = std::min(least, curve.samples.back().y);
     greatest = std::max(greatest, curve.samples.back().y);
   }
@@ -134,7 +134,7 @@ std::string text_of(const Curve& curve, bool is_only_input) {
   const std::string& symbol = curve.symbol;
   const auto at = [&](std::size_t i) {
     const Sample& one = curve.samples[i];
-    return fmt::format("{:.4g} at {} = {:.4g}", std::exp(one.y), symbol, curve.unscaled(one.x));
+    return fmt::format("{:.4g} at {} = {:.4g}", std::exp(one.y), symbol, one.value);
   };
   return fmt::format("The factor {}: {}, {}, {}.",
                      is_only_input ? fmt::format("changes smoothly with {}", symbol)

@@ -15,6 +15,7 @@
 
 #include "conformance/dependence.hpp"
 #include "conformance/place.hpp"
+#include "conformance/scatter.hpp"
 #include "conformance/variable.hpp"
 
 namespace tribo::conformance {
@@ -449,24 +450,31 @@ std::string kept_from_before(const Part& part) {
 
 Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   std::string text = pattern(part);
-  if (const std::string kept = kept_answers(part); !kept.empty()) return {text + ". " + kept, true};
+  std::function<bool(const Question&)> is_in_place;
+  if (const std::string kept = kept_answers(part); !kept.empty())
+    return {text + ". " + kept, true, {}};
   if (2 * part.wrong.size() < part.all.size())
     if (const std::string kept = kept_from_before(part); !kept.empty())
-      return {text + ". " + kept, false};
+      return {text + ". " + kept, false, {}};
   if (part.wrong.size() < part.all.size())
-    if (const std::optional<WrongPlace> place = place_of_wrong(part)) text += ": " + place->text;
+    if (const std::optional<WrongPlace> place = place_of_wrong(part)) {
+      text += ": " + place->text;
+      is_in_place = place->holds;
+    }
   text += '.';
   const std::string factor = constant_factor(part);
-  if (!factor.empty()) return {text + ' ' + factor, true};
+  if (!factor.empty()) return {text + ' ' + factor, true, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);
-  if (!powers.empty()) return {text + powers, true};
+  if (!powers.empty()) return {text + powers, true, is_in_place};
   if (std::string manner = manner_of_errors(part); !manner.empty()) {
     manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
-    return {text + ' ' + manner + '.', false};
+    return {text + ' ' + manner + '.', false, is_in_place};
   }
   if (const std::optional<Dependence> depends = dependence_of(part))
-    return {text + ' ' + depends->text, false};
-  return {text, false};
+    return {text + ' ' + depends->text, false, is_in_place};
+  if (const std::string scatter = scatter_of(part); !scatter.empty())
+    return {text + ' ' + scatter, false, is_in_place};
+  return {text, false, is_in_place};
 }
 
 }  // namespace tribo::conformance

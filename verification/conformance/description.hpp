@@ -19,6 +19,8 @@ std::string pattern(const Part& part);
 struct Description {
   std::string text;
   bool is_cause;  // it says what the numbers are, not only where and how far they are off
+  // For questions in the place where answers are wrong; empty: no place is told.
+  std::function<bool(const Question&)> is_in_place = {};
 };
 // The pattern of a part that no known mistake gives, where it is wrong, and its law if it has one.
 Description described(const Part& part, const std::vector<Mistake>& mistakes);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,7 +25,7 @@ constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr std::size_t fewest_followed = 3;
 // Points that are told by themselves beside those with a result wrong that is computed before.
 constexpr std::size_t fewest_others = 3;
-constexpr double part_of_others = 0.1;  // of those
+constexpr double part_of_others = 0.25;  // of those
 
 // The functions from which a function's numbers are computed.
 std::vector<std::string> rests_on(const std::string& function) {
@@ -59,8 +60,7 @@ class Diagnoser {
   std::vector<Diagnosis> run() {
     follow_by_number();
     find_causes();
-    const bool has_named = !found_.empty();
-    if (follow_by_use() && !has_named) find_causes();
+    if (follow_by_use()) find_causes();
     describe_rest();
     return std::move(found_);
   }
@@ -343,13 +343,15 @@ class Diagnoser {
 
   // Branches that are off in the same way are told at once.
   std::string described_by_branch(const std::string& quantity, std::size_t place,
-                                  const std::vector<Part>& parts) const {
+                                  const std::vector<Part>& parts,
+                                  std::function<bool(const Question&)>& is_in_place) const {
     std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
     bool has_causes = true;
     for (const Part& part : parts) {
       if (part.place != place) continue;
       const Description description = described(part, mistakes_);
       has_causes = has_causes && description.is_cause;
+      is_in_place = description.is_in_place;
       const auto same = std::find_if(told.begin(), told.end(), [&](const auto& sentence) {
         return sentence.first == description.text;
       });
@@ -372,36 +374,56 @@ class Diagnoser {
                                   : " None of the known mistakes gives these others.");
   }
 
+  // The part with most wrong answers; of points the result that is computed first, if enough points
+  // are wrong in another one alone. These are told by themselves.
   void describe_rest() {
     std::vector<Part> parts = parts_left(cases_);
     if (parts.empty()) return;
-    // The part with most wrong answers first; of points the result that is computed first.
-    const bool is_point = is_operating_point(function_);
-    std::stable_sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) {
-      return is_point ? a.place < b.place : a.wrong.size() > b.wrong.size();
-    });
-    const std::size_t first = parts.front().place;
-    Diagnosis one{parts.front().quantity(), {}, 0, wrong_, {}};
-    one.text = precision_text(one.quantity, parts.front());
-    if (one.text.empty()) one.text = described_by_branch(one.quantity, first, parts);
-    found_.push_back(std::move(one));
-    if (is_point) describe_without(first);
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.wrong.size() > b.wrong.size(); });
+    if (is_operating_point(function_)) {
+      const auto first =
+          std::min_element(parts.begin(), parts.end(),
+                           [](const Part& a, const Part& b) { return a.place < b.place; });
+      const std::size_t place = first->place;
+      if (is_wrong_elsewhere(first->wrong.size())) {
+        const auto is_in_place = describe(parts, place);
+        leave_out(place, is_in_place);
+        if (is_wrong_elsewhere(0)) find_causes();
+        if (is_wrong_elsewhere(0)) describe_rest();
+        return;
+      }
+    }
+    describe(parts, parts.front().place);
   }
 
-  // The points in which this result is right, where enough of them are wrong in another one.
-  void describe_without(std::size_t place) {
-    const std::size_t removed = std::erase_if(cases_, [&](const AnsweredCase& one) {
-      return std::any_of(one.numbers.begin(), one.numbers.end(), [&](const AnsweredNumber& number) {
-        return number.place == place && number.is_left();
-      });
-    });
-    const auto left =
+  // Whether some points more than these are wrong.
+  bool is_wrong_elsewhere(std::size_t told) const {
+    const auto wrong =
         static_cast<std::size_t>(std::count_if(cases_.begin(), cases_.end(), has_left));
-    if (left < fewest_others ||
-        static_cast<double>(left) < part_of_others * static_cast<double>(removed))
-      return;
-    find_causes();
-    describe_rest();
+    return wrong >= told + fewest_others &&
+           static_cast<double>(wrong - told) >= part_of_others * static_cast<double>(told);
+  }
+
+  // Leaves out the points in which a result that is told is wrong, or that are in its place.
+  void leave_out(std::size_t place, const std::function<bool(const Question&)>& is_in_place) {
+    std::erase_if(cases_, [&](const AnsweredCase& one) {
+      const bool is_told = std::any_of(
+          one.numbers.begin(), one.numbers.end(),
+          [&](const AnsweredNumber& number) { return number.place == place && number.is_left(); });
+      return is_told || (has_left(one) && is_in_place && is_in_place(one.asked));
+    });
+  }
+
+  std::function<bool(const Question&)> describe(const std::vector<Part>& parts, std::size_t place) {
+    const Part& part = *std::find_if(parts.begin(), parts.end(),
+                                     [&](const Part& one) { return one.place == place; });
+    Diagnosis one{part.quantity(), {}, 0, wrong_, {}};
+    one.text = precision_text(one.quantity, part);
+    std::function<bool(const Question&)> is_in_place;
+    if (one.text.empty()) one.text = described_by_branch(one.quantity, place, parts, is_in_place);
+    found_.push_back(std::move(one));
+    return is_in_place;
   }
 
   std::string function_;

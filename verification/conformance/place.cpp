@@ -23,7 +23,6 @@ constexpr std::size_t fewest_right = 3, most_single = 2;
 // Chances that a condition may have to be met by accident: where it tells all wrong answers from
 // all right ones, and where right answers are on both sides of it.
 constexpr double chance_of_exact = 1e-2, chance_of_needed = 1e-3;
-constexpr std::size_t most_values = 4;  // of a number that is a choice
 constexpr std::size_t most_conditions = 3, most_alike = 3;
 
 struct Counted {
@@ -112,8 +111,8 @@ std::vector<Circumstance> conditions_of(const catalogue::Function& function) {
   return all;
 }
 
-// Fields that say how a point is asked: words, and numbers of which few values are asked; and
-// whether a field is given at all.
+// Fields that say how a point is asked: words and whole numbers; and whether a field is given at
+// all.
 std::vector<Circumstance> conditions_of_points(const CountedNumbers& numbers) {
   std::vector<Circumstance> all;
   for (std::size_t place = 0; place < scene_fields().size(); ++place) {
@@ -130,7 +129,7 @@ std::vector<Circumstance> conditions_of_points(const CountedNumbers& numbers) {
       const auto value = value_of(one.number->of->asked);
       if (!value)
         is_missing = true;
-      else if (values.size() <= most_values)
+      else
         values.insert(*value);
     }
     if (is_missing && !values.empty())
@@ -138,7 +137,7 @@ std::vector<Circumstance> conditions_of_points(const CountedNumbers& numbers) {
                fmt::format("`{}` is not given", field.path),
                [value_of](const Question& question) { return value_of(question).has_value(); });
     const bool is_choice = field.type == FieldType::choice;
-    if (values.size() < 2 || (!is_choice && values.size() > most_values)) continue;
+    if (values.size() < 2 || field.type == FieldType::number) continue;
     for (const double value : values) {
       const std::string text = is_choice
                                    ? std::string(field.choices[static_cast<std::size_t>(value)])

@@ -2,8 +2,10 @@
 #include "conformance/variable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -77,10 +79,7 @@ const std::vector<Group>& groups() {
       {"L",
        {"temperature_viscosity", "viscosity", "speed", "thermal_conductivity"},
        [](Values x) { return x[0] * x[1] * x[2] * x[2] / x[3]; }},
-      {"αp", {"pressure_viscosity", "pressure"}, [](Values x) { return x[0] * x[1]; }},
-      {"η₀γ̇/τ₀", {"viscosity", "shear_rate", "eyring_stress"}, [](Values x) {
-         return x[0] * x[1] / x[2];
-       }}};
+      {"αp", {"pressure_viscosity", "pressure"}, [](Values x) { return x[0] * x[1]; }}};
   return all;
 }
 
@@ -154,11 +153,38 @@ std::vector<Variable> variables_of_function(const catalogue::Function& function)
   return all;
 }
 
-double contact_number(const Question& question,
-                      double (*number)(const MixedContact<double>&, const Scene&)) {
-  if (!question.scene) return unsaid;
-  return number(MixedContact<double>(*question.scene), *question.scene);
+// Numbers of a point that are not its fields, in the order of their symbols.
+constexpr std::array point_symbols{"k",      "λ₀",          "αp̄",
+                                   "η₀γ̇/τ₀", "the right λ", "the right asperity_load_share"};
+using PointNumbers = std::array<double, point_symbols.size()>;
+
+PointNumbers point_numbers(const Scene& scene) {
+  const auto numbers = detail::numbers_of<double>(scene);
+  const MixedContact<double> contact(scene);
+  const double speed = scene.speeds[0], flooded = contact.flooded_film_parameter(speed);
+  const double shear_rate =
+      numbers.slide_roll_ratio * speed / (flooded * contact.summit_height_sd());
+  const OperatingPoint<double> point = contact.solve(speed);
+  return {numbers.ellipticity,
+          flooded,
+          numbers.pressure_viscosity * contact.hertz().mean_pressure,
+          numbers.viscosity * shear_rate / numbers.eyring_stress,
+          point.film_parameter,
+          point.asperity_load_share};
 }
+
+// Solves each point once for all variables.
+class PointMemory {
+ public:
+  const PointNumbers& at(const Question& question) {
+    const auto [place, is_new] = known_.try_emplace(question.asked);
+    if (is_new) place->second = point_numbers(*question.scene);
+    return place->second;
+  }
+
+ private:
+  std::map<const TestCase*, PointNumbers> known_;
+};
 
 std::vector<Variable> variables_of_points() {
   std::vector<Variable> all;
@@ -172,26 +198,11 @@ std::vector<Variable> variables_of_points() {
                    }});
   }
   add_groups(nullptr, all);
-  using Contact = MixedContact<double>;
-  const auto add = [&](const char* symbol, double (*number)(const Contact&, const Scene&)) {
-    all.push_back({symbol, false, [number](const Question& question) {
-                     return contact_number(question, number);
+  const auto memory = std::make_shared<PointMemory>();
+  for (std::size_t i = 0; i < point_symbols.size(); ++i)
+    all.push_back({point_symbols[i], false, [memory, i](const Question& question) {
+                     return question.scene ? memory->at(question)[i] : unsaid;
                    }});
-  };
-  add("k", [](const Contact&, const Scene& scene) { return number_of_film(scene, "ellipticity"); });
-  add("λ₀", [](const Contact& contact, const Scene& scene) {
-    return contact.flooded_film_parameter(scene.speeds[0]);
-  });
-  add("αp̄", [](const Contact& contact, const Scene& scene) {
-    return number_of_film(scene, "pressure_viscosity") * contact.hertz().mean_pressure;
-  });
-  const auto add_result = [&](const char* symbol, Output output) {
-    all.push_back({symbol, false, [output](const Question& question) {
-                     return right_numbers(question)[static_cast<std::size_t>(output)];
-                   }});
-  };
-  add_result("the right λ", Output::film_parameter);
-  add_result("the right asperity_load_share", Output::asperity_load_share);
   return all;
 }
 
@@ -210,12 +221,6 @@ double number_of_film(const Scene& scene, std::string_view parameter) {
   if (parameter == "load_per_length") return numbers.load / numbers.across;
   if (parameter == "effective_modulus") return numbers.effective_modulus;
   if (parameter == "ellipticity") return numbers.ellipticity;
-  if (parameter == "eyring_stress") return numbers.eyring_stress;
-  if (parameter == "shear_rate") {
-    const MixedContact<double> contact(scene);
-    return numbers.slide_roll_ratio * scene.speeds[0] /
-           (contact.flooded_film_parameter(scene.speeds[0]) * contact.summit_height_sd());
-  }
   return numbers.radius_x;
 }
 

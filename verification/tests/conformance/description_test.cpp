@@ -3,6 +3,7 @@
 // depends on, and what follows from another function.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -190,6 +191,35 @@ TEST(Dependence, IsNotSaidOfNoise) {
                 "The factor depends on", false);
 }
 
+// Relative errors of both signs, up to a size that may depend on the question.
+Slip scattered(std::function<double(const json& inputs)> size) {
+  return [=](const TestCase& asked, json& fields) {
+    std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(asked.id)));
+    const double part = std::uniform_real_distribution<double>(-1, 1)(random);
+    multiply(fields["value"], 1 + part * size(asked.inputs));
+  };
+}
+
+TEST(Scatter, IsSaidOfErrorsInNoOrder) {
+  for (const char* const function :
+       {"moes_line", "hamrock_dowson_central", "pan_hamrock_minimum"}) {
+    const auto small = said_of({{function, scattered([](const json&) { return 1e-4; })}});
+    expect_said(small, "as of an iteration that stops too early");
+    const auto growing = said_of({{function, scattered([](const json& in) {
+                                     return std::min(0.5, 1e-3 / number(in, "viscosity"));
+                                   })}});
+    expect_said(growing, "and grow where η₀ is small");
+    const auto large = said_of({{function, scattered([](const json&) { return 0.5; })}});
+    expect_said(large, "in no order", false);
+    const auto smooth =
+        said_of({{function, [](const TestCase& asked, json& fields) {
+                    multiply(fields["value"], 1 + 1e-4 / (1 + number(asked.inputs, "speed") +
+                                                          number(asked.inputs, "viscosity")));
+                  }}});
+    expect_said(smooth, "in no order", false);
+  }
+}
+
 // Films of dowson_toyoda_central that are too thick by 30 %, in points, too, and friction that is
 // twice as high with Roelands' law.
 void set_numbers(json& fields, const OperatingPoint<double>& point) {
@@ -247,6 +277,32 @@ TEST(Following, IsByUseWhereTheWrongFunctionIsNotKnownWellEnough) {
                                                       return in.at("asperity") == "greenwood_tripp";
                                                     })}}),
               "It rests on gaussian_moment, wrong too");
+}
+
+// One slip in the film and one in friction are told each; what follows from the first is not.
+TEST(Point, IsToldByTheResultThatIsComputedFirstAndThenByOthers) {
+  const auto film = [](const TestCase& asked, json& fields) {
+    if (asked.inputs.at("surface").value("offset_planes", 1) != 2) return;
+    std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(asked.id)));
+    for (const char* const name : {"film_flooded", "film", "separation", "film_parameter"})
+      multiply(fields[name], std::uniform_real_distribution<double>(1.1, 1.9)(random));
+  };
+  const std::string of_film = "film_flooded is off in ";
+  const std::string planes = "cases where `surface.offset_planes` is 2, right in all others";
+  const std::string one = said_of({{"operating_point", film}});
+  expect_said(one, of_film);
+  expect_said(one, planes);
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1) << one;
+  const std::string both =
+      said_of({{"operating_point", [&](const TestCase& asked, json& fields) {
+                  film(asked, fields);
+                  if (has_roelands(asked.inputs) && fields["friction"].is_number())
+                    multiply(fields["friction"], 2);
+                }}});
+  expect_said(both, of_film);
+  expect_said(both, planes);
+  expect_said(both, "cases where `friction.viscosity` is roelands, right in all others");
+  EXPECT_EQ(std::count(both.begin(), both.end(), '\n'), 2) << both;
 }
 
 // The inputs in which a question differs from the one before.
