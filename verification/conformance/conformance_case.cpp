@@ -31,16 +31,6 @@ Expected expected(const std::string& field, const ReferenceRow& row) {
       {}};
 }
 
-// Whether a contact on earth can have these arguments.
-bool is_physical(const catalogue::Function& function, const catalogue::Arguments& arguments) {
-  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-    const catalogue::Parameter& one = function.parameters[i];
-    if (one.words.empty() && !(arguments[i] >= one.least && arguments[i] <= one.greatest))
-      return false;
-  }
-  return true;
-}
-
 // Whether a contact on earth can have the arguments of this point's film and load sharing.
 bool is_physical(const Scene& scene) {
   const double speed = scene.speeds[0];
