@@ -34,11 +34,33 @@ constexpr Arguments steel_line{1, 0.0202, 2e-8, 1e5, 107.9e9, 9.5e-3};
 double speed_number(double speed, double viscosity, double modulus, double radius) {
   return viscosity * speed / (2 * modulus * radius);
 }
+constexpr double point_load(double load, double modulus, double radius) {
+  return load / (2 * modulus * radius * radius);
+}
+constexpr double line_load(double load_per_length, double modulus, double radius) {
+  return load_per_length / (2 * modulus * radius);
+}
+constexpr Combination point_load_number(double (*value)(const Arguments&)) {
+  return {.name = "load_number",
+          .meaning = "W = F/(2E*R²)",
+          .least = 1e-12,
+          .greatest = 100,
+          .value = value,
+          .parameter = "load"};
+}
+constexpr Combination line_load_number(double (*value)(const Arguments&)) {
+  return {.name = "load_number",
+          .meaning = "W = (F/L)/(2E*R)",
+          .least = 1e-13,
+          .greatest = 100,
+          .value = value,
+          .parameter = "load_per_length"};
+}
 constexpr Combination u_of(double (*value)(const Arguments&)) {
   return {.name = "speed_number",
           .meaning = "U = η₀u/(2E*R)",
           .least = 1e-18,
-          .greatest = 1e-5,
+          .greatest = 1e-4,
           .value = value,
           .parameter = "speed"};
 }
@@ -64,7 +86,7 @@ constexpr std::array moes_combinations{
     Combination{.name = "moes_load",
                 .meaning = "M = W(2U)^(−1/2)",
                 .least = 1e-6,
-                .greatest = 1e6,
+                .greatest = 1e7,
                 .value =
                     [](const Arguments& x) {
                       return line_load(x[3], x[4], x[5]) / std::sqrt(twice_speed(x));

@@ -47,30 +47,6 @@ inline constexpr Parameter load_per_length{.name = "load_per_length",
                                            .least = 1e-3,
                                            .greatest = 1e8};
 
-// The load number W, with E' = 2E*.
-constexpr double point_load(double load, double modulus, double radius) {
-  return load / (2 * modulus * radius * radius);
-}
-constexpr double line_load(double load_per_length, double modulus, double radius) {
-  return load_per_length / (2 * modulus * radius);
-}
-constexpr Combination point_load_number(double (*value)(const Arguments&)) {
-  return {.name = "load_number",
-          .meaning = "W = F/(2E*R²)",
-          .least = 1e-12,
-          .greatest = 100,
-          .value = value,
-          .parameter = "load"};
-}
-constexpr Combination line_load_number(double (*value)(const Arguments&)) {
-  return {.name = "load_number",
-          .meaning = "W = (F/L)/(2E*R)",
-          .least = 1e-13,
-          .greatest = 100,
-          .value = value,
-          .parameter = "load_per_length"};
-}
-
 // The speed, and parameters of lubricants.
 inline constexpr Parameter speed{.name = "speed",
                                  .meaning = "u, entrainment: the mean of the two surfaces' speeds",

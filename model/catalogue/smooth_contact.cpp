@@ -38,19 +38,13 @@ constexpr std::array line_results{
     Result{"peak_shear", "0.300283 p₀, the greatest shear stress, 0.786 b below the surface",
            "Pa"}};
 
-constexpr std::array circle_combinations{
-    point_load_number([](const Arguments& x) { return point_load(x[0], x[1], x[2]); })};
 constexpr std::array ellipse_combinations{
     Combination{.name = "radius_ratio",
                 .meaning = "R_y/R_x",
                 .least = 1e-4,
                 .greatest = 1e4,
                 .value = [](const Arguments& x) { return x[3] / x[2]; },
-                .parameter = "radius_y"},
-    point_load_number([](const Arguments& x) { return point_load(x[0], x[1], x[2]); })};
-constexpr std::array line_combinations{
-    line_load_number([](const Arguments& x) { return line_load(x[0], x[1], x[2]); })};
-
+                .parameter = "radius_y"}};
 constexpr std::array entries{
     Function{.name = "hertz_point",
              .meaning = "circular contact of two smooth elastic bodies",
@@ -65,8 +59,7 @@ constexpr std::array entries{
                    y = {hertz.radius, hertz.mean_pressure, hertz.peak_pressure, hertz.approach};
                  },
              .contract = hertz_contract,
-             .example = {50, 107.9e9, 9.5e-3},
-             .combinations = circle_combinations},
+             .example = {50, 107.9e9, 9.5e-3}},
     Function{.name = "hertz_ellipse",
              .meaning = "elliptical contact of two smooth elastic bodies",
              .equation = "α = R_y/R_x = (k²E − K)/(K − E), K and E complete elliptic integrals of "
@@ -102,8 +95,7 @@ constexpr std::array entries{
               y = {hertz.half_width, hertz.mean_pressure, hertz.peak_pressure, hertz.peak_shear};
             },
         .contract = hertz_line_contract,
-        .example = {1e5, 107.9e9, 9.5e-3},
-        .combinations = line_combinations},
+        .example = {1e5, 107.9e9, 9.5e-3}},
 };
 
 }  // namespace

@@ -143,7 +143,7 @@ Table moes_lines() {
     double speed, radius, m, l;
   };
   for (const Groups& x : {Groups{0.7, 0.01, 1e-6 / next_to_end, 1},
-                          {5e-5, 0.001, 1e6 * next_to_end, 1},
+                          {5e-6, 0.001, 1e7 * next_to_end, 1},
                           {40, 0.01, 10, 100 * next_to_end}}) {
     constexpr double viscosity = 0.02, twice = 2.2e11;  // 2E*
     const double u = viscosity * x.speed / (twice * x.radius);

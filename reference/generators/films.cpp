@@ -95,7 +95,7 @@ std::vector<Contact> contacts_at_ends(const Law& law, const Contact& usual) {
   if (!law.is_of_lines) add_both(&Contact::k, 0.1, 20);
   // U, by speed, viscosity and radius together
   for (const auto& [end, speed, radius] : {std::array{1e-18 / next_to_end, 3e-6, usual.radius},
-                                           std::array{1e-5 * next_to_end, 20.0, 1e-4}}) {
+                                           std::array{1e-4 * next_to_end, 20.0, 1e-5}}) {
     Contact x = usual;
     x.radius = radius;
     if (end < 1e-10) x.modulus = 1.1e11;

@@ -16,8 +16,7 @@ namespace {
 // Load, modulus and radius, and W, at the ends of their reach. W goes with a power of the radius.
 // So that the contact stays small, the load goes with the modulus and with this power, or the
 // radius with the load.
-std::vector<Numbers> contacts_at_ends(const Numbers& usual, double power, double greatest_load,
-                                      double least_load_number) {
+std::vector<Numbers> contacts_at_ends(const Numbers& usual, double power, double greatest_load) {
   const double number = usual[0] / (2 * usual[1] * std::pow(usual[2], power));  // W
   std::vector<Numbers> all;
   for (Numbers x : at_ends(usual, {{0, 1e-3, greatest_load}, {1, 1e5, 1e12}})) {
@@ -29,10 +28,6 @@ std::vector<Numbers> contacts_at_ends(const Numbers& usual, double power, double
     const double load = number * 2 * usual[1] * std::pow(radius, power);
     all.push_back({std::clamp(load, 1e-3, greatest_load), usual[1], radius});
   }
-  const double great = power == 1 ? 3e7 : 1e5;  // bodies of more than a micrometre
-  for (const auto& [load, end] :
-       {std::pair{0.01, least_load_number / next_to_end}, std::pair{great, 100 * next_to_end}})
-    all.push_back({load, usual[1], std::pow(load / (2 * usual[1] * end), 1 / power)});
   return all;
 }
 
@@ -52,8 +47,7 @@ Table circular_contact_values() {
   }
   for (const Numbers& x : steps({40, 1.1e11, 0.01}, {250, 1.6e11, 0.025})) contacts.push_back(x);
   const std::size_t first_end = contacts.size();
-  for (const Numbers& x : contacts_at_ends({40, 1.1e11, 0.01}, 2, 1e6, 1e-12))
-    contacts.push_back(x);
+  for (const Numbers& x : contacts_at_ends({40, 1.1e11, 0.01}, 2, 1e6)) contacts.push_back(x);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (int k = 0; k < 4; ++k)
       table.add([x = contacts[i], k, is_end = i >= first_end] {
@@ -107,7 +101,7 @@ std::vector<EllipticalContact> elliptical_contacts() {
   }
   for (const Numbers& x : steps({40, 1.1e11, 0.01, 0.03}, {250, 1.6e11, 0.025, 0.07}))
     all.push_back({x[0], x[1], x[2], x[3], "ordinary"});
-  for (const Numbers& x : contacts_at_ends({40, 1.1e11, 0.01}, 2, 1e6, 1e-12))
+  for (const Numbers& x : contacts_at_ends({40, 1.1e11, 0.01}, 2, 1e6))
     all.push_back({x[0], x[1], x[2], 3 * x[2], "end"});
   for (const Numbers& x :
        {Numbers{1e3, 10, 0.001 / next_to_end}, {40, 0.01, 100 * next_to_end}})  // R_y/R_x
@@ -234,8 +228,7 @@ Table line_contact_values() {
   }
   for (const Numbers& x : steps({1e5, 1.1e11, 0.01}, {3e5, 1.6e11, 0.025})) contacts.push_back(x);
   const std::size_t first_end = contacts.size();
-  for (const Numbers& x : contacts_at_ends({1e5, 1.1e11, 0.01}, 1, 1e8, 1e-13))
-    contacts.push_back(x);
+  for (const Numbers& x : contacts_at_ends({1e5, 1.1e11, 0.01}, 1, 1e8)) contacts.push_back(x);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k)
       table.add([x = contacts[i], k,

@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "conformance/conformance_baseline.hpp"
+#include "conformance/question.hpp"
 #include "sampling/sampler.hpp"
+#include "scene/schema.hpp"
 #include "support/judge.hpp"
 #include "support/threshold.hpp"
 
@@ -204,6 +206,46 @@ TEST(Cases, ShowASolverThatForgetsOneInput) {
         // Moments stand order by order, at the same arguments each.
         EXPECT_EQ(is_missed(function, input, forgets_soon), !forgets_soon || input != "/order")
             << function << " without " << input << (forgets_soon ? ", from the case before" : "");
+}
+
+// What is left out has its default: a solver with another one is shown by a case without it.
+TEST(Cases, LeaveOutEachDefault) {
+  for (const catalogue::Function& function : catalogue::functions())
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+      const catalogue::Parameter& parameter = function.parameters[i];
+      if (!parameter.default_value) continue;
+      std::size_t shown = 0;
+      for (const TestCase& one : all_cases()) {
+        if (one.in_catalogue != &function || one.inputs.contains(parameter.name)) continue;
+        catalogue::Arguments x = question_of(one).arguments;
+        EXPECT_EQ(x[i], *parameter.default_value) << one.id;
+        x[i] *= 1.5;
+        catalogue::Results results{};
+        function.value(x, results);
+        const Expected& expected = one.expected.at(0);
+        shown += std::abs(results[0] - expected.high) >
+                 allowed_error(one, expected, engineering_tolerance());
+      }
+      EXPECT_GE(shown, 1U) << function.name << ' ' << parameter.name;
+    }
+  // Of scenes: each field that a point of the kind may leave out.
+  std::map<std::string, std::map<std::string, std::set<bool>>> given;
+  for (const TestCase& one : all_cases())
+    if (is_operating_point(one.function))
+      for (const FieldInfo& field : scene_fields()) {
+        std::string pointer = '/' + std::string(field.path);
+        std::replace(pointer.begin(), pointer.end(), '.', '/');
+        if (!field.default_text.empty())
+          given[one.function][std::string(field.path)].insert(
+              one.inputs.contains(json::json_pointer(pointer)));
+      }
+  for (const auto& [function, fields] : given)
+    for (const auto& [field, both] : fields) {
+      const bool is_what_the_kind_is = field == "closures.film" && function != "operating_point" &&
+                                       function != "operating_point_of_ellipse";
+      EXPECT_EQ(both.contains(false), !is_what_the_kind_is)
+          << function << ": " << field << " is always given";
+    }
 }
 
 // The strict tolerance asks all cases, the others leave out extreme ones; in their order.

@@ -14,6 +14,7 @@
 #include "conformance/conformance.hpp"
 #include "conformance/question.hpp"
 #include "support/case_count.hpp"
+#include "tribo/mixed_contact.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -173,6 +174,48 @@ TEST(Reach, OfEachNumberAndCombinationIsAskedToItsEnds) {
               << ": no case shows a solver that goes "
               << "no further than " << end.cut << " (" << tolerance.name << ')';
       }
+  }
+}
+
+// Of points: the exponent αp, and η₀γ̇/τ₀ under ambient pressure, each cut off by a tenth below what
+// the catalogue of a contact's numbers knows.
+TEST(Reach, OfFrictionIsAskedToAnExponentOf70AndAShearNumberOf10000) {
+  constexpr double exponent_cut = 63, shear_cut = 9e3;
+  std::map<std::string, std::pair<std::size_t, std::size_t>> caught;
+  for (const TestCase& one : all_cases()) {
+    const Question question = question_of(one);
+    if (!question.scene || !has_friction_inputs(*question.scene)) continue;
+    const Scene& scene = *question.scene;
+    const OperatingPoint<double> point = MixedContact<double>(scene).solve(scene.speeds[0]);
+    const auto numbers = detail::numbers_of<double>(scene);
+    const double pressure = hertz_contact(scene.bodies.shape(), numbers).mean_pressure;
+    const double exponent =
+        log_viscosity_ratio(scene.friction.viscosity, numbers.viscosity, numbers.pressure_viscosity,
+                            point.fluid_load_share * pressure);
+    const double sliding = scene.friction.slide_roll_ratio * scene.speeds[0];
+    const double stress_number =
+        numbers.viscosity * sliding / point.separation / *scene.lubricant.eyring_stress;
+    const auto stress = [&](double thickening) {
+      return fluid_shear_stress(scene.friction.fluid, *scene.lubricant.eyring_stress,
+                                numbers.viscosity, thickening, sliding, point.separation);
+    };
+    const double sheared = std::max(0.0, 1 - point.real_area_ratio);
+    const auto is_seen = [&](double cut) {
+      const double change = (stress(cut) - stress(exponent)) * sheared / pressure;
+      return std::any_of(one.expected.begin(), one.expected.end(), [&](const Expected& expected) {
+        return expected.field == "friction" && expected.is_physical &&
+               std::abs(change) > 2 * allowed_error(one, expected, engineering_tolerance());
+      });
+    };
+    auto& [exponents, numbers_seen] = caught[one.function];
+    if (exponent > exponent_cut && exponent <= 70) exponents += is_seen(exponent_cut) ? 1 : 0;
+    if (stress_number > shear_cut && stress_number <= 1e4)
+      numbers_seen += is_seen(exponent + std::log(shear_cut / stress_number)) ? 1 : 0;
+  }
+  EXPECT_EQ(caught.size(), operating_point_functions.size());
+  for (const auto& [function, counts] : caught) {
+    EXPECT_GT(counts.first, 0U) << function << ", αp";
+    EXPECT_GT(counts.second, 0U) << function << ", η₀γ̇/τ₀";
   }
 }
 
