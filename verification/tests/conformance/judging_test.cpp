@@ -15,6 +15,7 @@
 
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/question.hpp"
+#include "conformance/readings.hpp"
 #include "sampling/sampler.hpp"
 #include "scene/schema.hpp"
 #include "support/judge.hpp"
@@ -246,6 +247,74 @@ TEST(Cases, LeaveOutEachDefault) {
       EXPECT_EQ(both.contains(false), !is_what_the_kind_is)
           << function << ": " << field << " is always given";
     }
+}
+
+// A solver that follows the printed constant, or the standard's full equation, in all its answers.
+Conversation answered_by(const std::vector<TestCase>& cases, double (*value)(const Question&)) {
+  Conversation conversation;
+  for (const TestCase& one : cases)
+    conversation.answers.push_back(with({{one.expected.at(0).field, value(question_of(one))}}));
+  return conversation;
+}
+std::vector<TestCase> cases_of(std::string_view function) {
+  std::vector<TestCase> cases;
+  for (const TestCase& one : all_cases())
+    if (one.function == function) cases.push_back(one);
+  return cases;
+}
+double roelands(const Question& asked, double pole) {
+  const auto [viscosity, alpha, pressure] =
+      std::array{asked.arguments[0], asked.arguments[1], asked.arguments[2]};
+  const double scale = std::log(viscosity / pole), z = alpha * 1.96e8 / scale;
+  return viscosity * std::exp(scale * std::expm1(z * std::log1p(pressure / 1.96e8)));
+}
+double walther(const Question& asked) {
+  using Real = long double;  // the strict tolerance is some units of the last place
+  const auto z = [](Real nu) {
+    nu *= 1e6L;
+    return std::log(std::log(nu + 0.7L + std::exp(-1.47L - 1.84L * nu - 0.51L * nu * nu)));
+  };
+  const catalogue::Arguments& x = asked.arguments;
+  const Real slope = (z(x[3]) - z(x[1])) / std::log(Real(x[2]) / x[0]);
+  const Real t = std::exp(std::exp(z(x[1]) + slope * std::log(Real(x[4]) / x[0]))) - 0.7L;
+  const Real less = std::exp(-0.7487L - 3.295L * t + 0.6119L * t * t - 0.3193L * t * t * t);
+  return static_cast<double>((t - less) / 1e6L);
+}
+
+TEST(Readings, OfOneLawAreEachHeldWhereAllAnswersFollowThem) {
+  struct Solver {
+    const char* function;
+    double (*value)(const Question&);
+    const char* note;  // empty: the certified reading
+    bool is_seen;      // by the engineering tolerance, too
+    bool is_right;
+  };
+  for (const auto& [function, value, note, is_seen, is_right] :
+       {Solver{"roelands_viscosity", [](const Question& x) { return roelands(x, std::exp(-9.67)); },
+               "", false, true},
+        {"roelands_viscosity", [](const Question& x) { return roelands(x, 6.31e-5); },
+         "the constant 6.31e-5 Pa·s", true, true},
+        {"roelands_viscosity", [](const Question& x) { return roelands(x, 6.315e-5); },
+         "the constant 6.315e-5 Pa·s", false, true},
+        {"roelands_viscosity", [](const Question& x) { return roelands(x, 6.3e-5); }, "", true,
+         false},
+        {"roelands_viscosity",
+         [](const Question& x) { return roelands(x, x.arguments[0] < 0.1 ? 6.31e-5 : 6.32e-5); },
+         "the constant 6.31", true, false},
+        {"astm_d341_viscosity", walther, "the exponential terms", false, true}}) {
+    for (const Tolerance& tolerance : {engineering_tolerance(), strict_tolerance()}) {
+      std::vector<TestCase> cases = cases_for(cases_of(function), tolerance);
+      Conversation conversation = answered_by(cases, value);
+      const std::vector<std::string> notes = take_readings(cases, conversation, tolerance);
+      const bool has_note = *note != '\0' && (is_seen || tolerance.is_strict);
+      EXPECT_TRUE(notes.empty() != has_note || !is_right) << function << ' ' << note;
+      for (const std::string& one : notes)
+        EXPECT_TRUE(!is_right || one.find(note) != std::string::npos) << one;
+      const ConformanceResult result = judge("", cases, std::move(conversation), tolerance);
+      EXPECT_EQ(result.quantities.at(0).failed == 0, is_right)
+          << function << ' ' << note << ' ' << result.quantities[0].first_reason;
+    }
+  }
 }
 
 // The strict tolerance asks all cases, the others leave out extreme ones; in their order.
