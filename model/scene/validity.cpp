@@ -230,13 +230,13 @@ constexpr Row rows[] = {
      },
      "friction"},
     {"roelands_index", "Roelands' exponent z, from α and η₀, is one of an oil.", "", 0.2, 1.2,
-      "common practice: mineral oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index,
-      "friction"},
+     "common practice: mineral oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index,
+     "friction"},
     {"elastic_summits", "The summits stay elastic under their mean pressure.", "Pa", 0,
-      0.4 * steel_hardness,
-      "Tabor (1951): a sphere of yield stress Y begins to flow at a mean pressure of 1.1 Y, 0.4 of "
-      "its hardness, which is 7 GPa of bearing steel",
-      summit_pressure, "shares, friction"},
+     0.4 * steel_hardness,
+     "Tabor (1951): a sphere of yield stress Y begins to flow at a mean pressure of 1.1 Y, 0.4 of "
+     "its hardness, which is 7 GPa of bearing steel",
+     summit_pressure, "shares, friction"},
     {"summit_roughness", "nβσ_s of the summits is one of a ground or polished face.", "", 1e-3, 1,
      "common practice: 0.03 to 0.05 is quoted of Greenwood and Tripp (1970)",
      [](const State& state) {
@@ -278,10 +278,10 @@ constexpr Row rows[] = {
      "shares, friction"},
     {"film_below_molecule", "The film is thick enough to be a liquid, not a few molecules.", "m",
      1e-9, unbounded,
-      "Christenson and others, J. Chem. Phys. 87 (1987) 1834: alkanes lie in layers of the width of "
-      "their chain, 0.4 nm to 0.5 nm; two of them",
-      [](const State& state) { return least_at_ends(state, &OperatingPoint<double>::film); },
-      "film"},
+     "Christenson and others, J. Chem. Phys. 87 (1987) 1834: alkanes lie in layers of the width of "
+     "their chain, 0.4 nm to 0.5 nm; two of them",
+     [](const State& state) { return least_at_ends(state, &OperatingPoint<double>::film); },
+     "film"},
     {"smooth_film_law", "The film law, which is one of smooth faces, holds at λ = h/σ_s.", "", 0.5,
      unbounded,
      "common practice: flow factors of isotropic rough faces are quoted of Patir and Cheng (1978) "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Liquids under pressure and temperature; summits of a rough face from its spectral moments.
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "generators/sampler.hpp"
 #include "generators/table.hpp"
@@ -126,22 +128,27 @@ Table densities() {
                "dimensionless", "p 0 or [1e5, 4e9] Pa; far: [1e-300, 1e300] Pa", "the quotient",
                "1.34 less what is lacking at a finite pressure", "pressure"},
               "ld"};
-  Sampler sampler(1530);
-  for (int i = 0; i < 40; ++i) {
-    const bool usual = i < 30;
-    const double p = i == 0  ? 0
-                     : usual ? sampler.log_uniform(1e5, 4e9)
-                             : sampler.log_uniform(1e-300, 1e300);
+  const auto add = [&table](double pressure, const char* region) {
     table.add(
-        {}, {p},
+        {}, {pressure},
         [](const Balls& x) {
           return (Ball(590000000) + fraction(134, 100) * x[0]) / (Ball(590000000) + x[0]);
         },
         [](const Balls& x) {
           return fraction(134, 100) - fraction(34, 100) / (1 + x[0] / 590000000);
         },
-        usual ? "ordinary" : "far");
+        region);
+  };
+  Sampler sampler(1530);
+  for (int i = 0; i < 40; ++i) {
+    const bool usual = i < 30;
+    const double p = i == 0  ? 0
+                     : usual ? sampler.log_uniform(1e5, 4e9)
+                             : sampler.log_uniform(1e-300, 1e300);
+    add(p, usual ? "ordinary" : "far");
   }
+  add(4e9, "end");
+  std::swap(table.rows[0], table.rows[1]);  // a question with a pressure comes first
   return table;
 }
 
@@ -152,7 +159,9 @@ Table pressure_viscosities(bool is_barus) {
                           "0.196e9/(ln eta0 + 9.67)",
                "Pa s",
                "viscosity [1e-3, 10] Pa s, pressure_viscosity [1e-9, 5e-8] 1/Pa, p 0 or [1e5, "
-               "4e9] Pa, alpha p below 40; far: viscosity from 7e-5 Pa s, alpha p below 200",
+               "4e9] Pa, alpha p below 40; end: viscosity [1e-4, 100] Pa s, pressure_viscosity "
+               "[1e-9, 1e-7] 1/Pa, exponent below 70; far: viscosity from 7e-5 Pa s, alpha p below "
+               "200",
                is_barus ? "exponential" : "exponential of a power",
                is_barus ? "bisection on the logarithm" : "a power of eta0 over 6.315e-5 Pa s",
                "viscosity,pressure_viscosity,pressure"},
@@ -171,6 +180,16 @@ Table pressure_viscosities(bool is_barus) {
     add({viscosity, alpha, p}, usual ? "ordinary" : "far");
   }
   for (const Numbers& x : steps({0.02, 2e-8, 3e8}, {0.09, 1.2e-8, 7e8})) add(x, "ordinary");
+  // The greatest exponent is 70: of the thinnest oil Roelands' law reaches it at a low pressure.
+  std::vector<Numbers> ends = at_ends({0.02, 1e-8, 3e8}, {{0, 1e-4, 100}, {1, 1e-9, 1e-7}});
+  if (!is_barus) {
+    ends[0] = {1e-4, 1e-8, 1e8};
+    ends[3] = {0.02, 1e-7, 1e8};
+  }
+  ends.push_back({0.02, 1e-8, 4e9});
+  ends.push_back(is_barus ? Numbers{0.02, 2e-8, next_to_end * 3.5e9} : Numbers{1, 4.304e-8, 2e9});
+  for (const Numbers& x : ends) add(x, "end");
+  std::swap(table.rows[0], table.rows[1]);  // a question with a pressure comes first
   return table;
 }
 
@@ -178,13 +197,28 @@ Table barus_viscosities() { return pressure_viscosities(true); }
 Table roelands_viscosities() { return pressure_viscosities(false); }
 
 Table temperature_viscosities() {
-  Table table{{"astm_d341_viscosity",
-               "log log(nu + 0.7) = A - B log T through two points, nu in mm2/s", "m2/s",
-               "temperatures [250, 450] K, viscosities [2e-6, 2e-3] m2/s; far: next to each "
-               "other, thinner, and beyond the two points",
-               "natural logarithms", "A and B in decimal logarithms",
-               "first_temperature,first_viscosity,second_temperature,second_viscosity,temperature"},
-              "lt"};
+  Table table{
+      {"astm_d341_viscosity", "log log(nu + 0.7) = A - B log T through two points, nu in mm2/s",
+       "m2/s",
+       "temperatures [250, 450] K, viscosities [4e-6, 2e-3] m2/s; end: [200, 600] K, [4e-6, "
+       "1] m2/s; far: next to each other, thinner, and beyond the two points",
+       "natural logarithms", "A and B in decimal logarithms",
+       "first_temperature,first_viscosity,second_temperature,second_viscosity,temperature"},
+      "lt"};
+  // Below some 4 mm2/s the standard's further term is seen: such rows are far.
+  const auto add = [&table](const Numbers& numbers, const char* region) {
+    table.add([=] {
+      const Balls x(numbers.begin(), numbers.end());
+      const Ball value = astm_d341(x);
+      const bool is_thin = std::min({x[1].nearest(), x[3].nearest(), value.nearest()}) < 4e-6;
+      return Row{{},
+                 numbers,
+                 value,
+                 astm_d341_in_decimals(x),
+                 condition_of(astm_d341, x),
+                 is_thin ? "far" : region};
+    });
+  };
   Sampler sampler(1533);
   for (int i = 0; i < 60; ++i) {
     const bool usual = i < 44;
@@ -193,12 +227,25 @@ Table temperature_viscosities() {
     const double thin = usual ? sampler.log_uniform(2e-6, 4e-5) : sampler.log_uniform(4e-7, 4e-5);
     const double thick = thin * sampler.log_uniform(1.5, 20);
     const double at = usual ? sampler.uniform(260, 430) : sampler.uniform(200, 600);
-    table.add({}, {first, thick, second, thin, at}, astm_d341, astm_d341_in_decimals,
-              usual ? "ordinary" : "far");
+    add({first, thick, second, thin, at}, usual ? "ordinary" : "far");
   }
   for (const Numbers& x :
        steps({313.15, 68e-6, 373.15, 8.7e-6, 330}, {303.15, 120e-6, 363.15, 10.5e-6, 350}))
-    table.add({}, x, astm_d341, astm_d341_in_decimals, "ordinary");
+    add(x, "ordinary");
+  // Each temperature and viscosity at its ends, with either point as the warmer one.
+  for (const Numbers& x : {Numbers{200, 0.05, 373.15, 8.7e-6, 330},
+                           {600, 4.5e-6, 313.15, 68e-6, 330},
+                           {313.15, 68e-6, 200, 0.05, 280},
+                           {313.15, 68e-6, 600, 4.5e-6, 330},
+                           {373.15, 4e-6, 313.15, 20e-6, 330},
+                           {263.15, 1, 373.15, 40e-6, 330},
+                           {313.15, 20e-6, 373.15, 4e-6, 330},
+                           {373.15, 40e-6, 263.15, 1, 330},
+                           {313.15, 15e-6, 373.15, 4.2e-6, 200},
+                           {313.15, 2e-3, 373.15, 2e-4, 600},
+                           {373.15, 8.7e-6, 313.15, 68e-6, 413.2},
+                           {373.15, 8.7e-6, 313.15, 68e-6, 225.91}})
+    add(x, "end");
   return table;
 }
 
@@ -258,8 +305,8 @@ Table summits_of_moments() {
                "alpha = m0 m4/m2^2, n = m4/(6 pi sqrt3 m2), beta = 3/8 sqrt(pi/m4), sigma_s^2 = "
                "(1 - 0.8968/alpha) m0, offset 4 sqrt(m0/(pi alpha))/sigma_s",
                "1, 1/m2, m, m, 1",
-               "m0 [1e-18, 1e-10] m2, m2 [1e-6, 1e-1], bandwidth [1.5, 500]; far: from 0.8968 (1 "
-               "+ 1e-9)",
+               "m0 [1e-18, 1e-10] m2, m2 [1e-6, 1e-1], bandwidth [1.5, 500]; end: m0 [1e-20, "
+               "1e-8] m2, m2 [1e-8, 1], bandwidth up to 1000; far: from 0.8968 (1 + 1e-9)",
                "as they are defined", "by m2^2/m4, and squares under one root", "output,m0,m2,m4"},
               "sm"};
   constexpr std::array names{"bandwidth", "summit_density", "summit_radius", "summit_height_sd",
@@ -280,6 +327,15 @@ Table summits_of_moments() {
     add({m0, m2, m4}, usual ? "ordinary" : "far");
   }
   for (const Numbers& x : steps({4e-15, 3e-4, 1e8}, {9e-15, 5e-4, 2e8})) add(x, "ordinary");
+  for (const Numbers& x : {Numbers{1e-20, 1e-4, 1e13},
+                           {1e-8, 1e-2, 1e5},
+                           {1e-18, 1e-8, 1e3},
+                           {1e-12, 1, 1e13},
+                           {1e-14, 3e-7, 100},
+                           {1e-18, 3e-2, 1e16},
+                           {4e-15, 3e-4, 1.5 / next_to_end * 2.25e7},
+                           {4e-15, 3e-4, 1000 * next_to_end * 2.25e7}})
+    add(x, "end");
   return table;
 }
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "build_info.hpp"
+#include "conformance/modulus.hpp"
+#include "conformance/readings.hpp"
 #include "junit.hpp"
 #include "messages.hpp"
 #include "options.hpp"
@@ -29,6 +31,7 @@ struct Subject {
   std::string name;     // as it was given
   std::string command;  // of the shell
   Limits limits;
+  bool has_twice_the_modulus = false;  // it takes and gives E' = 2E*
 
   bool is_plugin() const { return limits.flushes; }
 };
@@ -42,7 +45,8 @@ std::optional<Subject> subject_of(const SubjectArguments& given) {
   return Subject{is_plugin ? given.plugin : given.command,
                  is_plugin ? plugin_host_command(given.plugin, "--places") : given.command,
                  {milliseconds(given.case_timeout), milliseconds(given.start_timeout),
-                  milliseconds(given.timeout), is_plugin}};
+                  milliseconds(given.timeout), is_plugin},
+                 given.has_twice_the_modulus()};
 }
 
 // Checked after the run: only the shell (exit codes 126 and 127) or the process that loads the
@@ -56,11 +60,18 @@ void check_started(const Subject& subject, const Conversation& conversation) {
                   last_line(conversation.last_errors)));
 }
 
+// The cases in the modulus that the subject takes.
+std::vector<TestCase> as_asked(std::vector<TestCase> cases, bool has_twice_the_modulus) {
+  return has_twice_the_modulus ? asked_in_twice_the_modulus(std::move(cases)) : std::move(cases);
+}
+
 Conversation conversation_with(const Subject& subject, const std::vector<TestCase>& cases,
                                const std::function<void(std::size_t)>& progress,
                                const Manner& manner) {
-  Conversation conversation = ask(subject.command, cases, subject.limits, progress, manner);
+  Conversation conversation = ask(subject.command, as_asked(cases, subject.has_twice_the_modulus),
+                                  subject.limits, progress, manner);
   check_started(subject, conversation);
+  if (subject.has_twice_the_modulus) halve_moduli(cases, conversation);
   return conversation;
 }
 
@@ -75,6 +86,7 @@ std::string same_question(const SubjectArguments& arguments) {
                                    : option_text("--plugin", arguments.plugin);
   if (!arguments.exact.empty()) line += option_text("--reference", arguments.exact);
   if (arguments.tolerance != "engineering") line += option_text("--tolerance", arguments.tolerance);
+  if (arguments.has_twice_the_modulus()) line += option_text("--modulus", arguments.modulus);
   return line;
 }
 
@@ -151,20 +163,24 @@ std::vector<TestCase> shown_of(const std::vector<std::string>& ids,
 }
 
 // Each case is asked and judged alone, as a quantity's verdict is one on all of its cases.
-int show(const std::optional<Subject>& subject, const std::vector<std::string>& ids,
+int show(const std::optional<Subject>& subject, const SubjectArguments& arguments,
          const std::vector<TestCase>& cases, const Tolerance& tolerance, OutputStream& output) {
+  const auto asked = [&](const TestCase& one) {
+    return as_asked({one}, arguments.has_twice_the_modulus()).front();
+  };
   bool any_failed = false;
-  for (const TestCase& one : shown_of(ids, cases)) {
+  for (const TestCase& one : shown_of(arguments.shown, cases)) {
     if (!subject) {
-      append_request(output.text(), one, tolerance);
+      append_request(output.text(), asked(one), tolerance);
       continue;
     }
-    const std::vector<TestCase> alone{one};
+    std::vector<TestCase> alone{one};
     Conversation conversation = conversation_with(*subject, alone, [](std::size_t) {}, {});
+    take_readings(alone, conversation, tolerance);
     const ConformanceResult result =
         judge(subject->name, alone, std::move(conversation), tolerance);
     any_failed |= result.overall == Overall::failed;
-    append_shown_case(output.text(), one, result);
+    append_shown_case(output.text(), asked(alone[0]), result);
     complain_of(last_errors, result.conversation.error_lines);
   }
   output.flush();
@@ -206,9 +222,10 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   const report::ReferenceFiles files = report::reference_files(arguments.exact);
   std::vector<TestCase> cases = read_cases({files.exact, files.published});
   const Tolerance tolerance = tolerance_of(arguments.tolerance, cases);
-  if (!arguments.shown.empty()) return show(subject, arguments.shown, cases, tolerance, output);
+  if (!arguments.shown.empty()) return show(subject, arguments, cases, tolerance, output);
   cases = cases_for(std::move(cases), tolerance, arguments.sample);
-  if (!arguments.saved_cases.empty()) save_cases(arguments.saved_cases, cases, output);
+  if (!arguments.saved_cases.empty())
+    save_cases(arguments.saved_cases, as_asked(cases, arguments.has_twice_the_modulus()), output);
   if (!subject) return exit_done;
   if (const std::optional<std::string> unknown = unknown_of(arguments.required, cases))
     throw std::invalid_argument(fmt::format("--require: {} is no quantity of the table", *unknown));
@@ -221,16 +238,23 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   SubjectVerdict verdict;
   {
     Progress progress(cases.size(), {"cases", 1, true});
-    Conversation conversation =
-        conversation_with(*subject, cases, [&](std::size_t) { progress.step(); },
-                          {arguments.jobs, cases_to_repeat(cases)});
+    Forecast forecast(cases.size(), arguments.sample == 0 ? "; --sample 20 asks fewer" : "");
+    Conversation conversation = conversation_with(*subject, cases,
+                                                  [&](std::size_t) {
+                                                    progress.step();
+                                                    forecast.step();
+                                                  },
+                                                  {arguments.jobs, cases_to_repeat(cases)});
     if (!conversation.never_answered.empty())  // what is wrong is one thing: nothing is judged
       return fail_unjudged(
           arguments,
           fmt::format("{} never answered: {}", subject->name, conversation.never_answered),
           conversation.error_lines, output);
+    std::vector<std::string> readings = take_readings(cases, conversation, tolerance);
     verdict.result = judge(subject->name, cases, std::move(conversation), tolerance);
     verdict.result.sample = arguments.sample;
+    std::vector<std::string>& notes = verdict.result.notes;
+    notes.insert(notes.end(), readings.begin(), readings.end());
     verdict.missing = missing_of(arguments.required, verdict.result);
     verdict.diagnoses = diagnose(cases, verdict.result.conversation, tolerance, mistakes);
   }

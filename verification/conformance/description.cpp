@@ -392,6 +392,13 @@ constexpr double log_chance_of_cache = -14;  // a millionth
 
 // The inputs in which two cases differ: "surface.summit_density".
 std::vector<std::string> different_inputs(const AnsweredCase& one, const AnsweredCase& other) {
+  if (const catalogue::Function* const function = one.question.function) {
+    std::vector<std::string> found;  // what a question leaves out has its default
+    for (std::size_t i = 0; i < function->parameters.size(); ++i)
+      if (one.question.arguments[i] != other.question.arguments[i])
+        found.emplace_back(function->parameters[i].name);
+    return found;
+  }
   const nlohmann::json inputs = one.question.asked->inputs.flatten();
   const nlohmann::json others = other.question.asked->inputs.flatten();
   std::vector<std::string> found;

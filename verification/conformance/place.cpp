@@ -16,6 +16,13 @@
 namespace tribo::conformance {
 namespace {
 
+// "from d = 2 to 5.1"; "at d = 2" where four digits do not tell the ends apart.
+std::string stretch_in_words(const std::string& symbol, double low, double high) {
+  const std::string first = fmt::format("{:.4g}", low), last = fmt::format("{:.4g}", high);
+  return first == last ? fmt::format("at {} = {}", symbol, first)
+                       : fmt::format("from {} = {} to {}", symbol, first, last);
+}
+
 // Part of the cases, and of the right or the wrong ones, that may lie on the wrong side of a
 // border.
 constexpr double stray = 0.02, stray_of_few = 0.1;
@@ -348,8 +355,8 @@ std::optional<Found> range_along(const CountedNumbers& numbers, const Variable& 
   else if (to_end)
     text = fmt::format("{} up to {} = {:.4g}, {} from {:.4g} on", other, symbol, before, word, low);
   else
-    text = fmt::format("{} from {} = {:.4g} to {:.4g}, {} below and beyond", word, symbol, low,
-                       high, other);
+    text =
+        fmt::format("{} {}, {} below and beyond", word, stretch_in_words(symbol, low, high), other);
   // A question between the last right and the first wrong case may be either.
   const auto holds = [value = variable.value, inside_is_wrong, low, high, before,
                       after](const Question& question) {
