@@ -213,6 +213,7 @@ class Diagnoser {
   void tell_followed(const std::vector<AnsweredNumber*>& met, const std::set<std::string>& from) {
     const Part part = shown(met);
     found_.push_back({part.quantity(),
+                      {function_},
                       {},
                       met.size(),
                       wrong_,
@@ -271,11 +272,13 @@ class Diagnoser {
           return a.second.wrong.size() < b.second.wrong.size();
         })->second;
     found_.push_back({part.quantity(),
+                      {function_},
                       {},
                       0,
                       wrong_,
                       fmt::format("{} is {}. It rests on {}, wrong too: mend that first.",
-                                  part.quantity(), pattern(part), fmt::join(from, ", "))});
+                                  part.quantity(), pattern(part), fmt::join(from, ", ")),
+                      {}});
     std::erase_if(cases_, [&](const AnsweredCase& one) {
       return std::find(resting.begin(), resting.end(), &one) != resting.end();
     });
