@@ -60,6 +60,19 @@ std::string allowed_text(const Parameter& parameter) {
   return text.empty() ? std::string(text_of(parameter.range)) : text;
 }
 
+bool is_physical(const Function& function, const Arguments& arguments) {
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const Parameter& one = function.parameters[i];
+    if (one.words.empty() && !(arguments[i] >= one.least && arguments[i] <= one.greatest))
+      return false;
+  }
+  return std::all_of(function.combinations.begin(), function.combinations.end(),
+                     [&](const Combination& one) {
+                       const double number = one.value(arguments);
+                       return number >= one.least && number <= one.greatest;
+                     });
+}
+
 std::span<const Function> functions() {
   static const std::vector<Function> all = [] {
     std::vector<Function> joined;

@@ -64,6 +64,17 @@ inline constexpr std::size_t most_parameters = 10, most_results = 6;
 using Arguments = std::array<double, most_parameters>;
 using Results = std::array<double, most_results>;
 
+// A number that several arguments make together, as the exponent αp, and its range in contacts on
+// earth, generously: certified cases reach both ends, and a program may guard itself beyond.
+struct Combination {
+  std::string_view name;  // "load_number"
+  std::string_view meaning;
+  std::string_view unit = "";
+  double least = 0, greatest = 0;
+  double (*value)(const Arguments& arguments);
+  std::string_view parameter;  // the number rises or falls with this one all the way
+};
+
 // Why arguments that are each legal are not legal together.
 struct Refusal {
   std::string_view parameter;  // its name
@@ -85,7 +96,11 @@ struct Function {
   // Null: arguments that are each legal are legal together.
   std::optional<Refusal> (*refusal)(const Arguments& arguments) = nullptr;
   const FilmLaw* film_law = nullptr;  // of a film law: its row
+  std::span<const Combination> combinations = {};
 };
+// Whether a contact on earth can have these arguments: each number and each combination of them is
+// in its range.
+bool is_physical(const Function& function, const Arguments& arguments);
 
 // The film at the arguments of a function that is a film law, by another row than its own.
 double film_by(const FilmLaw& law, const Function& function, const Arguments& arguments);

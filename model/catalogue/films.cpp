@@ -30,6 +30,78 @@ constexpr Arguments steel_point{0.05, 0.0202, 2e-8, 50, 107.9e9, 9.5e-3, 1};
 constexpr Arguments soft_point{0.05, 0.0202, 2, 5e6, 9.5e-3, 1};
 constexpr Arguments steel_line{1, 0.0202, 2e-8, 1e5, 107.9e9, 9.5e-3};
 
+// Groups of the film laws' arguments, with E' = 2E*.
+double speed_number(double speed, double viscosity, double modulus, double radius) {
+  return viscosity * speed / (2 * modulus * radius);
+}
+constexpr double point_load(double load, double modulus, double radius) {
+  return load / (2 * modulus * radius * radius);
+}
+constexpr double line_load(double load_per_length, double modulus, double radius) {
+  return load_per_length / (2 * modulus * radius);
+}
+constexpr Combination point_load_number(double (*value)(const Arguments&)) {
+  return {.name = "load_number",
+          .meaning = "W = F/(2E*R²)",
+          .least = 1e-12,
+          .greatest = 100,
+          .value = value,
+          .parameter = "load"};
+}
+constexpr Combination line_load_number(double (*value)(const Arguments&)) {
+  return {.name = "load_number",
+          .meaning = "W = (F/L)/(2E*R)",
+          .least = 1e-13,
+          .greatest = 100,
+          .value = value,
+          .parameter = "load_per_length"};
+}
+constexpr Combination u_of(double (*value)(const Arguments&)) {
+  return {.name = "speed_number",
+          .meaning = "U = η₀u/(2E*R)",
+          .least = 1e-18,
+          .greatest = 1e-4,
+          .value = value,
+          .parameter = "speed"};
+}
+constexpr Combination material_number{.name = "material_number",
+                                      .meaning = "G = 2αE*",
+                                      .least = 1e-3,
+                                      .greatest = 1e5,
+                                      .value = [](const Arguments& x) { return 2 * x[2] * x[4]; },
+                                      .parameter = "pressure_viscosity"};
+constexpr std::array point_combinations{
+    u_of([](const Arguments& x) { return speed_number(x[0], x[1], x[4], x[5]); }), material_number,
+    point_load_number([](const Arguments& x) { return point_load(x[3], x[4], x[5]); })};
+constexpr std::array soft_combinations{
+    u_of([](const Arguments& x) { return speed_number(x[0], x[1], x[3], x[4]); }),
+    point_load_number([](const Arguments& x) { return point_load(x[2], x[3], x[4]); })};
+constexpr std::array line_combinations{
+    u_of([](const Arguments& x) { return speed_number(x[0], x[1], x[4], x[5]); }), material_number,
+    line_load_number([](const Arguments& x) { return line_load(x[3], x[4], x[5]); })};
+
+// Moes' numbers M and L of a line.
+double twice_speed(const Arguments& x) { return 2 * speed_number(x[0], x[1], x[4], x[5]); }
+constexpr std::array moes_combinations{
+    Combination{.name = "moes_load",
+                .meaning = "M = W(2U)^(−1/2)",
+                .least = 1e-6,
+                .greatest = 1e7,
+                .value =
+                    [](const Arguments& x) {
+                      return line_load(x[3], x[4], x[5]) / std::sqrt(twice_speed(x));
+                    },
+                .parameter = "load_per_length"},
+    Combination{.name = "moes_material",
+                .meaning = "L = G(2U)^(1/4)",
+                .least = 1e-4,
+                .greatest = 100,
+                .value =
+                    [](const Arguments& x) {
+                      return material_number.value(x) * std::sqrt(std::sqrt(twice_speed(x)));
+                    },
+                .parameter = "pressure_viscosity"}};
+
 constexpr std::array regime_parameters{
     Parameter{.name = "regime", .meaning = "bodies and liquid", .words = film_regime_words},
     Parameter{.name = "viscosity_parameter",
@@ -75,6 +147,13 @@ constexpr std::array thermal_parameters{
               .unit = "W/(m·K)",
               .least = 0.01,
               .greatest = 10}};
+constexpr std::array thermal_combinations{
+    Combination{.name = "thermal_loading",
+                .meaning = "L = βη₀u²/k_f",
+                .least = 1e-12,
+                .greatest = 100,
+                .value = [](const Arguments& x) { return x[3] * x[4] * x[5] * x[5] / x[6]; },
+                .parameter = "temperature_viscosity"}};
 constexpr std::array thermal_results{Result{"value", "φ_T, film over that of an isothermal inlet"}};
 
 double thermal_reduction(const Arguments& x) {
@@ -103,7 +182,8 @@ struct Words {
 
 template <const FilmLaw& law>
 constexpr Function entry(const Words& words, std::span<const Parameter> parameters,
-                         std::span<const Result> results, const Arguments& example) {
+                         std::span<const Combination> combinations, std::span<const Result> results,
+                         const Arguments& example) {
   return {.name = words.name,
           .meaning = words.meaning,
           .equation = words.equation,
@@ -113,7 +193,8 @@ constexpr Function entry(const Words& words, std::span<const Parameter> paramete
           .value = [](const Arguments& x, Results& y) { y[0] = film(law, law, x); },
           .contract = film_contract,
           .example = example,
-          .film_law = &law};
+          .film_law = &law,
+          .combinations = combinations};
 }
 
 constexpr std::string_view of_hamrock_and_dowson =
@@ -135,54 +216,54 @@ constexpr std::array entries{
          "B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point contacts, "
          "part III, fully flooded results. J. Lubr. Technol. 99 (1977) 264, doi "
          "10.1115/1.3453074; the paper that is reproduced misprints 0.61 as 0.6"},
-        circle_parameters, central_results, steel_point),
+        circle_parameters, point_combinations, central_results, steel_point),
     entry<hamrock_dowson_minimum_law>(
         {"hamrock_dowson_minimum", "minimum film thickness of the flooded, smooth point contact",
          "h_min/R_x = 3.63 U^0.68 G^0.49 W^−0.073 (1 − e^(−0.68k)), U = η₀u/(2E*R_x), G = 2αE*, W "
          "= F/(2E*R_x²)",
          of_hamrock_and_dowson},
-        point_parameters, minimum_results, steel_point),
+        point_parameters, point_combinations, minimum_results, steel_point),
     entry<hamrock_dowson_soft_central_law>(
         {"hamrock_dowson_soft_central",
          "central film thickness of the flooded, isoviscous contact of a soft body",
          "h₀/R_x = 7.32 U^0.64 W^−0.22 (1 − 0.72 e^(−0.28k)), U = η₀u/(2E*R_x), W = F/(2E*R_x²)",
          of_soft_bodies},
-        soft_parameters, central_results, soft_point),
+        soft_parameters, soft_combinations, central_results, soft_point),
     entry<hamrock_dowson_soft_minimum_law>(
         {"hamrock_dowson_soft_minimum",
          "minimum film thickness of the flooded, isoviscous contact of a soft body",
          "h_min/R_x = 7.43 U^0.65 W^−0.21 (1 − 0.85 e^(−0.31k)), U = η₀u/(2E*R_x), W = "
          "F/(2E*R_x²)",
          of_soft_bodies},
-        soft_parameters, minimum_results, soft_point),
+        soft_parameters, soft_combinations, minimum_results, soft_point),
     entry<dowson_higginson_minimum_law>(
         {"dowson_higginson_minimum", "minimum film thickness of the flooded, smooth line contact",
          "h_min/R = 2.65 U^0.7 G^0.54 W^−0.13, U = η₀u/(2E*R), G = 2αE*, W = (F/L)/(2E*R)",
          "D. Dowson: Elastohydrodynamics. Proc. Inst. Mech. Eng. 182 (1967) 151; it renews D. "
          "Dowson, G. R. Higginson: Elasto-hydrodynamic Lubrication (1966)"},
-        line_parameters, minimum_results, steel_line),
+        line_parameters, line_combinations, minimum_results, steel_line),
     entry<dowson_toyoda_central_law>(
         {"dowson_toyoda_central", "central film thickness of the flooded, smooth line contact",
          "h₀/R = 3.06 U^0.69 G^0.56 W^−0.1, U = η₀u/(2E*R), G = 2αE*, W = (F/L)/(2E*R)",
          "D. Dowson, A. Toyoda: A central film thickness formula for elastohydrodynamic line "
          "contacts. Proc. 5th Leeds–Lyon Symp. (1979) 60"},
-        line_parameters, central_results, steel_line),
+        line_parameters, line_combinations, central_results, steel_line),
     entry<pan_hamrock_minimum_law>(
         {"pan_hamrock_minimum", "minimum film thickness of the flooded, smooth line contact",
          "h_min/R = 1.714 U^0.694 G^0.568 W^−0.128, U = η₀u/(2E*R), G = 2αE*, W = (F/L)/(2E*R)",
          of_pan_and_hamrock},
-        line_parameters, minimum_results, steel_line),
+        line_parameters, line_combinations, minimum_results, steel_line),
     entry<pan_hamrock_central_law>(
         {"pan_hamrock_central", "central film thickness of the flooded, smooth line contact",
          "h₀/R = 2.922 U^0.692 G^0.47 W^−0.166, U = η₀u/(2E*R), G = 2αE*, W = (F/L)/(2E*R)",
          of_pan_and_hamrock},
-        line_parameters, central_results, steel_line),
+        line_parameters, line_combinations, central_results, steel_line),
     entry<ertel_grubin_law>(
         {"ertel_grubin", "central film thickness of the flooded, smooth line contact, by its inlet",
          "h₀/R = 1.95 (GU)^(8/11) W^(−1/11), U = η₀u/(2E*R), G = 2αE*, W = (F/L)/(2E*R)",
          "A. N. Grubin, I. E. Vinogradova (1949) after A. M. Ertel; D. Dowson, G. R. Higginson: "
          "Elasto-hydrodynamic Lubrication (1966)"},
-        line_parameters, central_results, steel_line),
+        line_parameters, line_combinations, central_results, steel_line),
     Function{
         .name = "moes_line",
         .meaning = "central film thickness of the flooded line contact, from rigid to elastic",
@@ -197,7 +278,8 @@ constexpr std::array entries{
         .value = [](const Arguments& x,
                     Results& y) { y[0] = tribo::moes_line(x[0], x[1], x[2], x[3], x[4], x[5]); },
         .contract = moes_line_contract,
-        .example = steel_line},
+        .example = steel_line,
+        .combinations = moes_combinations},
     Function{.name = "regime_film",
              .meaning = "dimensionless minimum film of a flooded point contact, by its regime",
              .equation =
@@ -233,7 +315,8 @@ constexpr std::array entries{
         .value = [](const Arguments& x, Results& y) { y[0] = thermal_reduction(x); },
         .contract = gupta_thermal_contract,
         .example = {1e9, 107.9e9, 0.1, 0.04, 0.0202, 5, 0.14},
-        .refusal = too_hot},
+        .refusal = too_hot,
+        .combinations = thermal_combinations},
 };
 
 }  // namespace

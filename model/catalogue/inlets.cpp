@@ -13,7 +13,7 @@ constexpr std::array inlet_parameters{
               .meaning = "what ties the starved film to the inlet",
               .words = starvation_closure_words},
     Parameter{
-        .name = "flooded_over_inlet", .meaning = "r = h_ff/h_oil", .least = 1e-6, .greatest = 1e6},
+        .name = "flooded_over_inlet", .meaning = "r = h_ff/h_oil", .least = 1e-3, .greatest = 1e3},
     Parameter{.name = "damiens_exponent",
               .meaning = "γ, of the closure damiens alone",
               .least = 1,

@@ -4,6 +4,7 @@
 
 #include "catalogue/families.hpp"
 #include "catalogue/parameters.hpp"
+#include "tribo/viscosity_index.hpp"
 
 namespace tribo::catalogue {
 namespace {
@@ -16,20 +17,54 @@ constexpr Parameter pressure{.name = "pressure",
 constexpr std::array density_parameters{pressure};
 constexpr std::array density_results{Result{"value", "ρ/ρ₀"}};
 constexpr std::array viscosity_parameters{viscosity, pressure_viscosity, pressure};
+// The exponent, which grows beyond what a double holds at the greatest α and p together.
+constexpr Combination exponent(std::string_view meaning, double (*value)(const Arguments&)) {
+  return {.name = "exponent",
+          .meaning = meaning,
+          .greatest = 70,
+          .value = value,
+          .parameter = "pressure"};
+}
+constexpr std::array barus_combinations{
+    exponent("αp = ln(η/η₀)", [](const Arguments& x) { return x[1] * x[2]; })};
+constexpr std::array roelands_combinations{exponent("ln(η/η₀)", [](const Arguments& x) {
+  return log_viscosity_ratio(ViscosityLaw::roelands, x[0], x[1], x[2]);
+})};
 constexpr std::array viscosity_results{Result{"value", "η, at the pressure", "Pa·s"}};
 
 constexpr Parameter temperature_of(std::string_view name, std::string_view meaning) {
   return {.name = name, .meaning = meaning, .unit = "K", .least = 200, .greatest = 600};
 }
+// Below some 4 mm²/s the further term of the standard is seen, which this law does not have.
+constexpr double least_kinematic_viscosity = 4e-6;
 constexpr Parameter kinematic(std::string_view name, std::string_view meaning) {
-  return {.name = name, .meaning = meaning, .unit = "m²/s", .least = 2e-6, .greatest = 1};
+  return {.name = name,
+          .meaning = meaning,
+          .unit = "m²/s",
+          .least = least_kinematic_viscosity,
+          .greatest = 1};
 }
 constexpr std::array temperature_parameters{
     temperature_of("first_temperature", "T₁"),
     kinematic("first_viscosity", "ν₁, kinematic viscosity at T₁: 1 mm²/s is 1e-6 m²/s"),
     temperature_of("second_temperature", "T₂"), kinematic("second_viscosity", "ν₂, at T₂"),
     temperature_of("temperature", "T, at which the viscosity is asked")};
+constexpr std::array temperature_combinations{Combination{
+    .name = "viscosity",
+    .meaning = "ν, at T",
+    .unit = "m²/s",
+    .least = least_kinematic_viscosity,
+    .greatest = 1,
+    .value =
+        [](const Arguments& x) { return tribo::astm_d341_viscosity(x[0], x[1], x[2], x[3], x[4]); },
+    .parameter = "temperature"}};
 constexpr std::array kinematic_results{Result{"value", "ν, kinematic viscosity at T", "m²/s"}};
+
+constexpr std::array index_parameters{
+    kinematic("kinematic_viscosity_40", "ν at 40 °C: 1 mm²/s is 1e-6 m²/s"),
+    kinematic("kinematic_viscosity_100", "ν at 100 °C, 2e-6 m²/s or more")};
+constexpr std::array index_results{
+    Result{"value", "VI, not rounded; below 0 of an oil thicker at 40 °C than one of the index 0"}};
 
 void barus(const Arguments& x, Results& y) {
   y[0] = viscosity_at(ViscosityLaw::barus, x[0], x[1], x[2]);
@@ -52,6 +87,16 @@ std::optional<Refusal> no_line_of_astm_d341(const Arguments& x) {
   if (is_too_thin(x[3])) return Refusal{"second_viscosity", too_thin};
   if (x[0] == x[2])
     return Refusal{"second_temperature", "two different temperatures are needed to draw the line"};
+  return std::nullopt;
+}
+std::optional<Refusal> has_no_index(const Arguments& x) {
+  if (!(x[1] >= 2e-6))
+    return Refusal{"kinematic_viscosity_100",
+                   "the viscosity index is defined from 2e-6 m²/s at 100 °C on"};
+  if (!(x[0] > x[1]))
+    return Refusal{"kinematic_viscosity_40",
+                   "an oil is thicker at 40 °C than at 100 °C: kinematic_viscosity_40 has to be "
+                   "above kinematic_viscosity_100"};
   return std::nullopt;
 }
 
@@ -77,7 +122,8 @@ constexpr std::array entries{
              .results = viscosity_results,
              .value = barus,
              .contract = barus_contract,
-             .example = {0.0202, 2e-8, 3e8}},
+             .example = {0.0202, 2e-8, 3e8},
+             .combinations = barus_combinations},
     Function{.name = "roelands_viscosity",
              .meaning = "viscosity under pressure by Roelands' law",
              .equation = "η = η₀ exp{(ln η₀ + 9.67)[(1 + p/p_R)^z − 1]}, z = αp_R/(ln η₀ + 9.67), "
@@ -90,7 +136,8 @@ constexpr std::array entries{
              .value = roelands,
              .contract = roelands_contract,
              .example = {0.0202, 2e-8, 1e9},
-             .refusal = too_thin_for_roelands},
+             .refusal = too_thin_for_roelands,
+             .combinations = roelands_combinations},
     Function{.name = "astm_d341_viscosity",
              .meaning = "kinematic viscosity at a temperature, from those at two others",
              .equation = "log log(ν + 0.7) = A − B log T, ν in mm²/s, T in K",
@@ -105,7 +152,24 @@ constexpr std::array entries{
                  },
              .contract = astm_d341_contract,
              .example = {313.15, 32e-6, 373.15, 5.4e-6, 353.15},
-             .refusal = no_line_of_astm_d341},
+             .refusal = no_line_of_astm_d341,
+             .combinations = temperature_combinations},
+    Function{
+        .name = "viscosity_index",
+        .meaning = "viscosity index, from the kinematic viscosities at 40 and 100 °C",
+        .equation = "with U = ν at 40 °C, Y = ν at 100 °C in mm²/s: VI = 100(L − U)/(L − H), "
+                    "L = aY² + bY + c, H = dY² + eY + f; where U is below H, VI = 100 + (10^N "
+                    "− 1)/0.00715, N = log(H/U)/log Y",
+        .source = "ASTM D2270-10 (ISO 2909): Standard practice for calculating viscosity "
+                  "index from kinematic viscosity at 40 and 100 °C, equations 3, 6 and 7; a "
+                  "to f from its table X2.1, within 0.1 % of its table 1; at the end of a "
+                  "range those of the lower range",
+        .parameters = index_parameters,
+        .results = index_results,
+        .value = [](const Arguments& x, Results& y) { y[0] = tribo::viscosity_index(x[0], x[1]); },
+        .contract = viscosity_index_contract,
+        .example = {46e-6, 6.8e-6},
+        .refusal = has_no_index},
 };
 
 }  // namespace

@@ -38,6 +38,13 @@ constexpr std::array line_results{
     Result{"peak_shear", "0.300283 p₀, the greatest shear stress, 0.786 b below the surface",
            "Pa"}};
 
+constexpr std::array ellipse_combinations{
+    Combination{.name = "radius_ratio",
+                .meaning = "R_y/R_x",
+                .least = 1e-4,
+                .greatest = 1e4,
+                .value = [](const Arguments& x) { return x[3] / x[2]; },
+                .parameter = "radius_y"}};
 constexpr std::array entries{
     Function{.name = "hertz_point",
              .meaning = "circular contact of two smooth elastic bodies",
@@ -71,7 +78,8 @@ constexpr std::array entries{
                         hertz.mean_pressure, hertz.peak_pressure, hertz.approach};
                  },
              .contract = hertz_ellipse_contract,
-             .example = {50, 107.9e9, 9.5e-3, 19e-3}},
+             .example = {50, 107.9e9, 9.5e-3, 19e-3},
+             .combinations = ellipse_combinations},
     Function{
         .name = "hertz_line",
         .meaning = "line contact of two smooth elastic cylinders",

@@ -21,6 +21,13 @@ constexpr std::array moment_parameters{
               .unit = "1/m²",
               .least = 1e2,
               .greatest = 1e16}};
+constexpr std::array moment_combinations{
+    Combination{.name = "bandwidth",
+                .meaning = "α = m₀m₄/m₂²",
+                .least = 1.5,
+                .greatest = 1000,
+                .value = [](const Arguments& x) { return x[0] * x[2] / (x[1] * x[1]); },
+                .parameter = "m4"}};
 constexpr std::array summit_results{
     Result{"bandwidth", "α = m₀m₄/m₂²; 1.5 or more of an isotropic Gaussian face"},
     Result{"summit_density", "n", "1/m²"},
@@ -54,7 +61,8 @@ constexpr std::array entries{
                  },
              .contract = spectral_moments_contract,
              .example = {1e-14, 1e-4, 4e6},
-             .refusal = too_narrow_a_band},
+             .refusal = too_narrow_a_band,
+             .combinations = moment_combinations},
 };
 
 }  // namespace

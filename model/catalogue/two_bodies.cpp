@@ -36,6 +36,23 @@ constexpr std::array radius_parameters{
     face_radius("second_radius_x", "R₂x, of the second face, likewise"),
     face_radius("first_radius_y", "R₁y, of the first face across x, likewise"),
     face_radius("second_radius_y", "R₂y, of the second face across x, likewise")};
+constexpr Combination gap_radius(std::string_view name, std::string_view meaning,
+                                 double (*value)(const Arguments&), std::string_view parameter) {
+  return {.name = name,
+          .meaning = meaning,
+          .unit = "m",
+          .least = 1e-6,
+          .greatest = 1e3,
+          .value = value,
+          .parameter = parameter};
+}
+constexpr std::array radius_combinations{
+    gap_radius(
+        "radius_x", "R_x", [](const Arguments& x) { return relative_radius(x[0], x[1]); },
+        "first_radius_x"),
+    gap_radius(
+        "radius_y", "R_y", [](const Arguments& x) { return relative_radius(x[2], x[3]); },
+        "first_radius_y")};
 constexpr std::array radius_results{
     Result{"radius_x", "R_x; of a ball on a flat the ball's radius, the R of hertz_point", "m"},
     Result{"radius_y", "R_y", "m"},
@@ -87,7 +104,8 @@ constexpr std::array entries{
                  },
              .contract = reduced_radius_contract,
              .example = {5e-3, 22.5e-3, 5e-3, -5.2e-3},
-             .refusal = faces_without_a_point},
+             .refusal = faces_without_a_point,
+             .combinations = radius_combinations},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/contact_rules.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ void check_pair(const std::string& direction, double first, double second, Probl
   const std::string one = "first_radius_" + direction, other = "second_radius_" + direction;
   std::string allowed = "1/" + one + " + 1/" + other + " above 0";
   if (direction == "y") allowed += ", or length in place of both radii, for a line";
+  if (std::min(first, second) < 0 && std::max(first, second) > 0)
+    allowed += "; the groove's radius must be larger than the ball's";
   problems.error("bodies." + one, {Fault::together, number_text(first),
                                    " beside " + other + ", which is " + number_text(second) +
                                        ": the faces do not meet at a point",
@@ -69,6 +72,23 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
                                    joined(fitting, " or ")});
 }
 
+// Refuses a viscosity that does not rise with pressure for a law whose film would be 0.
+void check_rise(const Scene& scene, Problems& problems) {
+  const FilmLaw& law = film_law(scene.closures.film);
+  if (scene.lubricant.pressure_viscosity > 0 || law.material_exponent.p == 0) return;
+  std::vector<std::string_view> fitting;
+  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
+    if (film_law(static_cast<FilmFormula>(i)).material_exponent.p == 0)
+      fitting.push_back(film_formula_words[i]);
+  problems.error(
+      "lubricant.pressure_viscosity",
+      {Fault::together, "0",
+       " with closures.film = \"" + std::string(film_word(scene)) + "\", whose film would be 0",
+       "a number above 0, in 1/Pa, or " + (law.is_of_lines
+                                               ? "the command `tribocheck film`"
+                                               : "closures.film = " + joined(fitting, " or "))});
+}
+
 void check_profile(const Scene& scene, Problems& problems) {
   if (!scene.surface.has_moments()) return;
   const auto& [m0, m2, m4] = scene.surface.moments;
@@ -82,9 +102,24 @@ void check_profile(const Scene& scene, Problems& problems) {
              " or more of an isotropic Gaussian face"});
 }
 
+// Refuses a temperature at which no oil is a liquid: it was meant in °C.
+void check_temperature(double temperature, std::string_view field, Problems& problems) {
+  constexpr double coldest = 150;
+  if (!(temperature > 0 && temperature < coldest)) return;
+  problems.error(field, {Fault::other, "",
+                         number_text(temperature) + " K is " +
+                             rounded_text(std::round(temperature - 273.15)) + " °C",
+                         "\"" + number_text(temperature) + " °C\", or a number from " +
+                             number_text(coldest) + " on, in K"});
+}
+
 // Refuses an oil whose two viscosities give no line of D341.
 void check_oil(const Oil& oil, Problems& problems) {
   if (!oil.is_given()) return;
+  check_temperature(oil.temperature, "lubricant.temperature", problems);
+  const double colder = std::min(oil.viscosities[0].temperature, oil.viscosities[1].temperature);
+  check_temperature(colder, "lubricant.kinematic_viscosity", problems);
+  if (problems.any()) return;
   const auto [first, second] = viscosities_of(oil);
   if (oil.iso_vg > 0) {
     if (second.viscosity == 0)
@@ -176,6 +211,7 @@ std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film
     check_line(scene.bodies, problems);
   else
     check_film(scene, film_is_given, problems);
+  if (use != SceneUse::line_film && !problems.any()) check_rise(scene, problems);
   check_profile(scene, problems);
   check_oil(scene.lubricant.oil, problems);
   if (problems.any()) return std::nullopt;

@@ -2,6 +2,9 @@
 #include "scene/entries.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace tribo::scene_detail {
@@ -18,6 +21,22 @@ bool is_bare(std::string_view key) {
 }
 
 }  // namespace
+
+std::optional<std::string> line_id(const Value& value) {
+  if (value.kind == ValueKind::text) return value.text;
+  const double number = value.number;
+  if (value.kind != ValueKind::number || value.fault != NumberFault::none ||
+      !(std::abs(number) < 0x1p53))
+    return std::nullopt;
+  std::array<char, 32> text{};
+  char* const begin = text.data();
+  char* const end = begin + text.size();
+  // A whole number without an exponent: readers of some languages want digits alone.
+  const auto whole = static_cast<std::int64_t>(number);
+  const auto written = static_cast<double>(whole) == number ? std::to_chars(begin, end, whole)
+                                                            : std::to_chars(begin, end, number);
+  return std::string(begin, written.ptr);
+}
 
 InputProblem Problems::problem(std::string_view field, Fault fault) const {
   return {printable(source_, longest_source), printable(field, longest_path), std::move(fault)};

@@ -25,6 +25,12 @@ struct Value {
   std::string text;   // texts; of numbers with a fault, what was written
 };
 
+// The id of a line of JSON: a text, or a number that double holds to the last digit, as a text.
+// Nothing where the value is neither.
+std::optional<std::string> line_id(const Value& value);
+inline constexpr std::string_view allowed_line_ids =
+    "a text, or a number below 9007199254740992 in magnitude";
+
 // `path` is "load" or "surface.summit_radius". Tables of a known section have an entry of their own
 // and one for each of their fields. The content of lists in lists and of other tables is in
 // `inner`, by its keys ("[0]", "[1]" …), from JSON of lists alone: scenes have no such tables,

@@ -241,9 +241,14 @@ class SceneBinder {
   }
 
   void take_id(const Value& value) {
-    if (value.kind != ValueKind::text) return problems_.error("id", wrong_kind(value, "a text"));
-    reading_.id = value.text;
-    scene_.id = value.text;
+    const bool is_of_line = use_ == SceneUse::one_speed;
+    if (!is_of_line && value.kind != ValueKind::text)
+      return problems_.error("id", wrong_kind(value, "a text"));
+    reading_.id = line_id(value);
+    if (!reading_.id)
+      return problems_.error("id", wrong_kind(value, std::string(allowed_line_ids)));
+    reading_.id_is_number = value.kind == ValueKind::number;
+    scene_.id = *reading_.id;
   }
 
   // --- The oil.
@@ -403,10 +408,11 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   bool is_of_line_film() const { return use_ == SceneUse::line_film; }
-  // The film is solved for a constant viscosity, too, for which film formulas give nothing.
-  bool is_without_rise(const FieldInfo& info, const Value& value) const {
-    return is_of_line_film() && info.path == "lubricant.pressure_viscosity" &&
-           value.kind == ValueKind::number && value.fault == NumberFault::none && value.number == 0;
+  // A viscosity that does not rise with pressure; which films have none then, check_contact()
+  // knows.
+  static bool is_without_rise(const FieldInfo& info, const Value& value) {
+    return info.path == "lubricant.pressure_viscosity" && value.kind == ValueKind::number &&
+           value.fault == NumberFault::none && value.number == 0;
   }
   // A scene is of smooth bodies where [surface] is not there, or has the roughness for Λ alone.
   bool is_smooth() const {

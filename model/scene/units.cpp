@@ -60,10 +60,16 @@ constexpr auto spellings = std::to_array<Spelling>({{"m", "*m", 1},
                                                     {"m²/s", "*St", 1, -4},
                                                     {"K", "*K", 1},
                                                     {"K", "°C", 0},
+                                                    {"K", "C", 0},
                                                     {"1/K", "1/*K", -1},
                                                     {"1/K", "*K-1", -1},
                                                     {"kg/m³", "kg/m3", 0},
                                                     {"kg/m³", "g/cm3", 0, 3},
+                                                    {"kg/m³", "g/ml", 0, 3},
+                                                    {"kg/m³", "g/mL", 0, 3},
+                                                    {"kg/m³", "kg/dm3", 0, 3},
+                                                    {"kg/m³", "kg/l", 0, 3},
+                                                    {"kg/m³", "kg/L", 0, 3},
                                                     {"W/(m·K)", "*W/(m.K)", 1}});
 
 // Units that engineers use, for messages.
@@ -201,6 +207,20 @@ std::string meters_per_second(const Parts& kilometers_per_hour) {
   return text.data();
 }
 
+// A number with a unit of another quantity, which people have in place of the field's; empty where
+// it is none that is known here.
+std::string_view other_quantity(std::string_view text, std::string_view unit) {
+  if (unit == "Pa·s" && si_decimal(text, "m²/s"))
+    return "a kinematic viscosity: write it as kinematic_viscosity, with density";
+  const std::string written = plain_unit(parts_of(text).unit);
+  for (const std::string_view turns : {"rpm", "1/min", "min-1", "r/min", "U/min"})
+    if (unit == "m/s" && written == turns)
+      return "a speed of rotation, and speed is the mean speed of the two surfaces: in a bearing "
+             "with one ring at rest π n d_m (1 − (D/d_m)²)/2, n in turns a second, D the ball's "
+             "and d_m the pitch diameter";
+  return {};
+}
+
 }  // namespace
 
 std::optional<std::string> si_decimal(std::string_view text, std::string_view unit,
@@ -211,8 +231,9 @@ std::optional<std::string> si_decimal(std::string_view text, std::string_view un
   if (unit == "m/s" && written == "km/h") return meters_per_second(parts);
   const auto power = power_of(written, unit);
   if (!power) return std::nullopt;
-  if (written == "°C" && measure == Measure::distance) return std::nullopt;
-  if (written == "°C") return kelvins(parts);
+  const bool is_celsius = unit == "K" && written.ends_with('C');
+  if (is_celsius && measure == Measure::distance) return std::nullopt;
+  if (is_celsius) return kelvins(parts);
   return std::string(parts.mantissa) + 'e' + std::to_string(parts.exponent + *power);
 }
 
@@ -247,12 +268,15 @@ std::string_view usual_units(std::string_view unit) {
 
 Fault no_number(const Value& value, std::string_view unit, std::string allowed) {
   Fault fault = wrong_kind(value, std::move(allowed));
+  if (value.kind == ValueKind::list) fault.allowed += "; a sweep takes lists: tribocheck sweep";
+  if (value.kind == ValueKind::text && (value.text == "inf" || value.text == "-inf"))
+    fault.what = "a text: write it without the quotes";
   if (value.kind != ValueKind::text || !is_number(value.text)) return fault;
-  const std::string_view units = usual_units(unit);
+  const std::string_view units = usual_units(unit), other = other_quantity(value.text, unit);
   if (units.empty()) {
     fault.what = "a text, and this number has no unit";
   } else {
-    fault.what = "not in a unit that fits";
+    fault.what = other.empty() ? "not in a unit that fits" : other;
     fault.allowed += ", or a text in " + std::string(units);
   }
   if (parts_of(value.text).unit.starts_with(',')) fault.allowed += ", with a decimal point";

@@ -13,8 +13,10 @@
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "scene/units.hpp"
+#include "tribo/contact_regime.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
+#include "tribo/smooth_contact.hpp"
 
 namespace tribo {
 namespace {
@@ -26,8 +28,14 @@ constexpr double not_assumed = std::numeric_limits<double>::quiet_NaN();
 constexpr double steel_hardness = 7e9;
 // k_f of mineral oil in W/(m K).
 constexpr double oil_conductivity = 0.14;
+// A ratio of two computed numbers may be this much below the bound that it is to meet.
+constexpr double but_for_rounding = 1 - 1e-9;
 // Where summits carry less of the load than this, their pressure does not matter.
 constexpr double least_share = 0.01;
+// Below this λ the load share of the summits is near to A(0).
+constexpr double film_parameter_near_none = 0.5;
+// From this Λ on the faces do not touch.
+constexpr double least_full_film = 3;
 
 // A scene with the numbers that limits are computed from.
 struct State {
@@ -41,9 +49,23 @@ struct State {
   // are; none without a speed or a film law.
   std::array<OperatingPoint<double>, 2> points = {};
   std::size_t count = 0;
+  // The least Λ at these points, of faces whose roughness is known by Rq alone.
+  double lambda_ratio = not_assumed;
+  // A(0), where the film of one of these points lets it matter.
+  double share_without_film = not_assumed;
 
   std::span<const OperatingPoint<double>> ends() const { return std::span(points).first(count); }
-  void add(const OperatingPoint<double>& point) { points[count++] = point; }
+  void add(const MixedContact<double>& contact, const OperatingPoint<double>& point) {
+    points[count++] = point;
+    if (!has_summits() && numbers.rms_roughness > 0) {
+      const double ratio =
+          SmoothContact(contact).value(Output::lambda_ratio, point.speed, point.film);
+      if (ratio > 0 && !(lambda_ratio <= ratio)) lambda_ratio = ratio;
+    }
+    const double lambda = point.film_parameter;
+    if (has_summits() && lambda > 0 && lambda < film_parameter_near_none)
+      share_without_film = contact.sharing().asperity_share(0);
+  }
 
   bool has_summits() const { return !scene.surface.is_smooth(); }
   bool solves_film() const { return use == SceneUse::line_film; }
@@ -87,11 +109,54 @@ double roelands_index(const State& state) {
          (std::log(state.numbers.viscosity) + roelands_log_viscosity<double>());
 }
 
-// The semi-axis of the contact over the radius of the gap in its direction; the greater of both.
+// The smaller radius of the two bodies in a direction, convex or concave; that of the gap where the
+// scene does not give them.
+double smaller_radius(const Scene& scene, double Body::*radius, double of_gap) {
+  const auto& [first, second] = scene.bodies.bodies;
+  if (first.*radius == 0) return of_gap;
+  return std::min(std::abs(first.*radius), std::abs(second.*radius));
+}
+
+// The semi-axis of the contact over the radius of a body in its direction; the greatest.
 double slope_at_edge(const State& state) {
-  const double along = state.hertz.semi_axis_x / state.numbers.radius_x;
+  const double along = state.hertz.semi_axis_x /
+                       smaller_radius(state.scene, &Body::radius_x, state.numbers.radius_x);
   if (state.shape != ContactShape::ellipse) return along;
-  return std::max(along, state.hertz.semi_axis_y / state.numbers.across);
+  return std::max(along, state.hertz.semi_axis_y /
+                             smaller_radius(state.scene, &Body::radius_y, state.numbers.across));
+}
+
+// The regime of the contact where its film is furthest from that of the law's regime, and how many
+// times the films of the two regimes differ there; 1 where the regime is the law's at both ends.
+struct RegimeOfFilm {
+  LubricationRegime regime;
+  double factor;
+};
+RegimeOfFilm regime_of_film(const State& state) {
+  const LubricationRegime own = regime_of(film_law(state.scene.closures.film));
+  RegimeOfFilm furthest{own, 1};
+  for (const double speed : {state.speeds.low, state.speeds.high}) {
+    const auto numbers = similarity_of(state.shape, state.numbers, speed);
+    const LubricationRegime regime = regime_of(state.shape, state.numbers, numbers);
+    const double factor = factor_between(regime, own, state.shape, state.numbers, numbers);
+    if (factor > furthest.factor) furthest = {regime, factor};
+  }
+  return furthest;
+}
+
+std::string_view advice_on_law(const State& state) {
+  constexpr std::array of_points{
+      std::string_view("the contact is isoviscous_rigid, and scenes have no law of rigid bodies"),
+      std::string_view("the contact is piezoviscous_rigid, and scenes have no law of rigid bodies"),
+      std::string_view("the contact is isoviscous_elastic: take hamrock_dowson_soft_central"),
+      std::string_view("the contact is piezoviscous_elastic: take hamrock_dowson_central")};
+  constexpr std::array of_lines{
+      std::string_view("the contact is isoviscous_rigid: `tribocheck film` solves it"),
+      std::string_view("the contact is piezoviscous_rigid: `tribocheck film` solves it"),
+      std::string_view("the contact is isoviscous_elastic: `tribocheck film` solves it"),
+      std::string_view()};
+  const auto regime = static_cast<std::size_t>(regime_of_film(state).regime);
+  return state.shape == ContactShape::line ? of_lines[regime] : of_points[regime];
 }
 
 double summit_roughness(const State& state) {
@@ -105,24 +170,29 @@ struct Row {
   std::string_view source;
   // NaN: the scene does not make this assumption.
   double (*value)(const State&);
+  std::string_view touches = "everything";  // "friction": of a solved film the pressure
+  // What passing it means, and what to do.
+  std::string_view (*advice)(const State&) = nullptr;
   bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
 };
 
 constexpr Row rows[] = {
     {"hertz_pressure", "The bodies stay elastic under the peak pressure of Hertz.", "Pa", 0, 4e9,
-     "ISO 76: 4 GPa, of ball bearings 4.2 GPa, leave a dent of 1e-4 of the rolling element's "
-     "diameter",
+     "ISO 76: 4 GPa of rollers, 4.2 GPa of balls, leave dents of some 1e-4 of the diameter",
      [](const State& state) { return state.hertz.peak_pressure; }},
     {"half_space", "The contact is far smaller than the radii: a/R is small.", "", 0, 0.5,
-     "Johnson, Contact Mechanics (1985), chapter 4: Hertz takes each body for a half-space",
+     "Johnson, Contact Mechanics (1985), chapter 4: Hertz takes each body for a half-space; the "
+     "bound is common practice",
      slope_at_edge},
     {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
      "model/README.md, section 1; give radius_x and radius_y for an ellipse",
      [](const State& state) {
        return state.shape == ContactShape::circle ? state.numbers.ellipticity : not_assumed;
-     }},
+     },
+     "shares, friction"},
     {"line_length", "A line is longer than it is wide: 2b/L is below 1.", "", 0, 1,
-     "Johnson, Contact Mechanics (1985), chapter 4: a line is a plane problem",
+     "Johnson, Contact Mechanics (1985), chapter 4: a line is a plane problem; the bound is common "
+     "practice",
      [](const State& state) {
        const bool is_line = state.shape == ContactShape::line;
        return is_line ? state.hertz.semi_axis_x / state.hertz.semi_axis_y : not_assumed;
@@ -133,38 +203,70 @@ constexpr Row rows[] = {
        const bool is_ellipse = state.shape == ContactShape::ellipse;
        return is_ellipse ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
      },
-     true},
+     "film", nullptr, true},
+    {"film_law_regime", "The film law is one of the contact's regime: their films are alike.", "",
+     0, 1.2,
+     "the maps of regimes: Hamrock (1991) of points, Moes (1992) of lines; next to a border both "
+     "films are alike, and formulas scatter by as much",
+     [](const State& state) {
+       if (state.solves_film() || !(state.speeds.low > 0)) return not_assumed;
+       return regime_of_film(state).factor;
+     },
+     "film", advice_on_law},
     {"alpha_p0", "The oil is a liquid up to the peak pressure: α p₀ is no more than 30.", "", 0, 30,
-     "e^30 = 1e13: with η₀ = 0.1 Pa·s the viscosity α gives is that of a glass, 1e12 Pa·s",
+     "e^30 = 1e13: with η₀ = 0.1 Pa·s the viscosity α gives is that of a glass, 1e12 Pa·s by "
+     "common practice",
      [](const State& state) {
        return state.numbers.pressure_viscosity * state.hertz.peak_pressure;
-     }},
+     },
+     "friction"},
     {"barus", "The viscosity rises by Barus' law up to the pressure in the film.", "Pa", 0, 1e9,
-     "Roelands (1966): at 1 GPa his law has an oil of 20 mPa·s some 400 times thinner",
+     "common practice: at 1 GPa Roelands' law (1966) has an oil of 20 mPa·s and α = 20/GPa 400 "
+     "times thinner",
      [](const State& state) {
        if (!(state.numbers.pressure_viscosity > 0) || !state.follows(ViscosityLaw::barus))
          return not_assumed;
        return state.solves_film() ? state.hertz.peak_pressure : state.hertz.mean_pressure;
-     }},
+     },
+     "friction"},
     {"roelands_index", "Roelands' exponent z, from α and η₀, is one of an oil.", "", 0.2, 1.2,
-     "Roelands (1966): oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index},
+     "common practice: mineral oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index,
+     "friction"},
     {"elastic_summits", "The summits stay elastic under their mean pressure.", "Pa", 0,
      0.4 * steel_hardness,
-     "Greenwood and Williamson (1966), Tabor (1951): flow begins at 0.4 of the hardness, which is "
-     "7 GPa of bearing steel",
-     summit_pressure},
+     "Tabor (1951): a sphere of yield stress Y begins to flow at a mean pressure of 1.1 Y, 0.4 of "
+     "its hardness, which is 7 GPa of bearing steel",
+     summit_pressure, "shares, friction"},
     {"summit_roughness", "nβσ_s of the summits is one of a ground or polished face.", "", 1e-3, 1,
-     "Greenwood and Tripp (1970): 0.03 to 0.05",
+     "common practice: 0.03 to 0.05 is quoted of Greenwood and Tripp (1970)",
      [](const State& state) {
        return state.has_summits() && !state.solves_film() ? summit_roughness(state) : not_assumed;
+     },
+     "shares, friction"},
+    {"summit_capacity", "The summits can carry the whole load: A(0) is 1 or more.", "", 1,
+     unbounded, "model/README.md, section 6: as λ goes to 0 their share goes to A(0)",
+     [](const State& state) { return state.share_without_film; }, "shares, friction",
+     [](const State&) {
+       return std::string_view(
+           "at low speed friction comes out below the boundary coefficient, as the summits carry "
+           "no more than this part of the load even with no film");
+     }},
+    {"rough_as_smooth", "Faces without summits do not touch: Λ is 3 or more.", "", least_full_film,
+     unbounded, "common practice: a full film from Λ = 3 on",
+     [](const State& state) { return state.lambda_ratio; }, "shares, friction",
+     [](const State&) {
+       return std::string_view(
+           "this is Λ: the faces touch, and are computed as smooth, because Rq alone does not say "
+           "what the summits carry; give summits or spectral moments");
      }},
     {"gaussian_profile", "The face is isotropic and Gaussian: m₀m₄/m₂² is 1.5 or more.", "",
-     least_isotropic_bandwidth*(1 - 1e-9), unbounded,
-     "Longuet-Higgins (1957); McCool, Wear 107 (1986) 37",
+     least_isotropic_bandwidth* but_for_rounding, unbounded,
+     "Longuet-Higgins (1957), by Cauchy and Schwarz: m₀, 2m₂ and 8m₄/3 are moments of one spectrum",
      [](const State& state) {
        const auto& [m0, m2, m4] = state.scene.surface.moments;
        return m0 > 0 && !state.solves_film() ? m0 / m2 * (m4 / m2) : not_assumed;
-     }},
+     },
+     "shares, friction"},
     {"summit_offset", "(D_d/σ_s) nβσ_s is that of an isotropic Gaussian face.", "",
      0.9 * offset_times_roughness, 1.1 * offset_times_roughness,
      "model/README.md, section 12: 1/(4π√3) whatever the moments; give m0, m2 and m4",
@@ -172,29 +274,35 @@ constexpr Row rows[] = {
        const double product = state.numbers.summit_plane_offset * summit_roughness(state);
        const bool is_given = product > 0 && !state.scene.surface.has_moments();
        return is_given && !state.solves_film() ? product : not_assumed;
-     }},
+     },
+     "shares, friction"},
     {"film_below_molecule", "The film is thick enough to be a liquid, not a few molecules.", "m",
      1e-9, unbounded,
-     "Israelachvili, Intermolecular and Surface Forces: a hydrocarbon chain is 0.4 nm to 0.5 nm "
-     "thick",
-     [](const State& state) { return least_at_ends(state, &OperatingPoint<double>::film); }},
+     "Christenson and others, J. Chem. Phys. 87 (1987) 1834: alkanes lie in layers of the width of "
+     "their chain, 0.4 nm to 0.5 nm; two of them",
+     [](const State& state) { return least_at_ends(state, &OperatingPoint<double>::film); },
+     "film"},
     {"smooth_film_law", "The film law, which is one of smooth faces, holds at λ = h/σ_s.", "", 0.5,
      unbounded,
-     "Patir and Cheng (1978): flow factors of isotropic rough faces are given from h/σ = 0.5 on",
+     "common practice: flow factors of isotropic rough faces are quoted of Patir and Cheng (1978) "
+     "from h/σ = 0.5 on",
      [](const State& state) {
        const bool is_rough = state.has_summits();
        return is_rough ? least_at_ends(state, &OperatingPoint<double>::film_parameter)
                        : not_assumed;
-     }},
+     },
+     "film"},
     {"inlet_heating", "Shear does not heat the oil in the inlet: η₀u²/k_f is a few kelvin.", "K", 0,
      10,
-     "Gupta et al. (1992): L = β η₀u²/k_f, with 0.14 W/(m K) of mineral oil; 10 K make L some 0.4",
+     "common practice: with β = 0.04/K these 10 K make L = βη₀u²/k_f of Gupta and others (1992) "
+     "0.4; mineral oil has 0.14 W/(m K)",
      [](const State& state) {
        const double speed = state.speeds.high;
        if (!(speed > 0) || state.scene.lubricant.thermal != ThermalInlet::none) return not_assumed;
        const double given = state.scene.lubricant.conductivity;
        return state.numbers.viscosity * speed * speed / (given > 0 ? given : oil_conductivity);
-     }},
+     },
+     "film"},
 };
 
 // --- The ranges of fields.
@@ -229,6 +337,18 @@ std::string_view likely_unit(const FieldInfo& field, double value) {
   return fits ? field.likely_unit : std::string_view();
 }
 
+// Does the number of a field follow from other numbers of the scene?
+bool follows_from_others(const Scene& scene, std::string_view path) {
+  const Body& body = scene.bodies.bodies[0];
+  if (path == "bodies.effective_modulus") return body.modulus > 0;
+  if (path == "bodies.radius_x") return body.radius_x != 0;
+  if (path == "bodies.radius_y") return body.radius_y != 0;
+  if (path == "lubricant.viscosity") return scene.lubricant.oil.is_given();
+  if (path == "surface.rms_roughness")
+    return scene.surface.average_roughness > 0 || scene.surface.has_moments();
+  return path.starts_with("surface.summit_") && scene.surface.has_moments();
+}
+
 bool accepts(const Scene& scene, std::string_view word) {
   return std::find(scene.accepted.begin(), scene.accepted.end(), word) != scene.accepted.end();
 }
@@ -249,9 +369,9 @@ State state_of(const Scene& scene, SceneUse use) {
       scene, use, shape, numbers, hertz_contact(shape, numbers), detail::speed_span(scene.speeds)};
   if (state.solves_film() || !(state.speeds.low > 0)) return state;
   const MixedContact<double> contact(scene);
-  state.add(contact.solve(state.speeds.low, validity_outputs()));
+  state.add(contact, contact.solve(state.speeds.low, validity_outputs()));
   if (state.speeds.high > state.speeds.low)
-    state.add(contact.solve(state.speeds.high, validity_outputs()));
+    state.add(contact, contact.solve(state.speeds.high, validity_outputs()));
   return state;
 }
 
@@ -266,18 +386,22 @@ void take_assumptions(const State& state, Which which, const Take& take) {
     double least = row.least, greatest = row.greatest;
     if (row.is_of_film_law) {
       const FilmLaw& law = film_law(state.scene.closures.film);
-      least = law.least_ellipticity * (1 - 1e-9);
+      least = least_fitted_ellipticity(law);
       greatest = law.greatest_ellipticity;
     }
-    if (which == Which::not_kept && value >= least && value <= greatest) continue;
-    take(Validity{.word = row.word,
-                  .assumption = row.assumption,
-                  .value = value,
-                  .least = least,
-                  .greatest = greatest,
-                  .unit = row.unit,
-                  .source = row.source,
-                  .is_accepted = accepts(state.scene, row.word)});
+    const bool holds = value >= least && value <= greatest;
+    if (which == Which::not_kept && holds) continue;
+    take(Validity{
+        .word = row.word,
+        .assumption = row.assumption,
+        .value = value,
+        .least = least,
+        .greatest = greatest,
+        .unit = row.unit,
+        .source = row.source,
+        .touches = state.solves_film() && row.touches == "friction" ? "pressure" : row.touches,
+        .advice = holds || row.advice == nullptr ? std::string_view() : row.advice(state),
+        .is_accepted = accepts(state.scene, row.word)});
   }
 }
 
@@ -286,6 +410,7 @@ template <class Take>
 void take_range(const Scene& scene, const FieldInfo& field, std::string_view word, double value,
                 const Take& take) {
   if (value >= field.plausible_minimum && value <= field.plausible_maximum) return;
+  const bool follows = follows_from_others(scene, field.path);
   take(Validity{.word = word,
                 .assumption = field.meaning,
                 .value = value,
@@ -293,7 +418,8 @@ void take_range(const Scene& scene, const FieldInfo& field, std::string_view wor
                 .greatest = field.plausible_maximum,
                 .unit = field.unit,
                 .field = field.path,
-                .likely_unit = likely_unit(field, value),
+                .likely_unit = follows ? std::string_view() : likely_unit(field, value),
+                .value_follows = follows,
                 .is_accepted = accepts(scene, word)});
 }
 
@@ -330,6 +456,10 @@ double Validity::limit() const {
   return value < least || !(greatest < unbounded) ? least : greatest;
 }
 
+double least_fitted_ellipticity(const FilmLaw& law) {
+  return law.least_ellipticity * but_for_rounding;
+}
+
 std::span<const std::string_view> limit_words() {
   static const std::vector<std::string_view> words = [] {
     std::vector<std::string_view> made;
@@ -362,7 +492,7 @@ std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<doubl
   State state{
       scene,           SceneUse::one_speed,       scene.bodies.shape(), contact.scene_numbers(),
       contact.hertz(), {point.speed, point.speed}};
-  state.add(point);
+  state.add(contact, point);
   return passed_in(state);
 }
 

@@ -33,7 +33,10 @@ HWY_INLINE V film_at_unit_speed(D d, const FilmLaw& law, const detail::SceneNumb
   const V radius = scene.radius_x;
   const V speed_number = hn::Div(hn::Mul(hn::Set(d, law.speed_multiple), scene.viscosity),
                                  hn::Mul(modulus(law.speed_modulus), radius));
-  const V material_number = hn::Mul(scene.pressure_viscosity, modulus(law.material_modulus));
+  // G⁰ is 1, also where α is 0.
+  const V material_number = law.material_exponent.p == 0
+                                ? hn::Set(d, 1.0)
+                                : hn::Mul(scene.pressure_viscosity, modulus(law.material_modulus));
   const V load_number =
       hn::Div(scene.load, hn::Mul(hn::Mul(modulus(law.load_modulus), radius), second_length));
   const V decay = hn::Mul(hn::Set(d, -ratio<double>(law.side_decay)), scene.ellipticity);

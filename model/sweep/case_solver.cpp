@@ -41,6 +41,7 @@ CaseSolver::CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped)
   scene_.speeds.fill(0, speeds_);
   for (const OutputInfo& info : output_infos)
     if (sweep.outputs.contains(info.output)) asked_.push_back(info.output);
+  solved_ = solved_outputs(sweep.outputs);
   point_width_ = asked_.size() * speeds_.size();
   if (sweep.variables.size() == 1 && speed_variable_ == 0 && sweep.criteria.empty() &&
       !sweep.solves_film)
@@ -69,9 +70,9 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
     for (std::size_t i = 0; i < some; ++i) {
       if (is_stopped()) throw Stopped();
       if (curves) {
-        points_.resize(speeds_.size(), sweep_.outputs);
+        points_.resize(speeds_.size(), solved_);
         const MixedContact<double> contact = contacts_[contact_of_[i]];
-        tribo::solve(contact, speeds_, sweep_.outputs, points_);
+        tribo::solve(contact, speeds_, solved_, points_);
         put_points(to.subspan(i * width, point_width_), 1,
                    [&](std::size_t) -> const MixedContact<double>& { return contact; });
       }
@@ -138,8 +139,8 @@ void CaseSolver::add(std::span<const double> values) {
 }
 
 void CaseSolver::solve_speeds(std::span<const double> speeds, std::span<double> results) {
-  points_.resize(speeds.size(), sweep_.outputs);
-  tribo::solve(*only_contact_, speeds, sweep_.outputs, points_);
+  points_.resize(speeds.size(), solved_);
+  tribo::solve(*only_contact_, speeds, solved_, points_);
   put_points(results, speeds.size(),
              [this](std::size_t) -> const MixedContact<double>& { return *only_contact_; });
 }
@@ -156,8 +157,8 @@ void CaseSolver::solve_few_speeds(std::span<const double> variables, std::span<d
                                   ? variables[i * variable_count + speed_variable_]
                                   : speeds_[j]);
     }
-  points_.resize(point_speeds_.size(), sweep_.outputs);
-  contacts_.solve(contact_of_point_, point_speeds_, sweep_.outputs, points_);
+  points_.resize(point_speeds_.size(), solved_);
+  contacts_.solve(contact_of_point_, point_speeds_, solved_, points_);
   put_points(results, cases,
              [this](std::size_t point) { return contacts_[contact_of_point_[point]]; });
 }
@@ -175,8 +176,8 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases,
         results[i * width + column + j] = value_at(i * speeds + j);
     column += speeds;
   };
-  for_each_number(points_, [&](Output, const std::vector<double>& numbers) {
-    if (!numbers.empty()) put([&](std::size_t i) { return numbers[i]; });
+  for_each_number(points_, [&](Output output, const std::vector<double>& numbers) {
+    if (sweep_.outputs.contains(output)) put([&](std::size_t i) { return numbers[i]; });
   });
   if (sweep_.outputs.contains(Output::regime))
     put([&](std::size_t i) { return static_cast<double>(points_.regime[i]); });
@@ -185,7 +186,7 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases,
   for (const Output output : asked_)
     if (info(output).is_of_smooth_contact)
       put([&](std::size_t i) {
-        return SmoothContact(contact_at(i)).value(output, points_.speed[i]);
+        return SmoothContact(contact_at(i)).value(output, points_.speed[i], points_.film[i]);
       });
 }
 

@@ -143,6 +143,7 @@ class SweepBinder {
       const auto place = scene_detail::find_field(entries_[i].path);
       if (!place || !varies(entries_[i])) continue;
       const FieldInfo& field = scene_fields()[*place];
+      if (field.type == FieldType::viscosities) refuse_pairs(entries_[i]);
       if (scene_detail::store_of(*place) == nullptr) continue;
       if (field.type == FieldType::speeds && !speed_is_drawn_) continue;
       if (auto variable = read_variable(entries_[i], field, problems_)) {
@@ -160,6 +161,18 @@ class SweepBinder {
             "viscosity = { distribution = \"uniform\", from = 0.01, to = 0.03 }");
     if (varied_.size() > most_variables)
       error("", {.what = "more than " + std::to_string(most_variables) + " fields vary"});
+  }
+
+  // Temperatures and viscosities in pairs are no field that varies: refuses a table among them.
+  void refuse_pairs(const Entry& pairs) {
+    const auto is_table = [](const auto& one) { return one.kind == ValueKind::table; };
+    const auto has_table = [&](const Entry& pair) {
+      return is_table(pair.value) || std::ranges::any_of(pair.elements, is_table);
+    };
+    if (has_table(pairs) || std::ranges::any_of(pairs.inner, has_table))
+      error(pairs.path, "its pairs do not vary",
+            "lubricant.viscosity alone, or lubricant.iso_vg and lubricant.viscosity_index with "
+            "lubricant.temperature, each of which may vary");
   }
 
   // `speed` is a section of the schema, whose fields have entries of their own.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films by formulas that are no rows of numbers, and the reduction of a film by heat.
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "generators/sampler.hpp"
 #include "generators/table.hpp"
@@ -127,6 +129,29 @@ Table moes_lines() {
   for (const Numbers& x :
        steps({0.7, 0.02, 2e-8, 1e5, 1.1e11, 0.01}, {2, 0.09, 1.2e-8, 3e5, 1.6e11, 0.025}))
     table.add({}, x, moes_film, moes_film_by_logarithms, "ordinary");
+  std::vector<Numbers> ends = at_ends({0.7, 0.02, 2e-8, 1e5, 1.1e11, 0.01}, {{0, 1e-6, 100},
+                                                                             {1, 1e-4, 100},
+                                                                             {2, 1e-9, 1e-7},
+                                                                             {3, 1e-3, 1e8},
+                                                                             {4, 1e5, 1e12},
+                                                                             {5, 1e-6, 10}});
+  ends[6][5] = 1e-5;  // the least load on a thin roller, and the least modulus and radius likewise
+  ends[8][3] = ends[10][3] = 100;
+  for (Numbers& x : ends) table.add({}, x, moes_film, moes_film_by_logarithms, "end");
+  // M at its ends, and L at its greatest; where L is least, the film does not show it.
+  struct Groups {
+    double speed, radius, m, l;
+  };
+  for (const Groups& x : {Groups{0.7, 0.01, 1e-6 / next_to_end, 1},
+                          {5e-6, 0.001, 1e7 * next_to_end, 1},
+                          {40, 0.01, 10, 100 * next_to_end}}) {
+    constexpr double viscosity = 0.02, twice = 2.2e11;  // 2E*
+    const double u = viscosity * x.speed / (twice * x.radius);
+    const double alpha = x.l / (twice * std::pow(2 * u, 0.25));
+    const double load = x.m * std::sqrt(2 * u) * twice * x.radius;
+    table.add({}, {x.speed, viscosity, alpha, load, twice / 2, x.radius}, moes_film,
+              moes_film_by_logarithms, "end");
+  }
   return table;
 }
 
@@ -158,6 +183,12 @@ Table regime_films() {
   for (std::size_t regime = 0; regime < regimes.size(); ++regime)
     for (const Numbers& x : regime % 2 == 0 ? steps(one, other) : steps(other, one))
       add(regime, x, "ordinary");
+  // Each regime at the ends of what it looks at.
+  const Reach viscous{0, 1e-3, 1e12}, elastic{1, 1e-3, 1e12}, ratio{2, 0.05, 100}, k{3, 0.1, 20};
+  const std::array<std::vector<Reach>, regimes.size()> reaches{
+      {{ratio}, {viscous, k}, {viscous, ratio}, {elastic, k}, {viscous, elastic, k}}};
+  for (std::size_t regime = 0; regime < regimes.size(); ++regime)
+    for (const Numbers& x : at_ends(one, reaches[regime])) add(regime, x, "end");
   return table;
 }
 
@@ -190,6 +221,16 @@ Table thermal_reductions() {
   for (const Numbers& x :
        steps({6e8, 1.1e11, 0.1, 0.03, 0.02, 2, 0.12}, {9e8, 1.6e11, 0.5, 0.05, 0.09, 5, 0.15}))
     table.add({}, x, thermal, thermal_by_roots, "ordinary");
+  std::vector<Numbers> ends = at_ends({6e8, 1.1e11, 0.1, 0.03, 0.02, 1.5, 0.12}, {{0, 1e6, 5e9},
+                                                                                  {1, 1e5, 1e12},
+                                                                                  {2, 0, 10},
+                                                                                  {3, 1e-3, 0.2},
+                                                                                  {4, 1e-4, 100},
+                                                                                  {5, 1e-6, 100},
+                                                                                  {6, 0.01, 10}});
+  ends[2] = {1e6, 1e5, 0.1, 0.03, 0.02, 0.05, 0.12};           // the softest body bears no more
+  ends.push_back({6e8, 1.1e11, 0.1, 0.03, 0.04, 99.9, 0.12});  // L next to 100
+  for (const Numbers& x : ends) table.add({}, x, thermal, thermal_by_roots, "end");
   return table;
 }
 

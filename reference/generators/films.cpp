@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films of flooded, smooth contacts: laws that are rows of numbers.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
@@ -54,6 +57,74 @@ Row row_of(const Law& law, const Contact& x, const char* region) {
           region};
 }
 
+// A contact at each end of each input and of U, G and W, as nearly as usual otherwise: so that the
+// bodies stay whole, the load goes with modulus and radius, or the radius with the load.
+std::vector<Contact> contacts_at_ends(const Law& law, const Contact& usual) {
+  const double power = law.is_of_lines ? 1 : 2;
+  const auto load_number = [&](const Contact& x) {
+    return x.load / (2 * x.modulus * std::pow(x.radius, power));
+  };
+  const double number = load_number(usual), greatest_load = law.is_of_lines ? 1e8 : 1e6;
+  const auto with_load = [&](Contact x) {
+    x.load = std::clamp(x.load * number / load_number(x), 1e-3, greatest_load);
+    return x;
+  };
+  std::vector<Contact> all;
+  const auto add = [&](double Contact::*input, double end) {
+    all.push_back(usual);
+    all.back().*input = end;
+    if (input == &Contact::load)
+      all.back().radius =
+          std::clamp(usual.radius * std::pow(end / usual.load, 1 / power), 1e-4, 1.0);
+    // U stays in its reach, too.
+    if (input == &Contact::viscosity && end > 1) all.back().speed = 0.01;
+    if (input == &Contact::radius && end < 1e-4) all.back().speed = 1e-3;
+    if (input == &Contact::modulus || input == &Contact::radius) all.back() = with_load(all.back());
+  };
+  const auto add_both = [&](double Contact::*input, double least, double greatest) {
+    add(input, least);
+    add(input, greatest);
+  };
+  add_both(&Contact::speed, 1e-6, 100);
+  add_both(&Contact::viscosity, 1e-4, 100);
+  if (law.b != 0) add_both(&Contact::alpha, 1e-9, 1e-7);
+  add_both(&Contact::load, 1e-3, greatest_load);
+  add_both(&Contact::modulus, 1e5, 1e12);
+  const bool is_of_radius_x = !law.is_of_lines && law.rows != 120;
+  add_both(&Contact::radius, 1e-6, is_of_radius_x ? 1e3 : 10);
+  if (!law.is_of_lines) add_both(&Contact::k, 0.1, 20);
+  // U, by speed, viscosity and radius together
+  for (const auto& [end, speed, radius] : {std::array{1e-18 / next_to_end, 3e-6, usual.radius},
+                                           std::array{1e-4 * next_to_end, 20.0, 1e-5}}) {
+    Contact x = usual;
+    x.radius = radius;
+    if (end < 1e-10) x.modulus = 1.1e11;
+    x.speed = speed;
+    x.viscosity = end * 2 * x.modulus * radius / speed;
+    all.push_back(with_load(x));
+  }
+  if (law.b != 0)  // G, by both factors
+    for (const auto& [alpha, product] :
+         {std::pair{1e-9, 1e-3 / next_to_end}, std::pair{1e-7, 1e5 * next_to_end}}) {
+      Contact x = usual;
+      x.alpha = alpha;
+      x.modulus = product / (2 * alpha);
+      all.push_back(with_load(x));
+    }
+  for (const auto& [load, end] : {std::pair{2e-3, (law.is_of_lines ? 1e-13 : 1e-12) / next_to_end},
+                                  std::pair{1e5, 100 * next_to_end}}) {  // W
+    Contact x = usual;
+    x.load = load;
+    x.radius = std::pow(load / (2 * x.modulus * end), 1 / power);
+    if (x.radius < 1e-6) {  // a line: more load
+      x.radius = 2e-6;
+      x.load = end * 2 * x.modulus * x.radius;
+    }
+    all.push_back(x);
+  }
+  return all;
+}
+
 Table film_table(const Law& law) {
   const bool is_soft = law.b == 0, is_first = law.rows == 120;
   Table table{
@@ -99,6 +170,9 @@ Table film_table(const Law& law) {
     table.add([contact = Contact{x[0], x[1], x[2], x[3], x[4], x[5], x[6]}, &law] {
       return row_of(law, contact, "ordinary");
     });
+  const Contact first{0.7, 0.02, 2e-8, first_load, scale * 1.1e11, 0.01, 1};
+  for (const Contact& x : contacts_at_ends(law, first))
+    table.add([x, &law] { return row_of(law, x, "end"); });
   return table;
 }
 

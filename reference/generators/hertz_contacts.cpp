@@ -2,6 +2,8 @@
 // Hertz' contacts: the circle, the ellipse and the line.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "generators/ellipse_shape.hpp"
@@ -10,6 +12,24 @@
 
 namespace tribo::reference {
 namespace {
+
+// Load, modulus and radius, and W, at the ends of their reach. W goes with a power of the radius.
+// So that the contact stays small, the load goes with the modulus and with this power, or the
+// radius with the load.
+std::vector<Numbers> contacts_at_ends(const Numbers& usual, double power, double greatest_load) {
+  const double number = usual[0] / (2 * usual[1] * std::pow(usual[2], power));  // W
+  std::vector<Numbers> all;
+  for (Numbers x : at_ends(usual, {{0, 1e-3, greatest_load}, {1, 1e5, 1e12}})) {
+    const double radius = std::pow(x[0] / (2 * x[1] * number), 1 / power);
+    x[2] = std::clamp(radius, 1e-5, 1.0);
+    all.push_back(std::move(x));
+  }
+  for (const double radius : {1e-6, 10.0}) {
+    const double load = number * 2 * usual[1] * std::pow(radius, power);
+    all.push_back({std::clamp(load, 1e-3, greatest_load), usual[1], radius});
+  }
+  return all;
+}
 
 Table circular_contact_values() {
   Table table{
@@ -26,9 +46,11 @@ Table circular_contact_values() {
     contacts.push_back({f, e, sampler.log_uniform(1e-6, 10)});
   }
   for (const Numbers& x : steps({40, 1.1e11, 0.01}, {250, 1.6e11, 0.025})) contacts.push_back(x);
-  for (const Numbers& x : contacts)
+  const std::size_t first_end = contacts.size();
+  for (const Numbers& x : contacts_at_ends({40, 1.1e11, 0.01}, 2, 1e6)) contacts.push_back(x);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
     for (int k = 0; k < 4; ++k)
-      table.add([=] {
+      table.add([x = contacts[i], k, is_end = i >= first_end] {
         const Ball load(x[0]), modulus(x[1]), radius(x[2]);
         const Ball cube = 3 * load * radius / (4 * modulus);
         const Ball a = pow(cube, fraction(1, 3));
@@ -40,7 +62,7 @@ Table circular_contact_values() {
             b, 4 * b * modulus / (3 * ball_pi() * radius), 2 * b * modulus / (ball_pi() * radius),
             pow(9 * load * load / (16 * modulus * modulus * radius), fraction(1, 3))};
         constexpr const char* names[] = {"radius", "mean_pressure", "peak_pressure", "approach"};
-        return Row{{names[k]}, x, values[k], others[k], Ball(1), "ordinary"};
+        return Row{{names[k]}, x, values[k], others[k], Ball(1), is_end ? "end" : "ordinary"};
       });
   return table;
 }
@@ -79,6 +101,15 @@ std::vector<EllipticalContact> elliptical_contacts() {
   }
   for (const Numbers& x : steps({40, 1.1e11, 0.01, 0.03}, {250, 1.6e11, 0.025, 0.07}))
     all.push_back({x[0], x[1], x[2], x[3], "ordinary"});
+  for (const Numbers& x : contacts_at_ends({40, 1.1e11, 0.01}, 2, 1e6))
+    all.push_back({x[0], x[1], x[2], 3 * x[2], "end"});
+  for (const Numbers& x :
+       {Numbers{1e3, 10, 0.001 / next_to_end}, {40, 0.01, 100 * next_to_end}})  // R_y/R_x
+    all.push_back({x[0], 1.1e11, x[1], x[2], "end"});
+  for (const auto& [load, radius, other] : {std::array{1e-3, 1e-6, 4e-6}, {1e6, 1e3, 250.0}}) {
+    all.push_back({load, 1.1e11, radius, other, "end"});
+    all.push_back({load, 1.1e11, other, radius, "end"});
+  }
   return all;
 }
 
@@ -196,9 +227,14 @@ Table line_contact_values() {
     contacts.push_back({f, e, pick(1e-6, 10)});
   }
   for (const Numbers& x : steps({1e5, 1.1e11, 0.01}, {3e5, 1.6e11, 0.025})) contacts.push_back(x);
+  const std::size_t first_end = contacts.size();
+  for (const Numbers& x : contacts_at_ends({1e5, 1.1e11, 0.01}, 1, 1e8)) contacts.push_back(x);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k)
-      table.add([x = contacts[i], k, far = i >= 30 && i < 40] {
+      table.add([x = contacts[i], k,
+                 region = i >= first_end      ? "end"
+                          : i >= 30 && i < 40 ? "far"
+                                              : "ordinary"] {
         const Ball load(x[0]), modulus(x[1]), radius(x[2]), pi = ball_pi();
         const Ball square = 4 * load * radius / (pi * modulus);
         const Ball width = sqrt(square), peak = 2 * load / (pi * width);
@@ -218,7 +254,7 @@ Table line_contact_values() {
                                shear(other_depth) * other_peak};
         constexpr const char* names[] = {"half_width", "mean_pressure", "peak_pressure",
                                          "peak_shear"};
-        return Row{{names[k]}, x, values[k], others[k], fraction(3, 2), far ? "far" : "ordinary"};
+        return Row{{names[k]}, x, values[k], others[k], fraction(3, 2), region};
       });
   return table;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Liquids under pressure and temperature; summits of a rough face from its spectral moments.
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "generators/sampler.hpp"
 #include "generators/table.hpp"
@@ -47,6 +49,60 @@ Ball astm_d341_in_decimals(const Balls& x) {
   return (pow(Ball(10), of_log) - fraction(7, 10)) * fraction(1, 1000000);
 }
 
+// Table X2.1 of ASTM D2270: L = aY^2 + bY + c and H = dY^2 + eY + f up to Y = `end` in m2/s, the
+// end included. Each in 10^-5.
+struct IndexOil {
+  std::array<int, 3> zero, hundred;  // a, b, c of L; d, e, f of H
+  double end;
+};
+constexpr std::array<IndexOil, 16> index_oils{{
+    {{114673, 175760, -10900}, {84155, 155210, -7700}, 3.8e-6},
+    {{338095, -1549520, 3319600}, {78571, 179290, -18300}, 4.4e-6},
+    {{250000, -721430, 1381200}, {82143, 156790, 11900}, 5e-6},
+    {{10100, 1663500, -4546900}, {4985, 916130, -1855700}, 6.4e-6},
+    {{335714, -2356430, 7846600}, {22619, 773690, -1665600}, 7e-6},
+    {{1191, 2147500, -7287000}, {79762, -73210, 1461000}, 7.7e-6},
+    {{41858, 1615580, -5604000}, {5794, 1051560, -2824000}, 9e-6},
+    {{88779, 755270, -1660000}, {26665, 670150, -1081000}, 12e-6},
+    {{76720, 1079720, -3818000}, {20073, 846580, -2249000}, 15e-6},
+    {{97305, 531350, -220000}, {28889, 597410, -493000}, 18e-6},
+    {{97256, 525000, -98000}, {24504, 741600, -1673000}, 22e-6},
+    {{91413, 747590, -2182000}, {20323, 912670, -3423000}, 28e-6},
+    {{87031, 971570, -5077000}, {18411, 1010150, -4675000}, 40e-6},
+    {{84703, 1267520, -13331000}, {17029, 1148660, -8062000}, 55e-6},
+    {{85921, 1110090, -8319000}, {17130, 1136800, -7694000}, 70e-6},
+    {{83531, 1467310, -21624600}, {16841, 1184930, -9694700}, 1e300},
+}};
+const IndexOil& index_oil(double at_100) {
+  const IndexOil* oil = index_oils.data();
+  while (at_100 > oil->end) ++oil;
+  return *oil;
+}
+// L or H in mm2/s: by the powers of Y, and by those of Y - 10.
+Ball oil_at_40(const std::array<int, 3>& k, const Ball& y) {
+  return (k[0] * y * y + k[1] * y + k[2]) / 100000;
+}
+Ball oil_at_40_from_ten(const std::array<int, 3>& k, const Ball& y) {
+  const Ball step = y - 10;
+  const Ball value = Ball(k[0]) * 100 + Ball(k[1]) * 10 + k[2], slope = Ball(k[0]) * 20 + k[1];
+  return fraction(1, 100000) * (value + step * (slope + step * k[0]));
+}
+// Inputs: nu at 40 C and at 100 C. By decimal logarithms, and by a root of H/U.
+Ball viscosity_index(const IndexOil& oil, const Balls& x) {
+  const Ball u = 1000000 * x[0], y = 1000000 * x[1];
+  const Ball zero = oil_at_40(oil.zero, y), hundred = oil_at_40(oil.hundred, y);
+  if (u >= hundred) return 100 * (zero - u) / (zero - hundred);
+  const Ball ten = log(Ball(10)), n = (log(hundred) - log(u)) / log(y);
+  return (exp(n * ten) - 1) / fraction(715, 100000) + 100;
+}
+Ball viscosity_index_by_root(const IndexOil& oil, const Balls& x) {
+  const Ball u = x[0] / fraction(1, 1000000), y = x[1] / fraction(1, 1000000);
+  const Ball zero = oil_at_40_from_ten(oil.zero, y), hundred = oil_at_40_from_ten(oil.hundred, y);
+  if (u > hundred) return 100 - 100 * (u - hundred) / (zero - hundred);
+  const Ball antilog = pow(hundred / u, log(Ball(10)) / log(y));
+  return (antilog - fraction(28500, 100000)) * 100000 / 715;
+}
+
 // Inputs: m0, m2 and m4.
 Ball summits(std::size_t k, const Balls& x) {
   const Ball alpha = x[0] * x[2] / (x[1] * x[1]), limit = fraction(8968, 10000);
@@ -72,22 +128,27 @@ Table densities() {
                "dimensionless", "p 0 or [1e5, 4e9] Pa; far: [1e-300, 1e300] Pa", "the quotient",
                "1.34 less what is lacking at a finite pressure", "pressure"},
               "ld"};
-  Sampler sampler(1530);
-  for (int i = 0; i < 40; ++i) {
-    const bool usual = i < 30;
-    const double p = i == 0  ? 0
-                     : usual ? sampler.log_uniform(1e5, 4e9)
-                             : sampler.log_uniform(1e-300, 1e300);
+  const auto add = [&table](double pressure, const char* region) {
     table.add(
-        {}, {p},
+        {}, {pressure},
         [](const Balls& x) {
           return (Ball(590000000) + fraction(134, 100) * x[0]) / (Ball(590000000) + x[0]);
         },
         [](const Balls& x) {
           return fraction(134, 100) - fraction(34, 100) / (1 + x[0] / 590000000);
         },
-        usual ? "ordinary" : "far");
+        region);
+  };
+  Sampler sampler(1530);
+  for (int i = 0; i < 40; ++i) {
+    const bool usual = i < 30;
+    const double p = i == 0  ? 0
+                     : usual ? sampler.log_uniform(1e5, 4e9)
+                             : sampler.log_uniform(1e-300, 1e300);
+    add(p, usual ? "ordinary" : "far");
   }
+  add(4e9, "end");
+  std::swap(table.rows[0], table.rows[1]);  // a question with a pressure comes first
   return table;
 }
 
@@ -98,7 +159,9 @@ Table pressure_viscosities(bool is_barus) {
                           "0.196e9/(ln eta0 + 9.67)",
                "Pa s",
                "viscosity [1e-3, 10] Pa s, pressure_viscosity [1e-9, 5e-8] 1/Pa, p 0 or [1e5, "
-               "4e9] Pa, alpha p below 40; far: viscosity from 7e-5 Pa s, alpha p below 200",
+               "4e9] Pa, alpha p below 40; end: viscosity [1e-4, 100] Pa s, pressure_viscosity "
+               "[1e-9, 1e-7] 1/Pa, exponent below 70; far: viscosity from 7e-5 Pa s, alpha p below "
+               "200",
                is_barus ? "exponential" : "exponential of a power",
                is_barus ? "bisection on the logarithm" : "a power of eta0 over 6.315e-5 Pa s",
                "viscosity,pressure_viscosity,pressure"},
@@ -117,6 +180,16 @@ Table pressure_viscosities(bool is_barus) {
     add({viscosity, alpha, p}, usual ? "ordinary" : "far");
   }
   for (const Numbers& x : steps({0.02, 2e-8, 3e8}, {0.09, 1.2e-8, 7e8})) add(x, "ordinary");
+  // The greatest exponent is 70: of the thinnest oil Roelands' law reaches it at a low pressure.
+  std::vector<Numbers> ends = at_ends({0.02, 1e-8, 3e8}, {{0, 1e-4, 100}, {1, 1e-9, 1e-7}});
+  if (!is_barus) {
+    ends[0] = {1e-4, 1e-8, 1e8};
+    ends[3] = {0.02, 1e-7, 1e8};
+  }
+  ends.push_back({0.02, 1e-8, 4e9});
+  ends.push_back(is_barus ? Numbers{0.02, 2e-8, next_to_end * 3.5e9} : Numbers{1, 4.304e-8, 2e9});
+  for (const Numbers& x : ends) add(x, "end");
+  std::swap(table.rows[0], table.rows[1]);  // a question with a pressure comes first
   return table;
 }
 
@@ -124,13 +197,28 @@ Table barus_viscosities() { return pressure_viscosities(true); }
 Table roelands_viscosities() { return pressure_viscosities(false); }
 
 Table temperature_viscosities() {
-  Table table{{"astm_d341_viscosity",
-               "log log(nu + 0.7) = A - B log T through two points, nu in mm2/s", "m2/s",
-               "temperatures [250, 450] K, viscosities [2e-6, 2e-3] m2/s; far: next to each "
-               "other, thinner, and beyond the two points",
-               "natural logarithms", "A and B in decimal logarithms",
-               "first_temperature,first_viscosity,second_temperature,second_viscosity,temperature"},
-              "lt"};
+  Table table{
+      {"astm_d341_viscosity", "log log(nu + 0.7) = A - B log T through two points, nu in mm2/s",
+       "m2/s",
+       "temperatures [250, 450] K, viscosities [4e-6, 2e-3] m2/s; end: [200, 600] K, [4e-6, "
+       "1] m2/s; far: next to each other, thinner, and beyond the two points",
+       "natural logarithms", "A and B in decimal logarithms",
+       "first_temperature,first_viscosity,second_temperature,second_viscosity,temperature"},
+      "lt"};
+  // Below some 4 mm2/s the standard's further term is seen: such rows are far.
+  const auto add = [&table](const Numbers& numbers, const char* region) {
+    table.add([=] {
+      const Balls x(numbers.begin(), numbers.end());
+      const Ball value = astm_d341(x);
+      const bool is_thin = std::min({x[1].nearest(), x[3].nearest(), value.nearest()}) < 4e-6;
+      return Row{{},
+                 numbers,
+                 value,
+                 astm_d341_in_decimals(x),
+                 condition_of(astm_d341, x),
+                 is_thin ? "far" : region};
+    });
+  };
   Sampler sampler(1533);
   for (int i = 0; i < 60; ++i) {
     const bool usual = i < 44;
@@ -139,12 +227,76 @@ Table temperature_viscosities() {
     const double thin = usual ? sampler.log_uniform(2e-6, 4e-5) : sampler.log_uniform(4e-7, 4e-5);
     const double thick = thin * sampler.log_uniform(1.5, 20);
     const double at = usual ? sampler.uniform(260, 430) : sampler.uniform(200, 600);
-    table.add({}, {first, thick, second, thin, at}, astm_d341, astm_d341_in_decimals,
-              usual ? "ordinary" : "far");
+    add({first, thick, second, thin, at}, usual ? "ordinary" : "far");
   }
   for (const Numbers& x :
        steps({313.15, 68e-6, 373.15, 8.7e-6, 330}, {303.15, 120e-6, 363.15, 10.5e-6, 350}))
-    table.add({}, x, astm_d341, astm_d341_in_decimals, "ordinary");
+    add(x, "ordinary");
+  // Each temperature and viscosity at its ends, with either point as the warmer one.
+  for (const Numbers& x : {Numbers{200, 0.05, 373.15, 8.7e-6, 330},
+                           {600, 4.5e-6, 313.15, 68e-6, 330},
+                           {313.15, 68e-6, 200, 0.05, 280},
+                           {313.15, 68e-6, 600, 4.5e-6, 330},
+                           {373.15, 4e-6, 313.15, 20e-6, 330},
+                           {263.15, 1, 373.15, 40e-6, 330},
+                           {313.15, 20e-6, 373.15, 4e-6, 330},
+                           {373.15, 40e-6, 263.15, 1, 330},
+                           {313.15, 15e-6, 373.15, 4.2e-6, 200},
+                           {313.15, 2e-3, 373.15, 2e-4, 600},
+                           {373.15, 8.7e-6, 313.15, 68e-6, 413.2},
+                           {373.15, 8.7e-6, 313.15, 68e-6, 225.91}})
+    add(x, "end");
+  return table;
+}
+
+Table viscosity_indices() {
+  Table table{{"viscosity_index",
+               "VI = 100 (L - U)/(L - H); where U is below H, 100 + (10^N - 1)/0.00715 with N = "
+               "log(H/U)/log Y; U and Y = nu at 40 and 100 C in mm2/s, L and H from table X2.1 of "
+               "ASTM D2270, at the end of a range by its lower one",
+               "1",
+               "Y [2, 70] mm2/s, index [0, 300]; both sides of each end of a range of table X2.1, "
+               "and of index 100; far: Y up to 1e4 mm2/s, index below 0 and above 300",
+               "powers of Y, decimal logarithms", "powers of Y - 10, a root of H/U",
+               "kinematic_viscosity_40,kinematic_viscosity_100"},
+              "li"};
+  const auto add = [&](double at_40, double at_100, const char* region) {
+    const IndexOil& oil = index_oil(at_100);
+    table.add(
+        {}, {at_40, at_100}, [&oil](const Balls& x) { return viscosity_index(oil, x); },
+        [&oil](const Balls& x) { return viscosity_index_by_root(oil, x); }, region);
+  };
+  // L or H at `at_100`, in m2/s.
+  const auto at_40 = [](const std::array<int, 3>& k, double at_100) {
+    return (oil_at_40(k, 1000000 * Ball(at_100)) / 1000000).nearest();
+  };
+  const auto zero = [&](double y) { return at_40(index_oil(y).zero, y); };
+  const auto hundred = [&](double y) { return at_40(index_oil(y).hundred, y); };
+
+  Sampler sampler(1535);
+  while (table.rows.size() < 60) {
+    const std::size_t i = table.rows.size();
+    const bool usual = i < 44;
+    const double y = usual ? sampler.log_uniform(2e-6, 70e-6) : sampler.log_uniform(2e-6, 1e-2);
+    const double u = i % 2 == 0
+                         ? hundred(y) + (zero(y) - hundred(y)) * sampler.uniform(0, usual ? 1 : 3)
+                         : hundred(y) * sampler.uniform(usual ? 0.5 : 0.2, 1);
+    if (u > 1.05 * y) add(u, y, usual ? "ordinary" : "far");
+  }
+  // The ends of the ranges: a little below, there, and a little above; below and above index 100.
+  add(7e-6, 2e-6, "ordinary");
+  add(5e-6, 2e-6, "ordinary");
+  add(7e-6, 2.000000002e-6, "ordinary");
+  for (std::size_t i = 0; i + 1 < index_oils.size(); ++i) {
+    const double end = index_oils[i].end;
+    for (const double y : {end * (1 - 1e-9), end, end * (1 + 1e-9)}) {
+      add((hundred(end) + zero(end)) / 2, y, "ordinary");
+      add(0.85 * hundred(end), y, "ordinary");
+    }
+  }
+  for (const double y : {4e-6, 8e-6, 70e-6, 100e-6})
+    for (const double part : {1 - 1e-9, 1., 1 + 1e-9}) add(hundred(y) * part, y, "ordinary");
+  for (const Numbers& x : steps({46e-6, 6.8e-6}, {52e-6, 8.5e-6})) add(x[0], x[1], "ordinary");
   return table;
 }
 
@@ -153,8 +305,8 @@ Table summits_of_moments() {
                "alpha = m0 m4/m2^2, n = m4/(6 pi sqrt3 m2), beta = 3/8 sqrt(pi/m4), sigma_s^2 = "
                "(1 - 0.8968/alpha) m0, offset 4 sqrt(m0/(pi alpha))/sigma_s",
                "1, 1/m2, m, m, 1",
-               "m0 [1e-18, 1e-10] m2, m2 [1e-6, 1e-1], bandwidth [1.5, 500]; far: from 0.8968 (1 "
-               "+ 1e-9)",
+               "m0 [1e-18, 1e-10] m2, m2 [1e-6, 1e-1], bandwidth [1.5, 500]; end: m0 [1e-20, "
+               "1e-8] m2, m2 [1e-8, 1], bandwidth up to 1000; far: from 0.8968 (1 + 1e-9)",
                "as they are defined", "by m2^2/m4, and squares under one root", "output,m0,m2,m4"},
               "sm"};
   constexpr std::array names{"bandwidth", "summit_density", "summit_radius", "summit_height_sd",
@@ -175,14 +327,23 @@ Table summits_of_moments() {
     add({m0, m2, m4}, usual ? "ordinary" : "far");
   }
   for (const Numbers& x : steps({4e-15, 3e-4, 1e8}, {9e-15, 5e-4, 2e8})) add(x, "ordinary");
+  for (const Numbers& x : {Numbers{1e-20, 1e-4, 1e13},
+                           {1e-8, 1e-2, 1e5},
+                           {1e-18, 1e-8, 1e3},
+                           {1e-12, 1, 1e13},
+                           {1e-14, 3e-7, 100},
+                           {1e-18, 3e-2, 1e16},
+                           {4e-15, 3e-4, 1.5 / next_to_end * 2.25e7},
+                           {4e-15, 3e-4, 1000 * next_to_end * 2.25e7}})
+    add(x, "end");
   return table;
 }
 
 }  // namespace
 
 std::vector<Table> liquids() {
-  return {densities(), temperature_viscosities(), summits_of_moments(), barus_viscosities(),
-          roelands_viscosities()};
+  return {densities(),          temperature_viscosities(), viscosity_indices(),
+          summits_of_moments(), barus_viscosities(),       roelands_viscosities()};
 }
 
 }  // namespace tribo::reference

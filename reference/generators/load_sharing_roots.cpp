@@ -47,6 +47,9 @@ std::vector<Problem> problems() {
     all.push_back({Rough::tripp, x[0], x[1], x[2], "regular"});
   for (const Numbers& x : steps({0.7, 0.6, 1.3}, {0.3, 1.1, 0.8}))
     all.push_back({Rough::williamson, x[0], x[1], x[2], "regular"});
+  for (const Rough model : {Rough::tripp, Rough::williamson})
+    for (const Numbers& x : at_ends({0.3, 1.1, 0.8}, {{0, 0, 1e6}, {1, 0, 10}, {2, 1e-4, 1e3}}))
+      all.push_back({model, x[0], x[1], x[2], "end"});
   return all;
 }
 

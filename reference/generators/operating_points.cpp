@@ -89,6 +89,43 @@ void add_steps(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   for (const double ratio : {1.2, 0.9}) exchange(in.value[Inputs::supply], ratio);
 }
 
+// Two points at the ends of what friction meets: the exponent αp next to 70, where every field that
+// has a default has it, and η₀γ̇/τ₀ next to 1e4 of a starved, isoviscous film.
+void add_ends(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
+  Inputs in;
+  in.shape = shape;
+  in.film = film;
+  in.planes = 1;
+  in.inlet = Inlet::flooded_inlet;
+  in.supply_kind = Supply::inlet_film;
+  const double across = shape == Shape::circle ? 1 : shape == Shape::ellipse ? 0.03 : 0.008;
+  const double load = shape == Shape::circle ? 102 : shape == Shape::ellipse ? 278 : 4112;
+  const Numbers thick{load,   1,    1e10, 1e-5, 4e-8, 0,   3e11, 0.01,
+                      across, 0.05, 4e-8, 5e6,  1e-5, 0.1, 1,    3};
+  std::copy(thick.begin(), thick.end(), in.value.begin());
+  scenes.push_back(in);
+  in.inlet = Inlet::starved_inlet;
+  in.law = Viscosity::ambient;
+  const Numbers sheared{shape == Shape::line ? 2000.0 : 50.0,
+                        20,
+                        1e9,
+                        1e-5,
+                        4e-8,
+                        0,
+                        1.1e11,
+                        0.01,
+                        across,
+                        2,
+                        2e-8,
+                        8.5e5,
+                        5e-8,
+                        0.1,
+                        10,
+                        3};
+  std::copy(sheared.begin(), sheared.end(), in.value.begin());
+  scenes.push_back(in);
+}
+
 // The random ones, then those of each way of asking for the point.
 std::vector<Inputs> all_inputs() {
   std::vector<Inputs> scenes;
@@ -101,6 +138,10 @@ std::vector<Inputs> all_inputs() {
   add_steps(scenes, Shape::circle, 1);
   add_steps(scenes, Shape::ellipse, 0);
   add_steps(scenes, Shape::line, 4);
+  add_ends(scenes, Shape::circle, 0);
+  add_ends(scenes, Shape::circle, 1);
+  add_ends(scenes, Shape::ellipse, 0);
+  add_ends(scenes, Shape::line, 4);
   return scenes;
 }
 

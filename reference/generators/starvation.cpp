@@ -64,6 +64,9 @@ Table starvation_ratios() {
   for (std::size_t i = 0; i < std::size(inlets); ++i)
     for (const Numbers& x : i % 2 == 0 ? steps({0.8, 3}, {0.4, 2}) : steps({0.4, 2}, {0.8, 3}))
       add(inlets[i], x[0], x[1]);
+  for (const Inlet inlet : inlets)
+    for (const Numbers& x : at_ends({0.8, 3}, {{0, 1e-3, 1e3}, {1, 1, 6}}))
+      if (inlet == Inlet::damiens || x[1] == 3) add(inlet, x[0], x[1]);
   return table;
 }
 

@@ -64,6 +64,25 @@ inline std::vector<Numbers> steps(Numbers from, const Numbers& to) {
   return all;
 }
 
+// One input at each end of its reach, the others as they are: by such rows a solver is found that
+// cuts an input off, or fits a law to a part of the reach alone.
+struct Reach {
+  std::size_t input;  // its place
+  double least, greatest;
+};
+inline std::vector<Numbers> at_ends(const Numbers& usual, const std::vector<Reach>& reaches) {
+  std::vector<Numbers> all;
+  for (const Reach& reach : reaches)
+    for (const double end : {reach.least, reach.greatest}) {
+      all.push_back(usual);
+      all.back()[reach.input] = end;
+    }
+  return all;
+}
+// Combinations of inputs come this near to the ends of their reach, so that rounding does not carry
+// them beyond.
+inline constexpr double next_to_end = 0.999;
+
 using Formula = std::function<Ball(const Balls& inputs)>;
 
 // The sum of |d ln value/d ln input| by steps of 2^-100, at least 1.

@@ -62,13 +62,17 @@ std::vector<Pair> pairs() {
   }
   for (const Numbers& x : steps({206e9, 0.3, 72e9, 0.22}, {110e9, 0.34, 310e9, 0.26}))
     all.push_back({{x[0], x[1]}, {x[2], x[3]}, "ordinary"});
+  for (const Numbers& x : at_ends({206e9, 0.3, 72e9, 0.22},
+                                  {{0, 1e5, 1e12}, {1, 0, 0.5}, {2, 1e5, 1e12}, {3, 0, 0.5}}))
+    all.push_back({{x[0], x[1]}, {x[2], x[3]}, "end"});
   return all;
 }
 
 Table effective_moduli() {
   Table table{
       {"effective_modulus", "1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2", "Pa",
-       "moduli [1e5, 1e12] Pa, Poisson's ratios [0, 0.5]; far: [1e-250, 1e250] Pa, "
+       "moduli [1e5, 1e12] Pa, Poisson's ratios [0, 0.5]; end: 1e12 Pa, and each end alone; far: "
+       "[1e-250, 1e250] Pa, "
        "(-1, 0.5]",
        "as it is defined", "by the shear moduli G = E/(2(1+nu)): 2 G1 G2/((1-nu1) G2 + (1-nu2) G1)",
        "first_modulus,first_poisson_ratio,second_modulus,second_poisson_ratio"},
@@ -144,6 +148,17 @@ std::vector<Faces> faces() {
   }
   for (const Numbers& x : steps({10e-3, 25e-3, 12e-3, 40e-3}, {15e-3, 30e-3, 18e-3, 60e-3}))
     all.push_back({{x[0], x[1], x[2], x[3]}, "ordinary"});
+  // The widest concave faces, and the ends of the radii of the gap, along x and across.
+  const double around = 1 / (0.1 + 0.001 / next_to_end), small = 2e-6 / next_to_end;
+  for (const std::array<double, 4>& radii : {std::array{-10.0, 5.0, 0.01, 0.02},
+                                             {5.0, -10.0, 0.01, 0.02},
+                                             {0.01, 0.02, -10.0, 5.0},
+                                             {0.01, 0.02, 5.0, -10.0},
+                                             {around, -10.0, 0.01, 0.02},
+                                             {small, small, 0.01, 0.02},
+                                             {0.01, 0.02, around, -10.0},
+                                             {0.01, 0.02, small, small}})
+    all.push_back({radii, "end"});
   return all;
 }
 
@@ -153,7 +168,7 @@ Table reduced_radii() {
   Table table{
       {"reduced_radius", "1/R_x = 1/R1x + 1/R2x, 1/R_y = 1/R1y + 1/R2y, 1/R = 1/R_x + 1/R_y", "m",
        "radii above 0, or below 0 where the sum of the curvatures is above 0: "
-       "[1e-4, 1] m or 1e30 m; far: [1e-250, 1e250] m, sums down to 2^-52 of them",
+       "[1e-4, 1] m or 1e30 m; end: -10 m; far: [1e-250, 1e250] m, sums down to 2^-52 of them",
        "inverse of the sum of inverses", "product over sum",
        "output,first_radius_x,second_radius_x,first_radius_y,second_radius_y"},
       "g"};

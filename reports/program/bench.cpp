@@ -24,7 +24,9 @@
 #include "command.hpp"
 #include "conformance/child_process.hpp"
 #include "conformance/conformance_baseline.hpp"
+#include "conformance/conversation.hpp"
 #include "conformance/timed_solver.hpp"
+#include "junit.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 #include "page/project_files.hpp"
@@ -128,33 +130,37 @@ std::string contenders_text(const fs::path& program) {
                      fmt::join(families, ", "));
 }
 
-using Measurement = std::variant<BenchResults, int>;
+// Why nothing was measured, in one line.
+struct Unmeasured {
+  int exit_code;
+  std::string why;
+};
+using Measurement = std::variant<BenchResults, Unmeasured>;
 
-// Runs the contenders. If that fails, the reason is printed and an exit code is returned.
 Measurement measure_contenders(const BenchArguments& arguments) {
   const fs::path program = helper_program("tribocheck_bench");
   if (program.empty())
-    return fail(
+    return Unmeasured{
         exit_bad,
         fmt::format("tribocheck_bench is not built; `make bench` builds it{}",
-                    arguments.has_plugin() ? "; --alone times the plug-in without it" : ""));
+                    arguments.has_plugin() ? "; --alone times the plug-in without it" : "")};
   const std::chrono::milliseconds limit = milliseconds(arguments.timeout);
   const conformance::ChildEnd end = conformance::run_child(command_line(program, arguments), limit);
   if (end.start_error != 0)
-    return fail(exit_failed, program.string() + " cannot be started: " +
-                                 std::generic_category().message(end.start_error));
+    return Unmeasured{exit_failed, program.string() + " cannot be started: " +
+                                       std::generic_category().message(end.start_error)};
   // Its text, not its exit code, tells why it runs nothing: a plug-in may exit with any code.
   if (end.text == "no contender matches the filter\n")
-    return fail(exit_bad, "--filter: no contender's job/family/name matches \"" + arguments.filter +
-                              "\"" + contenders_text(program));
+    return Unmeasured{exit_bad, "--filter: no contender's job/family/name matches \"" +
+                                    arguments.filter + "\"" + contenders_text(program)};
   if (constexpr std::string_view refused = "refused: "; end.text.starts_with(refused))
-    return fail(exit_bad, "--plugin: " + end.text.substr(refused.size(),
-                                                         end.text.find('\n') - refused.size()));
-  if (!end.succeeded()) return fail(exit_failed, failure_text(end, arguments));
+    return Unmeasured{exit_bad, "--plugin: " + end.text.substr(refused.size(), end.text.find('\n') -
+                                                                                   refused.size())};
+  if (!end.succeeded()) return Unmeasured{exit_failed, failure_text(end, arguments)};
   try {
     return read_bench_results(end.text);
   } catch (const std::exception&) {  // no output, or half of it
-    return fail(exit_failed, failure_text(end, arguments));
+    return Unmeasured{exit_failed, failure_text(end, arguments)};
   }
 }
 
@@ -170,12 +176,12 @@ Measurement measure_solvers(const BenchArguments& arguments, const std::set<std:
   try {
     BenchResults results = measure_solvers(run, is_asked);
     if (!results.jobs.empty()) return results;
-    return fail(exit_failed, run.solvers[0] +
-                                 ": it offers no function that is asked for, so that "
-                                 "nothing is timed");
+    return Unmeasured{exit_failed, run.solvers[0] +
+                                       ": it offers no function that is asked for, so that "
+                                       "nothing is timed"};
   } catch (const conformance::SolverFailed& failure) {
-    return fail(failure.exit_code,
-                (run.are_plugins ? "--plugin: " : "--subject: ") + std::string(failure.what()));
+    return Unmeasured{failure.exit_code, (run.are_plugins ? "--plugin: " : "--subject: ") +
+                                             std::string(failure.what())};
   }
 }
 
@@ -194,6 +200,7 @@ nlohmann::json baseline_before(const BenchArguments& arguments) {
   if (!arguments.filter.empty()) options += " --filter " + shell_word(arguments.filter);
   use.renewal = fmt::format("tribocheck bench{}{} --baseline {} --update-baseline --force",
                             arguments.quick ? " --quick" : "", options, shell_word(use.file));
+  use.restoration = "git checkout -- " + shell_word(use.file);
   return conformance::usable_baseline(use, check_bench_baseline);
 }
 
@@ -217,8 +224,8 @@ void confirm_slower(const BenchArguments& arguments, const nlohmann::json& befor
     functions.insert(note.key.substr(0, note.key.find('/')));
   complain("slower; measuring once more");
   const Measurement again = measure(arguments, functions);
+  if (const auto* const failed = std::get_if<Unmeasured>(&again)) return complain(failed->why);
   const BenchResults* const second = std::get_if<BenchResults>(&again);
-  if (second == nullptr) return;
   const std::vector<RowNote> slow = changes_of(*second, before, asked).slower;
   std::vector<RowNote> kept;
   for (RowNote& note : changes.slower) {
@@ -238,9 +245,12 @@ void tell(const BenchReport& report) {
   const std::string than = report.baseline.empty() ? "the second solver" : "the baseline";
   for (const std::string& line : changes.remarks) complain(line);
   for (const RowNote& note : changes.told) complain("a little slower, not red: " + note.line());
-  for (const std::vector<RowNote>* notes : {&changes.worse, &changes.gone})
+  for (const std::vector<RowNote>* notes : {&changes.worse, &changes.gone}) {
+    std::vector<conformance::KindLine> lines;
     for (const RowNote& note : *notes)
-      complain(fmt::format("worse than {}: {}", than, note.line()));
+      lines.push_back({fmt::format("worse than {}: {}", than, note.line()), note.text, note.key});
+    for (const std::string& line : conformance::without_repeats(lines)) complain(line);
+  }
   for (const RowNote& note : changes.slower)
     complain(fmt::format("slower than {}: {}", than, note.line()));
   complain(report.verdict());
@@ -267,12 +277,27 @@ void write_results(const BenchArguments& arguments, const BenchReport& report,
   if (!arguments.junit.empty()) report::write_file(arguments.junit, bench_junit(report));
 }
 
+// The end of a run without results. A CI reads files, and not stderr: these say why.
+int fail_unmeasured(const BenchArguments& arguments, const Unmeasured& failed,
+                    OutputStream& output) {
+  complain(failed.why);
+  if (!arguments.junit.empty())
+    report::write_file(arguments.junit, junit_of_error("bench", failed.why, {}));
+  if (arguments.format == "markdown") {
+    append(output.text(), markdown_of_error("bench", failed.why, {}));
+    output.flush();
+  }
+  return failed.exit_code;
+}
+
 int bench_with(const BenchArguments& arguments, const nlohmann::json& before,
                OutputStream& output) {
   Measurement measured = measure(arguments);
-  if (const int* code = std::get_if<int>(&measured)) return *code;
+  if (const auto* const failed = std::get_if<Unmeasured>(&measured))
+    return fail_unmeasured(arguments, *failed, output);
   BenchReport report{std::move(std::get<BenchResults>(measured))};
   for (const std::string& line : report.results.left_out) complain("left out: " + line);
+  for (const std::string& line : report.results.kept) complain(line);
   const IsAsked asked = [&](const std::string& key) {
     return key == control_row || is_run(arguments.filter, key);
   };
@@ -314,10 +339,12 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
   try {
     return bench_with(arguments, baseline_before(arguments), output);
   } catch (const nlohmann::json::exception& error) {
-    return fail(exit_bad, fmt::format("{}: it is no baseline of `tribocheck bench`: {}",
-                                      arguments.baseline.file, error.what()));
+    return fail_unmeasured(arguments,
+                           {exit_bad, fmt::format("{}: it is no baseline of `tribocheck bench`: {}",
+                                                  arguments.baseline.file, error.what())},
+                           output);
   } catch (const std::invalid_argument& error) {
-    return fail(exit_bad, error.what());
+    return fail_unmeasured(arguments, {exit_bad, error.what()}, output);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "bench_rows.hpp"
 #include "build_info.hpp"
+#include "conformance/conformance_baseline.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -241,15 +242,15 @@ void check_bench_baseline(const json& baseline) {
   // Up to schema 2 it was the number alone.
   const json& told = baseline.at("schema");
   const bool is_known = told == oldest_schema || told == fmt::format("{}{}", schema_name, schema);
-  if (!is_known)
-    throw std::runtime_error(
-        fmt::format("it is a baseline of schema {}, and this program has {}", told.dump(), schema));
+  if (!is_known) throw std::runtime_error(conformance::other_schema_text(baseline, told, schema));
 }
 
 BenchChanges compare(const BenchResults& results, const json& baseline, const IsAsked& is_asked) {
   BenchChanges changes;
   const json& rows = baseline.at("rows");
   const std::optional<double> control = control_of(results);
+  if (std::string newer = conformance::newer_version_text(baseline); !newer.empty())
+    changes.remarks.push_back(std::move(newer));
   const bool is_here = is_of_this_machine(baseline);
   if (!is_here)
     changes.remarks.emplace_back("times are not comparable: another processor or compiler");

@@ -57,6 +57,7 @@ struct BenchJob {
 struct BenchResults {
   std::vector<BenchJob> jobs;
   std::vector<std::string> left_out = {};  // contenders that could not run, with the reason
+  std::vector<std::string> kept = {};      // solvers that keep answers, in a sentence each
   bool is_of_solvers = false;              // and of no contenders
   std::string base = {};                   // the second solver's name; empty: there is one alone
 };

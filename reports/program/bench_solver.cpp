@@ -207,6 +207,11 @@ BenchResults measure_solvers(const SolverRun& run, const IsRun& is_run) {
   for (const Measuring& solver : solvers)
     for (std::size_t i = 0; i < solver.functions.size(); ++i) {
       BenchRow row = row_of(solver, i, run.are_plugins);
+      if (const double ratio = solver.functions[i].new_over_asked; ratio > kept_ratio)
+        results.kept.push_back(fmt::format(
+            "{}: answers are kept: a new case takes {:.2g} times as long as one that was "
+            "asked before, and the time told is that of kept answers",
+            row.key(), ratio));
       if (solver.family != base_family) row.over_base = over_base(solvers, i);
       const auto job = std::find_if(results.jobs.begin(), results.jobs.end(),
                                     [&](const BenchJob& known) { return known.title == row.job; });

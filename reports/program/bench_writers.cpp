@@ -9,8 +9,10 @@
 #include "bench_rows.hpp"
 #include "build_info.hpp"
 #include "junit.hpp"
+#include "page/text_table.hpp"
 #include "page/texts.hpp"
 #include "table.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -93,22 +95,32 @@ std::string change_text(const BenchReport& report, const BenchRow& row) {
   return list == nullptr ? "same" : list->word;
 }
 
+// The width of the longest of these texts of all rows.
+std::size_t widest(const BenchReport& report, std::string BenchRow::*text) {
+  std::size_t width = 0;
+  for (const BenchJob& job : report.results.jobs)
+    for (const BenchRow& row : job.rows)
+      width = std::max(width, report::width_of(printable(row.*text, std::string::npos)));
+  return width;
+}
+
 void append_contenders(Text& to, const BenchReport& report) {
   bool is_first = true;
+  const std::size_t width = std::max<std::size_t>(38, 2 + widest(report, &BenchRow::name));
   for (const BenchJob& job : report.results.jobs) {
     if (!is_first) append(to, "\n");
     is_first = false;
     append_title(to, job.title);
     const auto add = [&](const auto&... cells) {
-      append(to, fmt::format("{:<14}{:<38}{:>10}{:>9}{:>10}{:>13}{:>11}", cells...));
+      append(to, fmt::format("{:<14}{:<{}}{:>10}{:>9}{:>10}{:>13}{:>11}", cells...));
     };
     const auto end = [&](const std::string& change) {
       append(to, report.changes ? fmt::format("  {}\n", change) : "\n");
     };
-    add("family", "contender", "ns", "ratio", "max ulp", "evaluations", "failures");
+    add("family", "contender", width, "ns", "ratio", "max ulp", "evaluations", "failures");
     end("baseline");
     for (const BenchRow& row : job.rows) {
-      add(row.family, row.name, short_number(row.ns), cell(row.ratio), cell(row.max_ulp),
+      add(row.family, row.name, width, short_number(row.ns), cell(row.ratio), cell(row.max_ulp),
           cell(row.evaluations),
           row.judged ? fmt::format("{} of {}", *row.failures, *row.judged) : "-");
       end(change_text(report, row));
@@ -118,8 +130,14 @@ void append_contenders(Text& to, const BenchReport& report) {
 
 void append_solvers(Text& to, const BenchReport& report) {
   std::vector<ColumnHead> heads{
-      {"function", "", 24},     {"solver", "", 16},     {"family", "", 7}, {"time", "ns", 9},
-      {"over_control", "", 26}, {"wall_time", "ns", 9}, {"cases", "", 5},  {"measured", "", 24}};
+      {"function", "", std::max<std::size_t>(24, widest(report, &BenchRow::job))},
+      {"solver", "", std::max<std::size_t>(16, widest(report, &BenchRow::name))},
+      {"family", "", 7},
+      {"time", "ns", 9},
+      {"over_control", "", 26},
+      {"wall_time", "ns", 9},
+      {"cases", "", 5},
+      {"measured", "", 24}};
   const bool has_base = !report.results.base.empty();
   if (has_base) heads.emplace_back("over_base", "", 26);
   if (report.changes) heads.emplace_back("change", "", 15);
@@ -185,6 +203,7 @@ void append_json(Text& to, const BenchReport& report) {
       all["rows"].push_back(std::move(object));
     }
   all["left_out"] = report.results.left_out;
+  all["kept"] = report.results.kept;
   all["comparison"] = comparison_json(report);
   append(to, all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -221,6 +240,7 @@ void append_markdown(Text& to, const BenchReport& report) {
   append(to, "\n");
   for (const std::string& line : report.results.left_out)
     append(to, "- Left out: " + text(line) + "\n");
+  for (const std::string& line : report.results.kept) append(to, "- " + text(line) + "\n");
   if (!report.changes) return;
   for (const ChangeList& list : change_lists)
     for (const RowNote& note : (*report.changes).*list.notes)
@@ -276,6 +296,7 @@ std::string bench_junit(const BenchReport& report) {
       suite.output += "a little slower, not red: " + note.line() + "\n";
     for (const std::string& line : report.changes->remarks) suite.output += line + "\n";
   }
+  for (const std::string& line : report.results.kept) suite.output += line + "\n";
   for (const std::string& line : report.results.left_out) {
     const std::size_t end = std::min(line.find(": "), line.size());
     suite.tests.push_back({line.substr(0, end), End::skipped, line});

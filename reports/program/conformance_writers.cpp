@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "build_info.hpp"
 #include "junit.hpp"
@@ -77,6 +78,15 @@ std::vector<std::string> lost(const SubjectVerdict& verdict) {
   return quantities;
 }
 
+// A breach of the protocol without the case and the answer: "is answered twice, or out of order".
+std::string kind_of_violation(const std::string& text) {
+  std::string kind, word;
+  std::istringstream words(text.substr(0, text.find(": ")));
+  while (words >> word)
+    if (word.find_first_of("0123456789") == std::string::npos) kind += word + ' ';
+  return kind;
+}
+
 // Breaches of the protocol, and facts of the run that a user should know.
 std::vector<std::string> remarks(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
@@ -89,7 +99,10 @@ std::vector<std::string> remarks(const SubjectVerdict& verdict) {
   }
   if (talk.violation_count > 0)
     lines.push_back(fmt::format("The protocol was broken {} times:", talk.violation_count));
-  for (const std::string& one : talk.violations) lines.push_back("  " + one);
+  std::vector<KindLine> violations;
+  for (const std::string& one : talk.violations)
+    violations.push_back({"  " + one, kind_of_violation(one), {}});
+  for (std::string& one : without_repeats(violations)) lines.push_back(std::move(one));
   if (talk.violation_count > talk.violations.size()) lines.emplace_back("  …");
   if (talk.answers_at_end_of_input)
     lines.emplace_back(
@@ -113,22 +126,36 @@ std::string comparison(const Example& one) {
                      expected_text(one.expected, one.allowed), error.empty() ? "" : ": " + error);
 }
 
-// The diagnoses of the quantity's function; each explains all quantities of the function.
+// The diagnoses of the quantity's function; each explains all quantities of its functions.
 std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
                                            const std::string& quantity) {
   std::vector<const Diagnosis*> found;
   for (const Diagnosis& one : verdict.diagnoses)
-    if (function_of(one.quantity) == function_of(quantity)) found.push_back(&one);
+    if (std::find(one.functions.begin(), one.functions.end(), function_of(quantity)) !=
+        one.functions.end())
+      found.push_back(&one);
   return found;
 }
 
-// All changes against the baseline, each after a word on its kind.
+// The sentences on changes, each after a word on its kind. What has become of several quantities in
+// the same way is told once, with their names.
+std::vector<std::string> change_lines(const std::string& kind,
+                                      const std::vector<BaselineChange>& changes) {
+  std::vector<KindLine> lines;
+  for (const BaselineChange& one : changes)
+    lines.push_back({fmt::format("{} {}", kind, one.text),
+                     one.text.substr(std::min(one.quantity.size(), one.text.size())),
+                     one.quantity});
+  return without_repeats(lines);
+}
+
+// All changes against the baseline.
 std::vector<std::string> change_lines(const SubjectVerdict& verdict) {
   std::vector<std::string> lines;
   if (!verdict.changes) return lines;
   const auto add = [&](const char* kind, const std::vector<BaselineChange>& changes) {
-    for (const BaselineChange& one : changes)
-      lines.push_back(fmt::format("{}: {}", kind, one.text));
+    for (std::string& one : change_lines(kind + std::string(":"), changes))
+      lines.push_back(std::move(one));
   };
   add("Better than the baseline", verdict.changes->better);
   add("Not in the baseline", verdict.changes->fresh);
@@ -201,9 +228,10 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   std::size_t widest = 36;
   for (const QuantityVerdict& one : verdict.result.quantities)
     if (one.status != Verdict::not_offered) widest = std::max(widest, one.quantity.size());
-  const std::vector<ColumnHead> heads{
-      {"quantity", "", widest}, {"asked", "", 6},        {"held", "", 6},     {"failed", "", 6},
-      {"skipped", "", 7},       {"worst_error", "", 11}, {"of_bound", "", 9}, {"verdict", "", 16}};
+  const std::vector<ColumnHead> heads{{"quantity", "", widest}, {"asked", "", 6},
+                                      {"held", "", 6},          {"failed", "", 6},
+                                      {"skipped", "", 7},       {"worst_relative_error", "", 11},
+                                      {"of_bound", "", 9},      {"verdict", "", 16}};
   append_heads(to, heads);
   for (const QuantityVerdict& one : verdict.result.quantities) {
     if (one.status == Verdict::not_offered) continue;
@@ -252,6 +280,8 @@ ordered_json unsteady_json(const std::vector<Unsteady>& unsteady) {
                    {"case", one.id},
                    {"first", value(one.first)},
                    {"second", value(one.second)},
+                   {"first_place", one.first_place},
+                   {"second_place", one.second_place},
                    {"reason", one.second.value ? one.first.reason : one.second.reason},
                    {"relative_difference", one.apart}});
   return all;
@@ -332,6 +362,7 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   }
   for (const Diagnosis& one : verdict.diagnoses)
     all["diagnoses"].push_back({{"quantity", one.quantity},
+                                {"functions", one.functions},
                                 {"mistakes", one.mistakes},
                                 {"explained", one.explained},
                                 {"wrong", one.wrong},
@@ -356,7 +387,7 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
   const auto cell = [](const std::string& text) { return report::escape_markdown(text); };
   append(to, fmt::format("### tribocheck: {}\n\n", cell(summary(verdict))));
   append(to,
-         "| quantity | verdict | held | failed | skipped | worst error | of its bound |\n"
+         "| quantity | verdict | held | failed | skipped | worst relative error | of its bound |\n"
          "|---|---|---:|---:|---:|---:|---:|\n");
   for (const QuantityVerdict& one : verdict.result.quantities) {
     if (one.status == Verdict::not_offered) continue;
@@ -377,18 +408,16 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
                              one.quantity, cell(one.worst.id), cell(comparison(one.worst)),
                              one.worst.request.dump()));
   for (const std::string& line : remarks(verdict)) append(to, "- " + cell(line) + "\n");
-  if (const std::vector<std::string> errors = shown_errors(verdict.result); !errors.empty()) {
-    std::string fence = "````";  // longer than any fence in the text
-    for (const std::string& line : errors)
-      while (line.find(fence) != std::string::npos) fence += '`';
-    append(to, "- The last it wrote to stderr:\n\n  " + fence + "text\n");
-    for (const std::string& line : errors) append_line(to, "  " + line);
-    append(to, "  " + fence + "\n");
-  }
+  append(to, markdown_of_stderr(shown_errors(verdict.result)));
   if (!verdict.changes) return;
   const auto add = [&](const char* kind, const std::vector<BaselineChange>& changes) {
-    for (const BaselineChange& one : changes)
-      append(to, fmt::format("- {} {}\n", kind, cell(one.text)));
+    std::vector<BaselineChange> escaped = changes;
+    for (BaselineChange& one : escaped) {
+      one.text = cell(one.text);
+      one.quantity = cell(one.quantity);
+    }
+    for (const std::string& line : change_lines(kind, escaped))
+      append(to, (line.starts_with(' ') ? "  - " + line.substr(2) : "- " + line) + '\n');
   };
   add("**Worse than the baseline.**", verdict.changes->worse);
   add("Better than the baseline:", verdict.changes->better);
@@ -408,12 +437,12 @@ double seconds_of(const ConformanceResult& result, const std::string& quantity) 
   return found == all.end() ? 0 : found->second / static_cast<double>(sharing);
 }
 
-// The diagnosis of a quantity that failed, and its worst case.
+// The diagnosis of a quantity that failed, or is worse, and its worst case.
 std::string junit_details(const SubjectVerdict& verdict, const QuantityVerdict& one) {
   std::string text;
-  if (!has_example(one)) return text;
   for (const Diagnosis* diagnosis : diagnoses_of(verdict, one.quantity))
     text += "Diagnosis: " + diagnosis->text + "\n";
+  if (!has_example(one)) return one.failed > 0 ? "" : text;
   return text + fmt::format("Worst in case {}: {}\n{}\n", one.worst.id, comparison(one.worst),
                             one.worst.request.dump());
 }

@@ -16,13 +16,14 @@
 #include "catalogue/catalogue.hpp"
 #include "command.hpp"
 #include "messages.hpp"
+#include "options.hpp"
 #include "page/text_table.hpp"
 #include "page/texts.hpp"
 #include "scene_arguments.hpp"
 #include "table.hpp"
+#include "tribo/contact_regime.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
-#include "tribo/similarity_numbers.hpp"
 #include "tribo/smooth_contact.hpp"
 
 // Sources are compiled together: names that others have too are in a namespace of their own.
@@ -31,13 +32,23 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// Why something is undefined: in a few words for its line of the table, and as a sentence, which
+// stands once below the table; CSV and JSON have the sentence. Without a sentence the few words are
+// all.
+struct Reason {
+  std::string_view brief, sentence = {};
+
+  std::string_view whole() const { return sentence.empty() ? brief : sentence; }
+};
+
 // A number or a word about a contact, in SI units. Where it is undefined, the value is null and
-// `reason` says why.
+// `reason` says why. `note`: what the value means for the contact; empty where nothing is to add.
 struct Fact {
   std::string_view name, symbol, meaning;
   ordered_json value;
   std::string_view unit = {};
-  std::string_view reason = {};
+  Reason reason = {};
+  std::string note = {};
 };
 using Facts = std::vector<Fact>;
 
@@ -59,7 +70,7 @@ struct AtSpeed {
 
 struct ContactAccount {
   std::string_view id;
-  Facts contact, surfaces;
+  Facts contact, surfaces, lubricant;
   std::vector<AtSpeed> speeds;
   std::vector<Validity> validity;
 };
@@ -81,8 +92,14 @@ struct Asked {
 Fact number(std::string_view name, std::string_view symbol, std::string_view meaning, double value,
             std::string_view unit = {}) {
   if (std::isfinite(value)) return {name, symbol, meaning, value, unit};
-  return {name, symbol, meaning, nullptr, unit, protocol::beyond_double};
+  return {name, symbol, meaning, nullptr, unit, {protocol::beyond_double}};
 }
+
+constexpr Reason no_approach{"a line has none", "of a line it depends on the whole bodies"};
+constexpr Reason no_roughness{
+    "no Rq is given",
+    "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0"};
+constexpr Reason no_summits{"no summits are given"};
 
 Facts contact_of(const Asked& asked) {
   // In the order of ContactShape.
@@ -121,23 +138,17 @@ Facts contact_of(const Asked& asked) {
       number("peak_pressure", "p₀", "greatest Hertz pressure", hertz.peak_pressure, "Pa"));
   facts.push_back(number("mean_pressure", "p_m", "mean Hertz pressure", hertz.mean_pressure, "Pa"));
   if (asked.is_line())
-    facts.push_back({"approach", "", "approach of the bodies", nullptr, "m",
-                     "of a line it depends on the whole bodies"});
+    facts.push_back({"approach", "", "approach of the bodies", nullptr, "m", no_approach});
   else
     facts.push_back(number("approach", "", "approach of the bodies", hertz.approach, "m"));
   return facts;
 }
 
-constexpr std::string_view no_roughness =
-    "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0";
-
-constexpr std::string_view no_summits = "the bodies are smooth: they have no σ_s";
-
 Facts surfaces_of(const Asked& asked) {
   const double sd = asked.contact.summit_height_sd(), roughness = asked.numbers().rms_roughness;
   const LoadSharing<double> sharing = asked.contact.sharing();
   Facts facts;
-  constexpr std::string_view rms = "composite roughness of both faces";
+  constexpr std::string_view rms = "roughness of both faces together";
   if (roughness > 0)
     facts.push_back(number("rms_roughness", "Rq", rms, roughness, "m"));
   else
@@ -151,25 +162,55 @@ Facts surfaces_of(const Asked& asked) {
   facts.push_back(number("stiffness", "K", "stiffness of the summits", sharing.stiffness()));
   facts.push_back(
       number("offset", "δ", "plane of heights to plane of summits, over σ_s", sharing.offset()));
-  facts.push_back(number("share_without_film", "A(0)", "load share of the summits without a film",
-                         sharing.asperity_share(0)));
+  const double share = sharing.asperity_share(0);
+  facts.push_back(
+      number("share_without_film", "A(0)", "load share of the summits without a film", share));
+  if (share < 1)
+    facts.back().note = fmt::format(
+        "they carry at most {:.0f} % of the load, and friction at low speed comes out below the "
+        "boundary coefficient",
+        100 * share);
   facts.push_back(number("floor", "λ_b σ_s", "least film that the summits allow; 0: none",
                          sharing.floor() * sd, "m"));
   return facts;
 }
 
-// Why the contact is not in the range of a film law; empty where it is. All laws but Moes' are of
-// elastic bodies, those without an exponent of G in an isoviscous liquid.
+// The oil at the temperature at which the contact runs; ν and T where the scene has them.
+Facts lubricant_of(const Asked& asked) {
+  const Oil& oil = asked.scene.lubricant.oil;
+  const auto& scene = asked.numbers();
+  Facts facts;
+  if (oil.is_given())
+    facts.push_back(number("temperature", "T", "temperature of the contact", oil.temperature, "K"));
+  if (oil.density > 0)
+    facts.push_back(number("kinematic_viscosity", "ν", "kinematic viscosity there",
+                           scene.viscosity / oil.density, "m²/s"));
+  facts.push_back(
+      number("viscosity", "η₀", "viscosity at ambient pressure", scene.viscosity, "Pa·s"));
+  facts.push_back(number("pressure_viscosity", "α", "how pressure thickens the oil",
+                         scene.pressure_viscosity, "1/Pa"));
+  return facts;
+}
+
+// The word for Λ that is common practice.
+std::string_view word_of_lambda(double ratio) {
+  return ratio < 1   ? "boundary or mixed lubrication"
+         : ratio < 3 ? "mixed lubrication"
+                     : "full film";
+}
+
+// Why the contact is not in the range of a film law; empty where it is.
 std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime) {
-  if (!(ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
-        ellipticity <= law.greatest_ellipticity))
+  if (!(ellipticity >= least_fitted_ellipticity(law) && ellipticity <= law.greatest_ellipticity))
     return fmt::format("k is {}, and it was fitted to {} to {}", readable(ellipticity),
                        readable(law.least_ellipticity), readable(law.greatest_ellipticity));
-  const LubricationRegime own = law.material_exponent.p == 0
-                                    ? LubricationRegime::isoviscous_elastic
-                                    : LubricationRegime::piezoviscous_elastic;
+  const LubricationRegime own = regime_of(law);
   if (own != regime) return fmt::format("the law is of {} contacts", name(own));
   return {};
+}
+
+bool is_of_minimum(const catalogue::Function& function) {
+  return function.results.front().meaning.starts_with("h_min");
 }
 
 std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegime regime) {
@@ -177,8 +218,13 @@ std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegim
   std::vector<LawFilm> films;
   for (const catalogue::Function& function : catalogue::functions()) {
     const FilmLaw* const law = function.film_law;
-    if (law != nullptr && law->is_of_lines == asked.is_line())
-      films.push_back({function.name, function.results.front().meaning.starts_with("h_min"),
+    const bool is_of_shape = law != nullptr && law->is_of_lines == asked.is_line();
+    if (is_of_shape && scene.pressure_viscosity == 0 && law->material_exponent.p != 0)
+      films.push_back({function.name, is_of_minimum(function), std::nan(""),
+                       "it has no film where the viscosity does not rise with pressure", false,
+                       function.source});
+    else if (is_of_shape)
+      films.push_back({function.name, is_of_minimum(function),
                        smooth_film(*law, asked.shape(), scene, speed),
                        beyond_of(*law, asked.is_line() ? 1 : scene.ellipticity, regime),
                        law == &asked.contact.film(), function.source});
@@ -195,21 +241,11 @@ std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegim
   return films;
 }
 
-LubricationRegime regime_of(const Asked& asked, const SimilarityNumbers<double>& numbers) {
-  if (asked.is_line()) return line_regime(moes_numbers(numbers, true));
-  const auto& scene = asked.numbers();
-  const double radius_ratio =
-      asked.shape() == ContactShape::circle ? 1 : scene.across / scene.radius_x;
-  return point_regime(regime_numbers(numbers), radius_ratio, scene.ellipticity);
-}
-
 AtSpeed account_at(const Asked& asked, double speed) {
   const auto& scene = asked.numbers();
-  const SimilarityNumbers<double> numbers = similarity_numbers(
-      speed, scene.viscosity, scene.pressure_viscosity, load_of_film(asked.shape(), scene),
-      scene.effective_modulus, scene.radius_x);
+  const SimilarityNumbers<double> numbers = similarity_of(asked.shape(), scene, speed);
   const MoesNumbers<double> moes = moes_numbers(numbers, asked.is_line());
-  const LubricationRegime regime = regime_of(asked, numbers);
+  const LubricationRegime regime = regime_of(asked.shape(), scene, numbers);
   AtSpeed account{speed, {}, {}, films_of(asked, speed, regime)};
   account.numbers = {
       number("speed_number", "U", "Hamrock and Dowson's number of the speed", numbers.speed),
@@ -224,10 +260,10 @@ AtSpeed account_at(const Asked& asked, double speed) {
     account.numbers.push_back(
         number("elasticity_parameter", "g_E", "number of the bodies' flattening", map.elasticity));
   }
-  account.numbers.push_back({"regime", "",
-                             asked.is_line() ? "regime of lubrication, on Moes' map"
-                                             : "regime of lubrication, on Hamrock's map",
-                             name(regime)});
+  account.numbers.push_back(
+      {"regime", "",
+       asked.is_line() ? "regime of the film (Moes' map)" : "regime of the film (Hamrock's map)",
+       name(regime)});
   OutputSet outputs;
   for (const Output output : {Output::film, Output::film_parameter}) outputs.insert(output);
   const OperatingPoint<double> point = asked.contact.solve(speed, outputs);
@@ -236,28 +272,42 @@ AtSpeed account_at(const Asked& asked, double speed) {
       asked.scene.surface.is_smooth()
           ? Fact{"film_parameter", "λ", "h*/σ_s", nullptr, "", no_summits}
           : number("film_parameter", "λ", "h*/σ_s", point.film_parameter),
-      number("minimum_film", "h_min", "least film of smooth faces in a flooded inlet",
-             asked.smooth.minimum_film(speed), "m")};
-  if (scene.rms_roughness > 0)
-    account.ratios.push_back(
-        number("lambda_ratio", "Λ", "h_min/Rq", asked.smooth.value(Output::lambda_ratio, speed)));
-  else
+      number("minimum_film", "h_min", "least film, beside h*",
+             asked.smooth.minimum_film(speed, point.film), "m")};
+  if (scene.rms_roughness > 0) {
+    const double ratio = asked.smooth.value(Output::lambda_ratio, speed, point.film);
+    account.ratios.push_back(number("lambda_ratio", "Λ", "h_min/Rq", ratio));
+    if (std::isfinite(ratio)) account.ratios.back().note = word_of_lambda(ratio);
+  } else
     account.ratios.push_back({"lambda_ratio", "Λ", "h_min/Rq", nullptr, "", no_roughness});
   return account;
 }
 
-// At the slowest and the fastest speed of the scene, at one where they are the same, and at none
-// where the scene has no speed.
+// All speeds of a scene that has at most four, from slow to fast, each once; of more the slowest
+// and the fastest; none where the scene has no speed.
+std::vector<double> told_speeds(const Speeds& speeds) {
+  constexpr std::size_t most = 4;
+  std::vector<double> told;
+  if (speeds.size() <= most) {
+    for (std::size_t i = 0; i < speeds.size(); ++i) told.push_back(speeds[i]);
+  } else {
+    const detail::SpeedSpan span = detail::speed_span(speeds);
+    told = {span.low, span.high};
+  }
+  std::sort(told.begin(), told.end());
+  told.erase(std::unique(told.begin(), told.end()), told.end());
+  return told;
+}
+
 ContactAccount account_of(const Asked& asked) {
   ContactAccount account{asked.scene.id,
                          contact_of(asked),
                          surfaces_of(asked),
+                         lubricant_of(asked),
                          {},
                          validity_of(asked.scene, SceneUse::onset)};
-  if (asked.scene.speeds.empty()) return account;
-  const auto [low, high] = detail::speed_span(asked.scene.speeds);
-  account.speeds.push_back(account_at(asked, low));
-  if (high > low) account.speeds.push_back(account_at(asked, high));
+  for (const double speed : told_speeds(asked.scene.speeds))
+    account.speeds.push_back(account_at(asked, speed));
   return account;
 }
 
@@ -275,7 +325,12 @@ std::string usual(double value, std::string_view unit) {
                                                 {"m", "mm", 1e-3, 1e3},
                                                 {"m", "µm", 1e-6, 1e6},
                                                 {"m", "nm", 1e-10, 1e9},
-                                                {"m²", "mm²", 1e-12, 1e6}});
+                                                {"m²", "mm²", 1e-12, 1e6},
+                                                {"m²/s", "mm²/s", 1e-9, 1e6},
+                                                {"Pa·s", "Pa·s", 10, 1},
+                                                {"Pa·s", "mPa·s", 1e-6, 1e3},
+                                                {"1/Pa", "1/GPa", 1e-12, 1e9}});
+  if (unit == "K") return fmt::format("{:.4g} °C", value - 273.15);
   for (const Scale& scale : scales)
     if (scale.unit == unit && std::abs(value) >= scale.least)
       return fmt::format("{:.4g} {}", value * scale.factor, scale.usual);
@@ -283,7 +338,7 @@ std::string usual(double value, std::string_view unit) {
 }
 
 std::string text_of(const Fact& fact) {
-  if (fact.value.is_null()) return fmt::format("undefined: {}", fact.reason);
+  if (fact.value.is_null()) return fmt::format("undefined: {}", fact.reason.brief);
   if (fact.value.is_string()) return fact.value.get<std::string>();
   return usual(fact.value.get<double>(), fact.unit);
 }
@@ -297,7 +352,8 @@ void append_facts(Text& to, const Facts& facts) {
   for (const Fact& fact : facts) {
     std::string words(fact.meaning);
     if (!fact.symbol.empty()) words = fmt::format("{}, {}", fact.symbol, words);
-    append_line(to, fmt::format("  {}  {}", padded(words, 53), text_of(fact)));
+    const std::string note = fact.note.empty() ? "" : ": " + fact.note;
+    append_line(to, fmt::format("  {}  {}{}", padded(words, 53), text_of(fact), note));
   }
 }
 
@@ -307,20 +363,42 @@ void append_films(Text& to, const std::vector<LawFilm>& films) {
   for (const LawFilm& film : films) {
     const std::string law =
         fmt::format("{}{}", film.law, film.is_of_scene ? " (this scene's)" : "");
-    append_line(
-        to, fmt::format("  {}  {}  {}  {}", padded(law, 42),
-                        film.is_minimum ? "minimum" : "central", padded(usual(film.film, "m"), 10),
-                        film.beyond.empty() ? "yes" : "no: " + film.beyond));
+    append_line(to, fmt::format("  {}  {}  {}  {}", padded(law, 42),
+                                film.is_minimum ? "minimum" : "central",
+                                padded(std::isfinite(film.film) ? usual(film.film, "m") : "-", 10),
+                                film.beyond.empty() ? "yes" : "no: " + film.beyond));
   }
+}
+
+// The sentence of each reason, once, with what it is about.
+void append_reasons(Text& to, const ContactAccount& account) {
+  std::vector<const Fact*> told;
+  const auto tell = [&](const Facts& facts) {
+    for (const Fact& fact : facts) {
+      const auto is_same = [&](const Fact* one) {
+        return one->reason.sentence == fact.reason.sentence;
+      };
+      if (fact.reason.sentence.empty() || std::any_of(told.begin(), told.end(), is_same)) continue;
+      if (told.empty()) append(to, "\n");
+      told.push_back(&fact);
+      append_line(to, fmt::format("  - {}: {}", fact.meaning, fact.reason.sentence));
+    }
+  };
+  tell(account.contact);
+  tell(account.surfaces);
+  for (const AtSpeed& at : account.speeds) tell(at.ratios);
 }
 
 constexpr std::string_view about_ratios =
     "  λ says how deep the summits reach into the film: the model's shares of the load follow from "
     "it.\n"
-    "  Λ compares the film that the bodies would have if they were smooth with the roughness that "
-    "a "
-    "profiler\n"
-    "  measures: catalogues of bearings and gears mean it. The two are different numbers.\n";
+    "  Λ compares the least film, which is h* times the part that the law of the least film is of "
+    "the\n"
+    "  scene's law, with the roughness that a profiler measures: catalogues of bearings and gears "
+    "mean\n"
+    "  it. By common practice Λ below 1 is boundary or mixed lubrication, 1 to 3 mixed, and from 3 "
+    "on a\n"
+    "  full film. λ and Λ are different numbers.\n";
 
 void append_table(Text& to, const ContactAccount& account) {
   append_title(to, fmt::format("{}: the dry, smooth contact (Hertz)", account.id));
@@ -328,6 +406,9 @@ void append_table(Text& to, const ContactAccount& account) {
   append(to, "\n");
   append_title(to, fmt::format("{}: the rough faces", account.id));
   append_facts(to, account.surfaces);
+  append(to, "\n");
+  append_title(to, fmt::format("{}: the oil", account.id));
+  append_facts(to, account.lubricant);
   for (const AtSpeed& at : account.speeds) {
     append(to, "\n");
     append_title(to, fmt::format("{}: at {} m/s", account.id, readable(at.speed)));
@@ -341,6 +422,7 @@ void append_table(Text& to, const ContactAccount& account) {
     append(to, "\n  Films and regimes need a speed, which this scene does not have.\n");
   else
     append(to, fmt::format("\n{}", about_ratios));
+  append_reasons(to, account);
   append(to, "\n");
   append_validity(to, account.id, account.validity);
 }
@@ -356,11 +438,12 @@ void append_csv(Text& to, const ContactAccount& account) {
                                                          : std::string();
       append(to,
              fmt::format("{},{},{},{},{},{},{},{}\n", id, speed, part, fact.name, value, fact.unit,
-                         report::csv_text(fact.meaning), report::csv_text(fact.reason)));
+                         report::csv_text(fact.meaning), report::csv_text(fact.reason.whole())));
     }
   };
   add("", "contact", account.contact);
   add("", "surfaces", account.surfaces);
+  add("", "lubricant", account.lubricant);
   for (const AtSpeed& at : account.speeds) {
     const std::string speed = report::exact(at.speed);
     add(speed, "numbers", at.numbers);
@@ -381,7 +464,8 @@ ordered_json json_of(const Facts& facts) {
                     {"value", fact.value},
                     {"unit", fact.unit},
                     {"meaning", fact.meaning},
-                    {"undefined", fact.reason}});
+                    {"undefined", fact.reason.whole()},
+                    {"note", fact.note}});
   return list;
 }
 
@@ -408,13 +492,22 @@ void append_json(Text& to, const ContactAccount& account) {
   const ordered_json told{{"id", account.id},
                           {"contact", json_of(account.contact)},
                           {"surfaces", json_of(account.surfaces)},
+                          {"lubricant", json_of(account.lubricant)},
                           {"speeds", std::move(speeds)},
                           {"validity", validity_json(account.validity)}};
   append(to, without_controls(told.dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
 }
 
-int tell_contacts(const SceneArguments& arguments, OutputStream& output) {
-  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::onset);
+struct ContactArguments : SceneArguments {
+  double speed = 0;  // 0: the scene's
+};
+
+int tell_contacts(const ContactArguments& arguments, OutputStream& output) {
+  const LoadedScenes loaded =
+      load_scenes(arguments.paths, SceneUse::onset, [&arguments](Scene& scene) {
+        if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
+        return std::string();
+      });
   if (loaded.scenes.empty()) return exit_bad;
   Text& text = output.text();
   const bool is_json = arguments.format == "json", is_csv = arguments.format == "csv";
@@ -431,10 +524,11 @@ int tell_contacts(const SceneArguments& arguments, OutputStream& output) {
 
 constexpr const char* footer =
     R"(Told are the size, pressures and approach of the dry, smooth contact (Hertz); the rough faces: Rq, σ_s,
-and K, δ and the floor, the least distance that the summits allow; and at the slowest and the fastest
-speed of a scene U, G and W, Moes' M and L, the regime of lubrication, the film by each law of this
-shape of contact and whether it is inside the range of that law, λ = h*/σ_s and Λ = h_min/Rq. A scene
-may be without a speed: then only what does not depend on it is told.
+and K, δ and the floor, the least distance that the summits allow; the oil at its temperature; and at
+the speeds of a scene, of more than four at the slowest and the fastest, U, G and W, Moes' M and L,
+the regime of the film, the film by each law of this shape of contact and whether it is inside the
+range of that law, λ = h*/σ_s and Λ = h_min/Rq. A scene may be without a speed: then only what does
+not depend on it is told.
 
 The table has units that people use; CSV and JSON have SI units, and numbers that read back to the
 same double. The regime is the one whose film is the thickest: of points by the formulas of Hamrock
@@ -456,8 +550,12 @@ Command add_contact(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("contact", "what a contact is: Hertz pressure, regime, films, Λ");
   app->footer(footer_with_scenes(contact_account::footer));
-  const auto arguments = std::make_shared<SceneArguments>();
+  const auto arguments = std::make_shared<contact_account::ContactArguments>();
   add_scene_arguments(*app, *arguments);
+  add_number_option(
+      *app, "--speed", [arguments](double speed) { arguments->speed = speed; },
+      [](double speed) { return speed > 0 && std::isfinite(speed); }, "a number above 0, in m/s",
+      "this one speed in m/s in place of the scenes' own");
   return {app, [arguments](OutputStream& output) {
             return contact_account::tell_contacts(*arguments, output);
           }};

@@ -17,6 +17,7 @@
 namespace tribo::cli {
 namespace {
 
+using catalogue::Combination;
 using catalogue::Function;
 using catalogue::Parameter;
 using nlohmann::ordered_json;
@@ -29,8 +30,8 @@ struct FunctionsArguments {
 std::string unit_text(std::string_view unit) { return unit.empty() ? "-" : std::string(unit); }
 
 // The range of a number in contacts on earth: "1e-06 to 100".
-std::string physical(const Parameter& parameter) {
-  return fmt::format("{:g} to {:g}", parameter.least, parameter.greatest);
+std::string range_text(double least, double greatest) {
+  return fmt::format("{:g} to {:g}", least, greatest);
 }
 
 ordered_json example_of(const Function& function) {
@@ -72,8 +73,13 @@ void describe(const Function& function, OutputStream& output) {
     if (parameter.default_value) text += fmt::format(" (default: {})", *parameter.default_value);
     text += '\n';
     if (parameter.words.empty())
-      text += fmt::format("  {:<24}{:<8}of contacts on earth: {}\n", "", "", physical(parameter));
+      text += fmt::format("  {:<24}{:<8}of contacts on earth: {}\n", "", "",
+                          range_text(parameter.least, parameter.greatest));
   }
+  if (!function.combinations.empty()) text += "\nCombinations of them, of contacts on earth:\n";
+  for (const Combination& one : function.combinations)
+    text += fmt::format("  {:<24}{:<8}{}: {}\n", one.name, unit_text(one.unit), one.meaning,
+                        range_text(one.least, one.greatest));
   text += "\nResults:\n";
   for (const catalogue::Result& result : function.results)
     text += fmt::format("  {:<24}{:<8}{}\n", result.name, unit_text(result.unit), result.meaning);
@@ -104,6 +110,12 @@ ordered_json json_of(const Function& function) {
     if (parameter.default_value) one["default"] = *parameter.default_value;
     parameters.push_back(std::move(one));
   }
+  ordered_json combinations = ordered_json::array();
+  for (const Combination& one : function.combinations)
+    combinations.push_back({{"name", one.name},
+                            {"meaning", one.meaning},
+                            {"unit", one.unit},
+                            {"physical", {one.least, one.greatest}}});
   for (const catalogue::Result& result : function.results)
     results.push_back({{"name", result.name}, {"meaning", result.meaning}, {"unit", result.unit}});
   return {{"name", function.name},
@@ -111,6 +123,7 @@ ordered_json json_of(const Function& function) {
           {"equation", function.equation},
           {"source", function.source},
           {"parameters", parameters},
+          {"combinations", combinations},
           {"results", results},
           {"contract",
            {{"ulp", function.contract.ulp},

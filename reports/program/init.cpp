@@ -143,6 +143,12 @@ data parameters_of(const catalogue::Function& function) {
     std::string coded;
     for (std::size_t code = 0; code < parameter.words.size(); ++code)
       coded += fmt::format("{}{} {}", code == 0 ? "" : ", ", code, parameter.words[code]);
+    // {{#default}}{{value}}{{/default}}: of one that a question may leave out.
+    if (parameter.default_value) {
+      data defaults(data::type::list);
+      defaults << data("value", fmt::format("{}", *parameter.default_value));
+      entry.set("default", defaults);
+    }
     entry.set("coded", coded.empty() ? catalogue::allowed_text(parameter) : coded);
     list << entry;
   }

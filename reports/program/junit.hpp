@@ -12,10 +12,10 @@
 namespace tribo::cli {
 
 struct JunitTest {
-  enum class End : std::uint8_t { passed, failure, skipped };
+  enum class End : std::uint8_t { passed, failure, skipped, error };
   std::string name;
   End end = End::passed;
-  std::string message = {}, details = {};  // of a failure or a skip; details may be empty
+  std::string message = {}, details = {};  // unless it passed; details may be empty
   std::optional<double> seconds = {};      // that it took, where that is known
 };
 
@@ -30,5 +30,15 @@ struct JunitSuite {
 };
 
 std::string junit_xml(const JunitSuite& suite);
+
+// A run of `command` ("verify") that could judge nothing, for this reason: one test that is an
+// error. `errors` are the last lines that the subject wrote to stderr. And the same in Markdown.
+std::string junit_of_error(const std::string& command, const std::string& why,
+                           const std::vector<std::string>& errors);
+std::string markdown_of_error(const std::string& command, const std::string& why,
+                              const std::vector<std::string>& errors);
+
+// "- The last it wrote to stderr:", and the lines as they stand; empty where there are none.
+std::string markdown_of_stderr(const std::vector<std::string>& errors);
 
 }  // namespace tribo::cli

@@ -12,9 +12,9 @@
 namespace tribo::cli {
 namespace {
 
-int host(const std::string& path, bool times) {
+int host(const std::string& path, bool times, bool tells_places) {
   try {
-    return times ? conformance::time_plugin(path) : conformance::host_plugin(path);
+    return times ? conformance::time_plugin(path) : conformance::host_plugin(path, tells_places);
   } catch (const conformance::PluginRefused& refusal) {
     return fail(exit_bad, refusal.what());
   }
@@ -23,7 +23,8 @@ int host(const std::string& path, bool times) {
 constexpr const char* plugin_host_footer =
     R"(The library is one made for tribocheck_plugin.h. Lines and answers are those of `tribocheck stream`;
 what the library does not offer is answered with "skip". What it prints to stdout comes out on stderr.
-`tribocheck verify --plugin` starts this. With --time each block of lines, all of one function and ended by an
+`tribocheck verify --plugin` starts this, with --places: each answer then has the place of its case in the
+array that the library got. With --time each block of lines, all of one function and ended by an
 empty line, is asked in one call, again and again for some milliseconds, and answered by one line: how many of
 the questions have an answer, CPU seconds for a question, the same by the clock, and those of the control
 (std::exp). `tribocheck bench --plugin` starts this. Exit code 2: the library cannot be used.
@@ -39,10 +40,12 @@ Command add_plugin_host(CLI::App& program) {
                                          "answer JSON lines from stdin on stdout with a plug-in");
   app->footer(plugin_host_footer);
   const auto path = std::make_shared<std::string>();
-  const auto times = std::make_shared<bool>(false);
+  const auto times = std::make_shared<bool>(false), places = std::make_shared<bool>(false);
   app->add_option("LIBRARY", *path, "the shared library")->required();
   app->add_flag("--time", *times, "answer each block of lines with the time that it takes");
-  return {app, [path, times](OutputStream&) { return host(*path, *times); }};
+  app->add_flag("--places", *places, "tell the place of each case in its array")
+      ->excludes("--time");
+  return {app, [path, times, places](OutputStream&) { return host(*path, *times, *places); }};
 }
 
 }  // namespace tribo::cli

@@ -47,7 +47,7 @@ void PointWriter::add(const OperatingPoint<double>& point) {
   for (const OutputInfo& info : output_infos)
     if (scene_->outputs.contains(info.output))
       new (&cells_[++column]) protocol::OutputValue(
-          info.is_of_smooth_contact ? protocol::value_of(*smooth_, info.output, point.speed)
+          info.is_of_smooth_contact ? protocol::value_of(*smooth_, info.output, point)
                                     : protocol::value_of(point, info.output));
   rows_.add(cells_);
 }

@@ -16,7 +16,7 @@ namespace tribo::cli {
 // An output at a point of the contact, whether a point holds it or the smooth contact has it.
 inline protocol::OutputValue value_at(const OperatingPoint<double>& point,
                                       const SmoothContact& smooth, Output output) {
-  return info(output).is_of_smooth_contact ? protocol::value_of(smooth, output, point.speed)
+  return info(output).is_of_smooth_contact ? protocol::value_of(smooth, output, point)
                                            : protocol::value_of(point, output);
 }
 

@@ -58,6 +58,20 @@ void Progress::show() {
                          static_cast<double>(done_) / seconds));
 }
 
+void Forecast::step() {
+  constexpr double waited = 3, long_time = 10;  // s
+  constexpr std::size_t enough = 20;            // answers
+  if (is_told_) return;
+  if (++done_ == 1) first_ = Clock::now();
+  if (done_ < enough) return;
+  const double seconds = std::chrono::duration<double>(Clock::now() - first_).count();
+  if (seconds < waited) return;
+  is_told_ = true;
+  const double all = seconds / static_cast<double>(done_ - 1) * static_cast<double>(total_);
+  if (all > long_time)
+    complain(fmt::format("the {} cases will take some {}{}", total_, span_text(all), advice_));
+}
+
 bool SweepProgress::is_due() {
   if (line_.is_watched()) return line_.is_due();
   if (Clock::now() < next_logged_ || !is_log()) return false;

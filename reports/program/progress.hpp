@@ -59,6 +59,23 @@ class Progress {
   StepLine line_{std::chrono::seconds(1), std::chrono::milliseconds(200)};
 };
 
+// Tells once, in a line on stderr, how long some cases will take where that is more than 10 s: from
+// the time between the first answer and those of the three seconds after it.
+class Forecast {
+ public:
+  Forecast(std::size_t total, std::string_view advice) : total_(total), advice_(advice) {}
+
+  void step();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::size_t total_, done_ = 0;
+  std::string_view advice_;  // ends the line
+  Clock::time_point first_ = {};
+  bool is_told_ = false;
+};
+
 // How far a sweep is: a line that is rewritten on a terminal, nothing in a pipe, and a line a
 // minute where stderr is a file or anything else that is read later.
 class SweepProgress {

@@ -294,7 +294,7 @@ int solve(const SolveArguments& arguments, OutputStream& output) {
 constexpr const char* footer_start =
     R"(Columns: the speed in m/s, and what the scene's `outputs` ask of these; films and separation are
 in m, pressures in Pa, all other numbers dimensionless. Without a list it is all from film_flooded
-to inlet; the last four, which are of the smooth contact, are there only by name.
+to inlet; the last four are there only by name.
 )";
 constexpr const char* footer_end = R"(
 CSV and JSON numbers read back to the same double. What is undefined is - in a table, empty in

@@ -38,7 +38,7 @@ one function of the model. Each gets one line out, in order:
   {"id": "p1", "film": 3.42e-08, "friction": null, "undefined": {"friction": "the film has collapsed: nothing balances the load"}}
   {"id": "p2", "error": {"field": "load", "message": "-5 is not allowed; allowed: ..."}}
 A line that is not JSON or is over 1 MiB gets an error too, with "id": null; blank lines get no
-answer. Answers are flushed whenever no complete line is waiting. Errors are answers: the exit code
+answer. An id is a text or a number, and comes back as it is. Answers are flushed whenever no complete line is waiting. Errors are answers: the exit code
 is 0 at the end of the input. A limit of the model's validity is told on stderr for the first scene
 that passes it and does not accept it.
 

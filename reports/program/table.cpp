@@ -126,7 +126,7 @@ void RowWriter::add(std::span<const OutputValue> cells) {
     add_line(cells);
   } else {
     append(output_.text(), std::exchange(before_, list_comma));
-    protocol::AnswerObject answer(output_.text(), id_);
+    protocol::AnswerObject answer(output_.text(), {id_});
     for (std::size_t i = 0; i < cells.size(); ++i) answer.value(columns_[i].name, cells[i]);
     answer.close();
   }

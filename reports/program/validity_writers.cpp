@@ -31,7 +31,8 @@ std::string quantity_text(double value, std::string_view unit) {
 
 // A number of the limit; that of a field as scenes have it.
 std::string number_of(const Validity& limit, double number) {
-  if (limit.field.empty()) return quantity_text(number, limit.unit);
+  if (limit.field.empty() || (limit.value_follows && number == limit.value))
+    return quantity_text(number, limit.unit);
   return scene_detail::number_text(number) + (limit.unit.empty() ? "" : " ") +
          std::string(limit.unit);
 }
@@ -41,6 +42,7 @@ std::string bounds_text(const Validity& limit) {
   const std::string least = number_of(limit, limit.least);
   const std::string greatest = number_of(limit, limit.greatest);
   if (limit.least == limit.greatest) return least;
+  if (limit.least == 0 && std::isinf(limit.greatest)) return "not known";
   if (limit.least == 0) return "at most " + greatest;
   return std::isfinite(limit.greatest) ? least + " to " + greatest : "at least " + least;
 }
@@ -52,24 +54,30 @@ std::string_view holds_text(const Validity& limit) {
 }  // namespace
 
 std::string passed_text(const Validity& limit) {
-  return fmt::format(
-      "{} {} ({}{})", limit.field.empty() ? limit.word : limit.field, number_of(limit, limit.value),
-      bounds_text(limit),
-      limit.likely_unit.empty() ? "" : fmt::format("; perhaps {} was meant", limit.likely_unit));
+  const std::string_view name = limit.field.empty() ? limit.word : limit.field;
+  std::string text = fmt::format("{}{} {} ({}", name, limit.value_follows ? ", which follows," : "",
+                                 number_of(limit, limit.value), bounds_text(limit));
+  if (limit.touches != "everything") text += fmt::format("; touches {}", limit.touches);
+  if (!limit.advice.empty()) text += fmt::format("; {}", limit.advice);
+  if (!limit.likely_unit.empty()) text += fmt::format("; perhaps {} was meant", limit.likely_unit);
+  return text + ')';
 }
 
 void append_validity(Text& to, std::string_view id, const std::vector<Validity>& limits) {
-  report::TextTable table{fmt::format("{}: is the model valid here?", id),
-                          {"holds", "value here", "limit", "word", "what the model assumes"},
-                          std::vector<bool>(5, false),
-                          {},
-                          ""};
+  report::TextTable table{
+      fmt::format("{}: is the model valid here?", id),
+      {"holds", "value here", "limit", "touches", "word", "what the model assumes"},
+      std::vector<bool>(6, false),
+      {},
+      ""};
   for (const Validity& limit : limits) {
-    const std::string assumption =
-        limit.field.empty() ? std::string(limit.assumption)
-                            : fmt::format("{} is in the range of real contacts", limit.field);
+    std::string assumption = limit.field.empty()
+                                 ? std::string(limit.assumption)
+                                 : fmt::format("{} is in the range of real contacts", limit.field);
+    if (!limit.advice.empty()) assumption += fmt::format(" Here {}.", limit.advice);
     table.rows.push_back({std::string(holds_text(limit)), number_of(limit, limit.value),
-                          bounds_text(limit), std::string(limit.word), assumption});
+                          bounds_text(limit), std::string(limit.touches), std::string(limit.word),
+                          assumption});
   }
   append(to, report::plain_table(table, table_width));
 }
@@ -87,6 +95,8 @@ ordered_json validity_json(const std::vector<Validity>& limits) {
                     {"greatest", bound(limit.greatest, std::isfinite(limit.greatest))},
                     {"unit", limit.unit},
                     {"holds", holds_text(limit)},
+                    {"touches", limit.touches},
+                    {"advice", limit.advice},
                     {"source", limit.source}});
   }
   return rows;

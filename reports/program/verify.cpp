@@ -126,7 +126,7 @@ std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
   const bool shows = !asked.shown.empty(), saves = !asked.saved_cases.empty();
   const bool judges_own = !has_subject && !shows && !saves;
   const std::string no_subject = "without --subject or --plugin";
-  return {{{"--tolerance", "--sample"}, judges_own, no_subject},
+  return {{{"--tolerance", "--modulus", "--sample"}, judges_own, no_subject},
           {{"--jobs", "--case-timeout", "--start-timeout", "--timeout", "--require", "--baseline",
             "--update-baseline", "--force"},
            !has_subject,
@@ -186,6 +186,9 @@ Command add_verify(CLI::App& program) {
   app->add_option("--tolerance", subject.tolerance,
                   "strict (the certified contracts), engineering (1e-6 of the value, times its "
                   "condition; the default), or a file of lines QUANTITY RELATIVE");
+  app->add_option("--modulus", subject.modulus,
+                  "what it takes and gives as effective_modulus: E* (the default), or E' = 2E*")
+      ->check(CLI::IsMember({"E*", "E'"}));
   app->add_option("--sample", subject.sample, "at most so many cases of each function")
       ->check(CLI::PositiveNumber);
   app->add_option(

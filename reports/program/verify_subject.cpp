@@ -10,6 +10,9 @@
 #include <stdexcept>
 
 #include "build_info.hpp"
+#include "conformance/modulus.hpp"
+#include "conformance/readings.hpp"
+#include "junit.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 #include "page/project_files.hpp"
@@ -28,6 +31,7 @@ struct Subject {
   std::string name;     // as it was given
   std::string command;  // of the shell
   Limits limits;
+  bool has_twice_the_modulus = false;  // it takes and gives E' = 2E*
 
   bool is_plugin() const { return limits.flushes; }
 };
@@ -39,9 +43,10 @@ std::optional<Subject> subject_of(const SubjectArguments& given) {
   check_solver(given.plugin, given.command);
   const bool is_plugin = !given.plugin.empty();
   return Subject{is_plugin ? given.plugin : given.command,
-                 is_plugin ? plugin_host_command(given.plugin) : given.command,
+                 is_plugin ? plugin_host_command(given.plugin, "--places") : given.command,
                  {milliseconds(given.case_timeout), milliseconds(given.start_timeout),
-                  milliseconds(given.timeout), is_plugin}};
+                  milliseconds(given.timeout), is_plugin},
+                 given.has_twice_the_modulus()};
 }
 
 // Checked after the run: only the shell (exit codes 126 and 127) or the process that loads the
@@ -55,11 +60,18 @@ void check_started(const Subject& subject, const Conversation& conversation) {
                   last_line(conversation.last_errors)));
 }
 
+// The cases in the modulus that the subject takes.
+std::vector<TestCase> as_asked(std::vector<TestCase> cases, bool has_twice_the_modulus) {
+  return has_twice_the_modulus ? asked_in_twice_the_modulus(std::move(cases)) : std::move(cases);
+}
+
 Conversation conversation_with(const Subject& subject, const std::vector<TestCase>& cases,
                                const std::function<void(std::size_t)>& progress,
                                const Manner& manner) {
-  Conversation conversation = ask(subject.command, cases, subject.limits, progress, manner);
+  Conversation conversation = ask(subject.command, as_asked(cases, subject.has_twice_the_modulus),
+                                  subject.limits, progress, manner);
   check_started(subject, conversation);
+  if (subject.has_twice_the_modulus) halve_moduli(cases, conversation);
   return conversation;
 }
 
@@ -74,6 +86,7 @@ std::string same_question(const SubjectArguments& arguments) {
                                    : option_text("--plugin", arguments.plugin);
   if (!arguments.exact.empty()) line += option_text("--reference", arguments.exact);
   if (arguments.tolerance != "engineering") line += option_text("--tolerance", arguments.tolerance);
+  if (arguments.has_twice_the_modulus()) line += option_text("--modulus", arguments.modulus);
   return line;
 }
 
@@ -111,6 +124,29 @@ void update_baseline(const BaselineUse& use, const nlohmann::json& before,
   verdict.changes = compare(verdict.result, after);
 }
 
+// Diagnoses of quantities that hold and are worse than the baseline says: as of a tolerance that
+// allows them as much as the baseline does, and all others anything.
+std::vector<Diagnosis> slight_diagnoses(const std::vector<TestCase>& cases,
+                                        const SubjectVerdict& verdict,
+                                        const std::vector<Mistake>& mistakes) {
+  Tolerance tight{.name = "baseline", .relative = 1e300, .quantity = {}};
+  for (const BaselineChange& one : verdict.changes->worse)
+    if (one.fact == "worst_error")
+      tight.quantity[one.quantity] = greatest_as_before(one.before.get<double>());
+  if (tight.quantity.empty()) return {};
+  std::vector<Diagnosis> found;
+  for (Diagnosis& one : diagnose(cases, verdict.result.conversation, tight, mistakes)) {
+    const bool is_known = std::any_of(
+        verdict.diagnoses.begin(), verdict.diagnoses.end(), [&](const Diagnosis& known) {
+          return function_of(known.quantity) == function_of(one.quantity);
+        });
+    if (is_known || !tight.quantity.contains(one.quantity)) continue;
+    one.text = "Worse than the baseline, still within the tolerance: " + one.text;
+    found.push_back(std::move(one));
+  }
+  return found;
+}
+
 // The cases that --show names.
 std::vector<TestCase> shown_of(const std::vector<std::string>& ids,
                                const std::vector<TestCase>& all) {
@@ -127,20 +163,24 @@ std::vector<TestCase> shown_of(const std::vector<std::string>& ids,
 }
 
 // Each case is asked and judged alone, as a quantity's verdict is one on all of its cases.
-int show(const std::optional<Subject>& subject, const std::vector<std::string>& ids,
+int show(const std::optional<Subject>& subject, const SubjectArguments& arguments,
          const std::vector<TestCase>& cases, const Tolerance& tolerance, OutputStream& output) {
+  const auto asked = [&](const TestCase& one) {
+    return as_asked({one}, arguments.has_twice_the_modulus()).front();
+  };
   bool any_failed = false;
-  for (const TestCase& one : shown_of(ids, cases)) {
+  for (const TestCase& one : shown_of(arguments.shown, cases)) {
     if (!subject) {
-      append_request(output.text(), one, tolerance);
+      append_request(output.text(), asked(one), tolerance);
       continue;
     }
-    const std::vector<TestCase> alone{one};
+    std::vector<TestCase> alone{one};
     Conversation conversation = conversation_with(*subject, alone, [](std::size_t) {}, {});
+    take_readings(alone, conversation, tolerance);
     const ConformanceResult result =
         judge(subject->name, alone, std::move(conversation), tolerance);
     any_failed |= result.overall == Overall::failed;
-    append_shown_case(output.text(), one, result);
+    append_shown_case(output.text(), asked(alone[0]), result);
     complain_of(last_errors, result.conversation.error_lines);
   }
   output.flush();
@@ -159,6 +199,20 @@ void save_cases(const std::string& path, const std::vector<TestCase>& cases, Out
   output.flush();
 }
 
+// The end of a run that could judge nothing. A CI reads files, and not stderr: these say why.
+int fail_unjudged(const SubjectArguments& arguments, const std::string& why,
+                  const std::vector<std::string>& errors, OutputStream& output) {
+  complain(why);
+  complain_of(last_errors, errors);
+  if (!arguments.junit.empty())
+    report::write_file(arguments.junit, junit_of_error("verify", why, errors));
+  if (arguments.format == "markdown" && arguments.shown.empty()) {
+    append(output.text(), markdown_of_error("verify", why, errors));
+    output.flush();
+  }
+  return exit_bad;
+}
+
 int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   if (arguments.saved_cases == "-" && arguments.has_subject())
     throw std::invalid_argument(
@@ -168,9 +222,10 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   const report::ReferenceFiles files = report::reference_files(arguments.exact);
   std::vector<TestCase> cases = read_cases({files.exact, files.published});
   const Tolerance tolerance = tolerance_of(arguments.tolerance, cases);
-  if (!arguments.shown.empty()) return show(subject, arguments.shown, cases, tolerance, output);
+  if (!arguments.shown.empty()) return show(subject, arguments, cases, tolerance, output);
   cases = cases_for(std::move(cases), tolerance, arguments.sample);
-  if (!arguments.saved_cases.empty()) save_cases(arguments.saved_cases, cases, output);
+  if (!arguments.saved_cases.empty())
+    save_cases(arguments.saved_cases, as_asked(cases, arguments.has_twice_the_modulus()), output);
   if (!subject) return exit_done;
   if (const std::optional<std::string> unknown = unknown_of(arguments.required, cases))
     throw std::invalid_argument(fmt::format("--require: {} is no quantity of the table", *unknown));
@@ -183,22 +238,36 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   SubjectVerdict verdict;
   {
     Progress progress(cases.size(), {"cases", 1, true});
-    Conversation conversation =
-        conversation_with(*subject, cases, [&](std::size_t) { progress.step(); },
-                          {arguments.jobs, cases_to_repeat(cases)});
-    if (!conversation.never_answered.empty()) {  // what is wrong is one thing: nothing is judged
-      complain(fmt::format("{} never answered: {}", subject->name, conversation.never_answered));
-      complain_of(last_errors, conversation.error_lines);
-      return exit_bad;
-    }
+    Forecast forecast(cases.size(), arguments.sample == 0 ? "; --sample 20 asks fewer" : "");
+    Conversation conversation = conversation_with(*subject, cases,
+                                                  [&](std::size_t) {
+                                                    progress.step();
+                                                    forecast.step();
+                                                  },
+                                                  {arguments.jobs, cases_to_repeat(cases)});
+    if (!conversation.never_answered.empty())  // what is wrong is one thing: nothing is judged
+      return fail_unjudged(
+          arguments,
+          fmt::format("{} never answered: {}", subject->name, conversation.never_answered),
+          conversation.error_lines, output);
+    std::vector<std::string> readings = take_readings(cases, conversation, tolerance);
     verdict.result = judge(subject->name, cases, std::move(conversation), tolerance);
     verdict.result.sample = arguments.sample;
+    std::vector<std::string>& notes = verdict.result.notes;
+    notes.insert(notes.end(), readings.begin(), readings.end());
     verdict.missing = missing_of(arguments.required, verdict.result);
     verdict.diagnoses = diagnose(cases, verdict.result.conversation, tolerance, mistakes);
   }
   verdict.baseline = arguments.baseline.file;
   verdict.same_question = same_question(arguments);
   verdict.changes = changes_since(before, arguments.baseline, verdict.result);
+  if (std::string newer = before.is_null() ? "" : newer_version_text(before); !newer.empty()) {
+    newer[0] = 'T';  // a sentence
+    verdict.result.notes.push_back(newer + '.');
+  }
+  if (verdict.changes)
+    for (Diagnosis& one : slight_diagnoses(cases, verdict, mistakes))
+      verdict.diagnoses.push_back(std::move(one));
   update_baseline(arguments.baseline, before, verdict);
   append_verdict(output.text(), verdict, arguments.format);
   output.flush();
@@ -211,7 +280,14 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
 
 int verify_subject(SubjectArguments arguments, OutputStream& output) {
   arguments.baseline.renewal = renewal(arguments);
-  return answered_or_complained([&] { return judge_subject(arguments, output); });
+  arguments.baseline.restoration = "git checkout -- " + shell_word(arguments.baseline.file);
+  return answered_or_complained([&] {
+    try {
+      return judge_subject(arguments, output);
+    } catch (const std::invalid_argument& error) {
+      return fail_unjudged(arguments, error.what(), {}, output);
+    }
+  });
 }
 
 }  // namespace tribo::cli

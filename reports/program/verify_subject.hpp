@@ -21,6 +21,7 @@ struct SubjectArguments {
   std::string plugin;   // value of --plugin
   std::string exact;    // empty: reference/exact of the project
   std::string tolerance = "engineering";
+  std::string modulus = "E*";  // that the subject takes and gives: E* or E'
   std::string format = "table";
   std::string junit;  // empty: none
   conformance::BaselineUse baseline;
@@ -31,6 +32,7 @@ struct SubjectArguments {
   std::vector<std::string> shown;  // the cases to show; empty: all cases are judged
   std::string saved_cases;         // the file of --save-cases; empty: none, "-": stdout
 
+  bool has_twice_the_modulus() const { return modulus == "E'"; }
   bool has_subject() const { return !command.empty() || !plugin.empty(); }
 };
 

@@ -44,7 +44,7 @@ def verify(*arguments):
 
 # The elements of JUnit and their attributes in junit-10.xsd of Jenkins' xUnit plug-in; those in capitals are required.
 JUNIT = {"testsuite": "NAME TESTS FAILURES ERRORS skipped time", "properties": "", "property": "NAME VALUE",
-         "testcase": "NAME classname time", "failure": "message type", "skipped": "message type", "system-out": "",
+         "testcase": "NAME classname time", "failure": "message type", "error": "message type", "skipped": "message type", "system-out": "",
          "system-err": ""}
 
 
@@ -55,7 +55,7 @@ def junit_suite(path):
         words = JUNIT[element.tag].split()
         assert set(element.keys()) <= {word.lower() for word in words}, ElementTree.tostring(element)
         assert {word.lower() for word in words if word.isupper()} <= set(element.keys()), ElementTree.tostring(element)
-    for attribute, found in (("tests", "testcase"), ("failures", ".//failure"), ("skipped", ".//skipped")):
+    for attribute, found in (("tests", "testcase"), ("failures", ".//failure"), ("skipped", ".//skipped"), ("errors", ".//error")):
         assert int(suite.get(attribute, 0)) == len(suite.findall(found)), attribute
     return suite
 

@@ -81,7 +81,7 @@ class Data:
             found.append(series("", SMOOTH, self.mark(event, "smooth", "GW", y, factor)))
         return found
 
-    KEYS = keys("onset (film maximum)", "collapse", "past the collapse, as printed")
+    KEYS = keys("onset (film maximum)", "collapse", "past it, as printed")
 
     def figure_07(self):
         return [(True, False, self.over_speed("real_area_ratio") + self.KEYS, False)]

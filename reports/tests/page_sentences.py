@@ -3,7 +3,7 @@
 
 A pair ("not", words) names words that must not stand there.
 """
-from page_tables import CHOICES, SURFACES, against, commit, computed, ends, many, percent, sig, whole
+from page_tables import CHOICES, SURFACES, against, below, commit, computed, ends, many, percent, sig, whole
 
 
 def of_surfaces(texts):
@@ -72,9 +72,10 @@ def paper(report):
     yield f"λ at the onset (●) is {number('C2.smooth')}; the paper reports {reported['C2.smooth']} on all three surfaces (dashed line) {judged('C2.smooth')}."
     yield f"falls {percent(report['paper']['departure'], 1)} below the flooded film."
     for found in report["paper"]["comparisons"].values():
+        models = "GT or GW" if found["rows"][0]["criterion"] else "GT"
         said = ends(found["factors"], 3) if found["factors"] else ""
         yield (": the paper gives no number." if found["counted"] == 0 else
-               f": {found['agreeing']} of {found['counted']} values (a surface with GT or GW) round to what it prints; " +
+               f": {found['agreeing']} of {found['counted']} values (a surface with {models}) round to what it prints; " +
                (f"computed over printed: {said}." if " to " in said else f"each is {said} times that."))
     for one in report["paper"]["comparisons"]["onset_speed"]["rows"]:
         if "none" in one:
@@ -98,16 +99,26 @@ def of_ledger(report):
            f"{sig(report['paper']['offsets'][2]['offset'], 4)} σs). Of the {counted} claims {scores[0]}, {scores[1]} and {scores[2]} are reproduced.")
     own = [report["paper"]["scenes"][name] for name in SURFACES]
     yield (f"With GT and Table 1 the summits carry at most {sig(max(one['contact_share'] for one in own), 2)} of the load even where the faces touch "
-           f"(λ = 0), so that no surface ever is in boundary lubrication with m = 1; and the film there is {sig(1e9 * own[2]['slowest']['film'], 2)} nm on "
+           f"(λ = 0), so that no surface ever is in boundary lubrication with m = 1, and “reproduced” says only that it is so at the lowest speed; and the film there is {sig(1e9 * own[2]['slowest']['film'], 2)} nm on "
            f"the smooth surface")
     yield f"Without a film the smooth surface has A = {sig(own[2]['contact_share'], 2)} and A² = {sig(own[2]['contact_share'] ** 2, 2)}."
+    gap = ledger["circular_gap"]
+    speeds = [sig(gap["onset_speed"][name], 3) for name in SURFACES]
+    yield (f"λ at the onset is {sig(gap['film_parameter'], 4)} ({gap['verdict']}), the onsets are {speeds[0]}, {speeds[1]} and {speeds[2]} m/s (rough, medium and "
+           f"smooth surface), and {gap['score']} of {counted} claims are reproduced.")
+    yield (f"C2 is then {gap['verdict']} (λ = {sig(gap['film_parameter'], 4)} on all three surfaces), C1 stays {gap['onset_verdict']} (factors "
+           f"{ends(gap['onset_factors'], 3)}), and {gap['score']} claims are reproduced.")
+    yield "mended in it too: " + ", ".join(one["erratum"] for one in ledger["errata"] if one["kind"] == "mended") + "."
+    shared = set.intersection(*(set(one["in_common"].split(" ")) for one in ranking["best"]))
+    yield "Common to all of them is " + " and ".join(CHOICES[one] for one in ranking["best"][0]["in_common"].split(" ") if one in shared) + ". “Best 1” is"
     took = [CHOICES[one] for one in film + [one for one in best["departures"].split(" ") if one not in film]]
-    yield f"its author took {', '.join(took[:-1])} and {took[-1]}. Of all {many(ranking['readings'])} combinations of such choices, "
-    yield (f"this one and {many(ranking['best_ties'] - 1)} others, {best['score']} of {counted}; the corrected reading reproduces "
-           f"{ledger['readings'][0]['score']}.")
+    yield f"one example, which takes {', '.join(took[:-1])} and {took[-1]}. The sum of the speeds"
+    yield (f"{many(ranking['best_ties'])} of {many(ranking['readings'])} readings tie at {ranking['best_score']} of {counted} claims; none reproduces more.")
+    yield f"The corrected reading reproduces {ledger['readings'][0]['score']} claims. It is a fit"
     at = [f"{sig(items['C1.' + name]['readings']['best 1']['computed'], 3)} (paper: {whole(items['C1.' + name]['reported'])})" for name in SURFACES[::-1]]
-    yield f"Starvation then sets in at {at[0]}, {at[1]} and {at[2]} m/s." + ("" if met_by else " No combination gives all three speeds.")
-    yield f"Results: the paper {ledger['summary']}, with m = 1. A number is"
+    yield f"With best 1 starvation sets in at {at[0]}, {at[1]} and {at[2]} m/s." + ("" if met_by else " No combination gives all three speeds.")
+    yield (f"Results: the paper {min(scores)} to {max(scores)} of the paper's {counted} claims are reproduced, by how E9 is read: {scores[0]} with m = 1, {scores[1]} "
+           f"with m = 2, {scores[2]} with two equal faces. With m = 1: {ledger['summary']}. A number is")
     by = {word: ", ".join(one["claim"] for one in ledger["claims"] if (one["verdicts"]["corrected"] in word) or
                           word == "partly" and one["verdicts"]["corrected"] not in ("reproduced", "not reproduced"))
           for word in (("reproduced",), "partly", ("not reproduced",))}
@@ -128,7 +139,7 @@ def of_ledger(report):
            f"{sig(ranking['mean_score'], 2)}.")
     alone = [f"{one['reported']} ({next(way['name'] for way in one['candidates'] if way['agrees'])})" for one in ledger["arguments"]
              if one["agreeing"] == 1 and any(way["agrees"] for way in one["candidates"])]
-    yield f"only one interpretation: {'; '.join(alone)}." if alone else "claims; one drawn at random"
+    yield f"Of the candidates tried, one alone gives these printed numbers: {'; '.join(alone)}." if alone else "claims; one drawn at random"
     yield f"reproduces {sig(ranking['mean_score'], 3)} claims (standard deviation {sig(ranking['score_standard_deviation'], 2)})."
     yield f"{many(ranking['above_corrected'])} readings reproduce more than the corrected one, and {many(ranking['equal_to_corrected'] - 1)} others as many"
     for one in ledger["arguments"]:
@@ -145,7 +156,7 @@ def of_ledger(report):
             yield (f"Values are those of the {found[0]['surface']} surface. No factor from 1/30 to 30 on "
                    f"{', '.join(one['input'] for one in without)} makes it hold.")
     speeds = [[items["C1." + name]["readings"]["corrected"]["computed"], items["C1." + name]["reported"]] for name in SURFACES]
-    yield f"The best common ε is {sig(ledger['common_departure']['common'], 4)}."
+    yield f"The best common ε is {sig(ledger['common_departure']['common'], 4)}: it makes"
     (a, b), (c, d), (e, f) = speeds
     yield f"by {sig(c / e, 3)} from smooth to medium and by {sig(a / c, 3)} from medium to rough"
     yield f"The reported ones rise by {sig(d / f, 3)} and by {sig(b / d, 3)}, the one less"
@@ -173,11 +184,11 @@ def drawn(report):
     yield (f"differ by at most {percent(agreement['farthest'], 2)} from those of the ledger's {many(agreement['ledger_draws'])} draws by another "
            f"generator. That is {sig(agreement['in_deviations'], 2)} standard deviations of sampling; up to {sig(agreement['most_deviations'], 2)} are allowed.")
     yield f"Onset speeds drawn twice: two generators {'agree' if agreement['agree'] else 'do not agree'}."
-    lies = [(one["surface"], one["reported"], one["speeds"][0]) for one in drawn["surfaces"]]
-    yield "the paper's speed lies here: " + ", ".join(
-        f"{name} {whole(at['value'])} m/s: " + (percent(one["cases_below_reported"], 2) if one["reported_lies"] == "among them" else one["reported_lies"])
-        for name, at, one in lies) + "."
-    yield f"Here each of the {drawn['inputs_drawn']} inputs is drawn"
+    lies = [(one["surface"], one["reported"], one["speeds"][0], next(column for column in scene["columns"] if column["name"] == one["speeds"][0]["column"]))
+            for one, scene in zip(drawn["surfaces"], scenes)]
+    yield "so many lie below the paper's speed: " + ", ".join(f"{name} {whole(at['value'])} m/s: {below(one, column['values'][0])}"
+                                                             for name, at, one, column in lies) + "."
+    yield f"Here each of the {drawn['inputs_drawn']} inputs is drawn ({', '.join(one['path'] for one in scenes[0]['inputs'])}; the last one"
     yield f"the onsets of {many(scenes[0]['cases'])} cases of each surface"
 
 
@@ -197,7 +208,7 @@ def of_films(report):
     yield f"The table has {found['formulas'][0]['points']} solved contacts with L > 0"
     one, two = found["solved"], found["solved_compressible"]
     yield (f"may be off by {sig(one['median'], 2)} of themselves in the median and by {sig(one['greatest']['error'], 2)} at most "
-           f"{place(one['greatest'])}; {one['within_1e_4']} of {one['films']} are within 10−4.")
+           f"{place(one['greatest'])}; {one['within_1e_4']} of {one['films']} (three of each contact, those at L = 0 too) are within 10−4.")
     yield f"may be off by {sig(two['median'], 2)} in the median and {sig(two['greatest']['error'], 2)} at most {place(two['greatest'])}."
     between = found["interpolation"]
     most, light = ([f"{sig(100 * between[key][film], 2)} %" for film in ("at_greatest_pressure", "minimum", "central")]
@@ -220,18 +231,21 @@ def of_films(report):
 def software(report):
     certified, stress, faults, wrong = (report[name] for name in ("certified", "stress", "planted_faults", "diagnosis"))
     yield (f"{certified['held']} of {len(certified['quantities'])} quantities keep their declared accuracy on {many(certified['cases'])} certified values; "
-           f"the worst error takes {percent(certified['worst_part_of_bound'])} of its bound.")
+           f"the worst error " + ("meets its bound exactly." if certified['worst_part_of_bound'] == 1 else f"takes {percent(certified['worst_part_of_bound'])} of its bound."))
     yield "Before: " + provenance(certified["before"])
     yield (f"{stress['held']} of {len(stress['outputs'])} outputs keep their declared accuracy at {many(stress['points'])} random points; the worst error "
            f"takes {percent(stress['worst_part_of_bound'])} of its bound. {measured(stress)}.")
     yield f"{many(stress['points'])} random points, seed {stress['seed']}: scenes as they are built, and scenes far beyond. {provenance(stress)}"
     random, waiting = report["mutants"], sum(one["drawn"] - one["ran"] for one in report["mutants"]["rooms"])
-    end = f"{many(waiting)} more wait for slow tests." if waiting else "All goals are reached." if random["goals_reached"] else "A goal is missed."
+    end = f"{many(waiting)} more wait for slow tests." if waiting else "All goals are reached." if random["goals_reached"] else f"{random['goals_missed']} of the {len(random['rooms'])} parts miss their goal."
     share = (f"the tests notice {many(random['noticed'])} of {many(random['of'])} wrong changes that were drawn at random: with 95 % confidence between "
-             f"{percent(random['low'])} and {percent(random['high'])} of all such changes.")
+             f"{percent(random['low'])} and {percent(random['high'])} of the changes that this mixture of parts draws, each part as often as its number drawn.")
     yield f"Random changes: {share if random['of'] else 'no part of the project has a score yet.'} {end} {measured(random)}"
     yield f"The tests should turn red at each change. {provenance(random)}"
-    yield f"Planted faults: {faults['caught']} of {len(faults['faults'])} faults that were planted in the formulas"
+    left = faults["catalogue"] - len(faults["faults"])
+    yield (f"Planted faults: {faults['caught']} of {len(faults['faults'])} faults that were planted in the formulas and in the checks themselves turned a check red" +
+           (f"; {left} of the {faults['catalogue']} in the catalogue were not planted" if left > 0 else "") + f". The oldest of these verdicts: {faults['date']}, commit "
+           f"{commit(faults['commit'])}.")
     more = f"The catalogue has {faults['catalogue']} faults; the others"
     yield more if faults["catalogue"] > len(faults["faults"]) else ("not", more)
     right = wrong["right_solvers"]
@@ -275,7 +289,7 @@ def software(report):
         return f"(target: {bound} {whole(next(one[key] for key in ('at_most', 'at_least', 'below') if key in one))}{unit}{'' if one['reached'] else ', missed'})"
     yield {0: f"all {len(targets)} speed targets are reached.", 1: f"one of {len(targets)} speed targets is missed."}.get(
         missed, f"{missed} of {len(targets)} speed targets are missed.")
-    yield (f"A point takes at most {sig(targets['times_alone']['is'], 3)} times as long as its scene and root alone {target('times_alone', 'at most')}; "
+    yield (f"A point whose summaries are kept takes at most {sig(targets['times_alone']['is'], 3)} times as long as its scene and root alone {target('times_alone', 'at most')}; "
            f"two threads are {sig(targets['two_threads']['is'], 3)} times as fast as one {target('two_threads', 'at least')}; a rank needs at most "
            f"{sig(targets['mb_of_rank']['is'], 3)} MB {target('mb_of_rank', 'below', ' MB')}. {measured(speed)}.")
     ranks = speed["two_ranks"]
@@ -284,8 +298,15 @@ def software(report):
            f"time. Other processes disturb the clock: they used up to {sig(speed['others'], 2)} of {speed['processors']} processors meanwhile.")
     for one in (faults, work, wrong, gates, gates["baseline"], speed):
         yield provenance(one)
+    since = {one["file"]: "How much its code has changed since is not known" if one["commits_since"] is None else
+             f"Its code has changed in {one['commits_since']} commits since." for one in report["environment"]["baselines"]
+             if "missing" not in one and one["commits_since"] != 0}
+    for name, one in (("stress", stress), ("mutants", random), ("diagnosis", wrong), ("gates", gates), ("sweep", speed)):
+        yield f"{measured(one)}. {since.get(name + '.json', '')}".strip()
+    yield f"commit {commit(faults['commit'])}. {since.get('planted_faults.json', '')}".strip()
     standings = [one["standing"] for one in report["findings"] if one["about"] == "software"]
-    fails, late = standings.count("fails"), standings.count("missed")
+    targets = {"mutants": random["goals_missed"], "sweep_speed": speed["targets_missed"]}
+    fails, late = standings.count("fails"), sum(targets.get(one["id"], 1) for one in report["findings"] if one["about"] == "software" and one["standing"] == "missed")
     yield ({0: "Software checks pass", 1: "A software check fails"}.get(fails, f"{fails} software checks fail") +
            {0: "", 1: "; one target is missed"}.get(late, f"; {late} targets are missed") + ".")
 

@@ -36,7 +36,8 @@ def mutants(base):
     score = base["score"]
     rooms = [of(one, "room", "drawn", "ran", "caught", "hung", "survived", "not_reached", "equivalent", "goal", "low", "high", "score",
                 "with_equivalents") for one in score["rooms"]]
-    return run_of(base) | of(score, "noticed", "of", "low", "high", "goals_reached", "unnoticed") | {"rooms": rooms}
+    return run_of(base) | of(score, "noticed", "of", "low", "high", "goals_reached", "unnoticed") | {
+        "rooms": rooms, "goals_missed": sum((one["score"] or 0) < one["goal"] or one["score"] is None for one in rooms)}
 
 
 def diagnosis(base):

@@ -167,8 +167,9 @@ def reading_table(ledger, name):
 # --- The tables, a section each.
 
 def first(report):
-    labels = {"C1.smooth": "onset of starvation, m/s: smooth", "C1.medium": "medium", "C1.rough": "rough surface",
-              "C2.smooth": "film/roughness λ at the onset", "C4.rough": "load on summits at low speed: rough", "C4.smooth": "smooth surface"}
+    labels = {"C1.smooth": "onset of starvation, m/s: smooth", "C1.medium": "onset, m/s: medium", "C1.rough": "onset, m/s: rough",
+              "C2.smooth": "film/roughness λ at the onset", "C4.rough": "load on summits at low speed: rough",
+              "C4.smooth": "load on summits at low speed: smooth"}
     items = {one["item"]: one for one in report["ledger"]["items"]}
 
     def word(got):
@@ -209,6 +210,19 @@ def offsets_table(report):
               *(sig(one["surfaces"][name]["onset_speed"], 4) for one in offsets)] for name in SURFACES])
 
 
+def others_table(report):
+    scenes = [report["paper"]["scenes"][name] for name in SURFACES]
+    areas = ", ".join(sig(one["onset"]["real_area_ratio"] if one["onset"] else None, 3) for one in scenes)
+    films = ", ".join(sig(1e9 * one["slowest"]["film"], 3) for one in scenes)
+    collapses = ", ".join(f"at {sig(one['collapse']['speed'], 3)} m/s ({name})" if one["collapse"] else f"at no speed up to {whole(one['fastest']['speed'])} m/s ({name})"
+                          for one, name in zip(scenes[::-1], SURFACES[::-1]))
+    return ("Other statements of the paper, which are not counted", ["the paper says", "place", "what we get with GT, m = 1"], [
+        ["once the film carries the load the real area is constant again", "Figure 7",
+         f"no: it falls up to the onset, to {areas} of the nominal area (rough, medium, smooth), and rises beyond it"],
+        ["the film collapses later on a rougher surface", "Figure 10", f"yes: {collapses}"],
+        ["roughness hardly changes the film", "Figure 11", f"yes at the lowest speed: {films} nm (rough, medium, smooth); no at the onset, where the film is in proportion to σs"]])
+
+
 def claims(report):
     ledger = report["ledger"]
     names = [one["name"] for one in ledger["readings"]]
@@ -219,7 +233,8 @@ def claims(report):
                item["is_arithmetic"] for item in ledger["items"] if item["claim"] == one["claim"]) else ""),
              *(short.get(one["verdicts"][name], "partly") + (" (?)" if name in one["undecided"] else "") for name in names),
              "none" if one["met_by"] == 0 else percent(one["met_by"])] for one in ledger["claims"]])
-    if "paper" in report:  # `tribocheck reproduce` has no such table
+    if "paper" in report:  # `tribocheck reproduce` has no such tables
+        yield others_table(report)
         yield offsets_table(report)
     yield ("Claims reproduced, by how wide the tolerances are", ["tolerances times", *names],
            [[whole(one["factor"]), *(str(one["scores"][name]) for name in names)] for one in ledger["tolerances"]])
@@ -281,6 +296,13 @@ def requirements(report):
            [[name, sig(own, 4), sig(factor, 3)] for name, own, factor in zip(SURFACES, departure["own"], departure["factor"], strict=True)])
 
 
+def below(one, value):
+    """How many cases lie below the reported speed, of those that have an onset."""
+    count = many(value["count"])
+    return {"among them": percent(one["cases_below_reported"], 2), "below all": f"0 of {count}", "above all": f"{count} of {count}"}.get(
+        one["reported_lies"], one["reported_lies"])
+
+
 def quantile(value, level):
     return next(one["value"] for one in value["quantiles"] if one["level"] == level)
 
@@ -314,7 +336,7 @@ def uncertainty(report):
     for surface in drawn["surfaces"]:
         for one in surface["speeds"]:
             value = scenes[surface["surface"]][f"onset.{one['criterion']}.speed"]
-            lies = percent(one["cases_below_reported"], 2) if one["reported_lies"] == "among them" else one["reported_lies"]
+            lies = below(one, value)
             rows.append([surface["surface"], one["criterion"], sig(one["as_printed"], 3),
                          *(sig(quantile(value, level), 3) for level in (0.025, 0.5, 0.975)),
                          percent(value["undefined"] / cases[surface["surface"]], 2), whole(surface["reported"]["value"]), lies])
@@ -354,20 +376,22 @@ def model(report):
     def value(one, name):
         found = one["values"].get(name, DASH)
         return found if isinstance(found, str) else whole(found)
-    own, smooth = [report["paper"]["scenes"][name] for name in SURFACES], report["paper"]["scenes"]["smooth"]
-    alpha = next(one["values"]["smooth"] for one in report["paper"]["inputs"] if one["field"] == "lubricant.pressure_viscosity")
-    machines = report["contacts"]["scenes"].values()
-    onset, collapse = (", ".join(DASH if one[mark] is None else sig(one[mark]["speed"], 3) for one in own) for mark in ("onset", "collapse"))
-    yield ("Outside of the model: where its assumptions do not hold in these scenes", ["the model assumes", "here"], [
-        ["a constant film of oil at the inlet", f"onset and collapse at {onset} and at {collapse} m/s (rough, medium, smooth)"],
-        ["viscosity by Barus' law at the mean pressure",
-         f"αp = {sig(alpha * smooth['mean_pressure'], 3)} at {sig(1e-9 * smooth['mean_pressure'], 2)} GPa; up to "
-         f"{sig(1e-9 * max(one['mean_pressure'] for one in machines), 2)} GPa in the contacts of machines"],
-        ["elastic summits", ", ".join(sig(1e-9 * one["summit_pressure"], 2) for one in own) + f" GPa on the real area at {whole(smooth['slowest']['speed'])} m/s"],
-        ["the film law of smooth bodies", f"λ = {sig(own[0]['slowest']['film_parameter'], 2)} to {sig(own[0]['onset']['film_parameter'], 3)} "
-                                          "from the lowest speed to the onset"],
-        ["oil as a continuum", f"films from {sig(1e9 * smooth['slowest']['film'], 2)} nm on"],
-        ["no heat from shear in the inlet", f"up to {whole(max(one['fastest']['speed'] for one in machines))} m/s in the contacts of machines"]])
+
+    def quantity(value, unit, digits):
+        if value is None:
+            return DASH
+        scale, usual = {"Pa": (1e-9, " GPa"), "m": (1e9, " nm"), "": (1, "")}.get(unit, (1, f" {unit}"))
+        return sig(scale * value, digits) + usual
+
+    def bounds(one):
+        least, greatest, unit = one["least"], one["greatest"], one["unit"]
+        if least is not None and greatest is not None:
+            return f"{quantity(least, unit, 3)} to {quantity(greatest, unit, 3)}"
+        return f"at most {quantity(greatest, unit, 2)}" if least is None else f"at least {quantity(least, unit, 2)}"
+    yield ("Outside of the model: limits that these scenes pass",
+           ["the model assumes", "limit", *SURFACES, "the limit is from"],
+           [[one["assumption"], bounds(one), *(quantity(one["values"].get(name), one["unit"], 3) for name in SURFACES), one["source"]]
+            for one in report["paper"]["limits_passed"]])
     yield ("The inputs of the scenes", ["input", "meaning", "unit", *SURFACES, "differs from the print"],
            [[one["field"], one["meaning"], one["unit"] or DASH, *(value(one, name) for name in SURFACES),
              f"{one['erratum']}, printed: {errata[one['erratum']]}" if one["erratum"] else ""] for one in report["paper"]["inputs"]])
@@ -383,6 +407,9 @@ def contacts(report):
               ("peak pressure, GPa", 3, 1e-9, "peak_pressure"), ("approach of the bodies, µm", 3, 1e6, "approach"),
               ("standard deviation of summit heights σs, nm", 3, 1e9, "summit_height_sd"),
               ("slide-roll ratio S", None, 1, "slide_roll_ratio"), ("film law", None, 1, "film_law"),
+              ("viscosity η0, mPa·s", 3, 1e3, "viscosity"), ("pressure–viscosity coefficient α, 1/GPa", 3, 1e9, "pressure_viscosity"),
+              ("boundary friction coefficient μb", 3, 1, "boundary_coefficient"), ("density of summits n, 1/µm²", 3, 1e-12, "summit_density"),
+              ("radius of summits β, µm", 3, 1e6, "summit_radius"), ("offset of the summits' plane δ, over σs", 3, 1, "plane_offset"),
               (f"film h at {told} m/s, nm", 3, 1e9, "at_told_speed", "film"),
               (f"λ = h/σs at {told} m/s", 3, 1, "at_told_speed", "film_parameter"),
               ("speed of the least friction, m/s", 3, 1, "least_friction", "speed"),
@@ -508,7 +535,7 @@ def sweep_speed(report):
     found = report["sweep_speed"]
     keys = ("alone_ns", "summaries_ns", "summaries_times_alone", "points_ns", "points_times_alone", "drawing_ns")
     yield ("Time of a point of a sweep, beside that of its scene and root alone",
-           ["sweep", "alone, ns", "summaries, ns", "times alone", "points, ns", "times alone", "drawing, ns"],
+           ["sweep", "alone, ns", "summaries, ns", "summaries, times alone", "points, ns", "points, times alone", "drawing, ns"],
            [[one["sweep"], *(sig(one[key], 3) for key in keys)] for one in found["ratios"]])
 
 

@@ -10,6 +10,7 @@ import xml.etree.ElementTree
 
 import jsonschema
 
+from conformance import junit_suite
 from plugins import hertz, lines, moment, plugin
 from program import ENVIRONMENT, PROGRAM, TIMEOUT, ProgramTest, run
 
@@ -93,6 +94,28 @@ class Rows(OfSolvers):
         gone = {note["row"] for note in found["comparison"]["gone"]}
         self.assertIn("hertz_line/base/own_model_plugin", gone)
         self.assertEqual(found["comparison"]["overall"], "worse")
+
+    def test_a_solver_that_keeps_answers_is_told(self):
+        keeps = """kept = globals().setdefault("kept", {{}})
+    key = json.dumps([value for name, value in q.items() if name != "id"])
+    new = key not in kept
+    kept[key] = 1
+    answer["seconds"] = 1e-4 * ({time} if new else 1)"""
+        report = self.folder.path("speed.xml")
+        for time, is_told in ((1.9, False), (2.1, True), (30, True)):
+            done = self.bench("--subject", self.subject(more=keeps.format(time=time)), "--filter", "^hertz_point", "--format", "json",
+                              "--junit", report)
+            said = [f"{ROW}: answers are kept: a new case takes {time} times as long as one that was asked before, and the time told "
+                    "is that of kept answers"] if is_told else []
+            self.assertEqual(done.json()["kept"], said)
+            self.assertEqual(done.err, "".join(f"tribocheck: {one}\n" for one in said))
+            self.assertEqual(said, str(junit_suite(report).findtext("system-out") or "").splitlines())
+
+    def test_columns_stand_below_their_names_for_long_names_too(self):
+        command = self.subject(name="a_solver_with_a_name_of_more_than_26_signs.py")
+        head, units, *rows = self.bench("--subject", command, "--filter", "^hertz").out.splitlines()
+        for line in (head, *rows):
+            self.assertEqual(len(line), len(rows[0]), line)
 
     def test_it_needs_no_tribocheck_bench(self):
         alone = self.folder.path("tribocheck")
@@ -222,6 +245,39 @@ class Refusals(OfSolvers):
         self.assert_refused(run("bench", "--subject", self.subject(), "--filter", "^load_sharing", cwd=ROOT),
                             "it offers no function that is asked for", code=1)
         self.assert_refused(run("bench", "--alone", "--plugin", plugin("crashing"), cwd=ROOT), "is killed by signal 6", code=1)
+
+
+    def test_one_that_cannot_be_timed_is_told_in_the_files_that_a_ci_reads(self):
+        speed = self.folder.write("speed.json", "{\n<<<<<<< HEAD\n")
+        for words, said, code in (
+                (["--subject", "no_such_program"], "no program no_such_program is on PATH", 2),
+                (["--subject", self.subject(more="sys.exit(3)", name="ends.py")], "exits with code 3 at ", 1),
+                (["--alone", "--plugin", plugin("wrong_version")], "this program knows version 3", 2),
+                (["--subject", self.subject(), "--filter", "^load_sharing"], "it offers no function that is asked for", 1),
+                (["--subject", self.subject(), "--baseline", speed],
+                 f"{speed}: it is broken at line 2, and no JSON: `<<<<<<< HEAD` is a mark of a merge conflict; restore it, for "
+                 f"example by git checkout -- {speed}, or write it anew: tribocheck bench --quick --subject ", 2)):
+            with self.subTest(said):
+                report = self.folder.path("speed.xml")
+                done = self.bench(*words, "--format", "markdown", "--junit", report, code=code)
+                suite = junit_suite(report)
+                self.assertEqual((suite.get("name"), suite.get("tests"), suite.get("errors")), ("tribocheck bench", "1", "1"))
+                error = suite.find("testcase[@name='subject']/error").get("message")
+                self.assertIn(said, error)
+                self.assertEqual(f"tribocheck: {error}\n", done.err)
+                self.assertTrue(done.out.startswith("### tribocheck bench: NOTHING WAS JUDGED: "), done.out)
+
+    def test_a_baseline_of_a_newer_version_is_told(self):
+        path = pathlib.Path(self.folder.path("speed.json"))
+        gate = ["--subject", self.subject(), "--baseline", path, "--filter", "^hertz", "--format", "json"]
+        self.bench(*gate, "--update-baseline")
+        file = json.loads(path.read_text())
+        for version in ("0.9.0", file["version"]):
+            path.write_text(json.dumps(file | {"version": version}))
+            remarks = self.bench(*gate).json()["comparison"]["remarks"]
+            self.assertEqual(remarks, [] if version == file["version"] else [
+                f"the baseline was written by tribocheck 0.9.0, which is newer than this {file['version']}: what it adds is not "
+                "judged"])
 
 
 class Rates(unittest.TestCase):

@@ -32,6 +32,8 @@ class ContactTest(ProgramTest):
         return at
 
     def assert_near(self, value, expected, relative=1e-12):
+        if expected == 0:
+            return self.assertEqual(value, 0)
         self.assertLess(abs(value / expected - 1), relative, (value, expected))
 
 
@@ -115,11 +117,50 @@ class Numbers(ContactTest):
         point, = run("solve", self.folder.write("one.json", tree | {"speed": 0.1}), "--format", "json").json()["points"]
         self.assertEqual(ratios["film"], point["film"])
         self.assertEqual(ratios["film_parameter"], point["film_parameter"])
-        self.assert_near(ratios["minimum_film"], films["hamrock_dowson_minimum"])
-        self.assert_near(ratios["lambda_ratio"], films["hamrock_dowson_minimum"] / 5e-8)
+        least = point["film"] * films["hamrock_dowson_minimum"] / films["hamrock_dowson_central"]
+        self.assert_near(ratios["minimum_film"], least)
+        self.assert_near(ratios["lambda_ratio"], least / 5e-8)
         without, = [fact for fact in self.at(quiet_scene(), 0.1)["ratios"] if fact["name"] == "lambda_ratio"]
         self.assertIsNone(without["value"])
         self.assertIn("surface.rms_roughness", without["undefined"])
+
+    def test_the_table_has_each_reason_once_below_its_few_words(self):
+        for tree, brief, what, sentence, lines in (
+                (quiet_scene(), "no Rq is given", "composite roughness of both faces",
+                 "the scene has none of surface.rms_roughness", 3),
+                (quiet_scene(**LINE), "a line has none", "approach of the bodies", "of a line it depends on the whole bodies", 1)):
+            told = run("contact", self.folder.write("one.json", tree)).out
+            self.assertEqual(told.count(f"undefined: {brief}\n"), lines, told)
+            self.assertEqual(told.count(f"\n  - {what}: {sentence}"), 1, told)
+            self.assertEqual(told.count(sentence), 1, told)
+
+    def test_the_least_film_has_all_that_moves_the_film(self):
+        flooded = with_field(without_field(quiet_scene("smooth"), "supply"), "surface.rms_roughness", 5e-8)
+        flooded |= {"outputs": ["film", "minimum_film", "lambda_ratio"], "speed": [0.5, 1]}
+        heated = flooded["lubricant"] | {"thermal": "gupta", "conductivity": 0.14, "temperature_coefficient": 0.04}
+        ways = {"flooded": {}, "heated": {"lubricant": heated},
+                "starved": {"supply": {"inlet_flow": 1e-8}, "closures": {"starvation": "damiens"}},
+                "collapsed": {"supply": {"inlet_flow": 1e-8}}}
+        films, parts = {}, set()
+        for way, change in ways.items():
+            path = self.folder.write("scene.json", flooded | change)
+            for command in ("solve", "curve"):
+                point = run(command, path, "--format", "json").json()["points"][-1]
+                films[way] = point["film"]
+                if way == "collapsed":
+                    self.assertEqual((point["film"], point["minimum_film"], point["lambda_ratio"]), (0, 0, 0))
+                    continue
+                parts.add(round(point["minimum_film"] / point["film"], 9))
+                self.assert_near(point["lambda_ratio"], point["minimum_film"] / 5e-8)
+            ratios = values(self.at(flooded | change, 1)["ratios"])
+            self.assert_near(ratios["film"], point["film"])
+            self.assert_near(ratios["minimum_film"], point["minimum_film"])
+        self.assertEqual(len(parts), 1)
+        self.assertLess(films["heated"], films["flooded"])
+        self.assertLess(films["starved"], films["flooded"] / 2)
+        least = with_field(flooded, "closures.film", "hamrock_dowson_minimum")
+        for point in run("solve", self.folder.write("least.json", least), "--format", "json").json()["points"]:
+            self.assertEqual(point["minimum_film"], point["film"])
 
     def test_summits_are_those_of_the_formulas(self):
         tree = quiet_scene("smooth")
@@ -156,11 +197,51 @@ class Ranges(ContactTest):
         self.assertFalse(film["is_inside_range"])
         self.assertIn("fitted to 1 to 8", film["beyond"])
 
-    def test_the_speeds_are_the_slowest_and_the_fastest(self):
-        for speed, expected in (([0.5, 0.1, 2], [0.1, 2]), ({"from": 0.1, "to": 3, "count": 5}, [0.1, 3]), (0.1, [0.1])):
+    def test_the_speeds_are_up_to_four_of_the_scene_or_its_slowest_and_fastest(self):
+        for speed, expected in (([0.5, 0.1, 2], [0.1, 0.5, 2]), ([1, 2, 3, 4, 1], [1, 4]), ([2, 2], [2]),
+                                ({"from": 0.1, "to": 3, "count": 5}, [0.1, 3]), (0.1, [0.1])):
             told = self.told(quiet_scene(speed=speed))
             self.assertEqual([at["speed"] for at in told["speeds"]], expected)
         self.assertEqual(self.told(without_field(quiet_scene(), "speed"))["speeds"], [])
+        path = self.folder.write("scene.json", quiet_scene(speed=[1, 2, 3]))
+        told, = run("contact", path, "--speed", "0.5", "--format", "json").json()["scenes"]
+        self.assertEqual([at["speed"] for at in told["speeds"]], [0.5])
+        self.assert_refused(run("contact", path, "--speed", "0"), "--speed", "a number above 0")
+
+    def test_an_oil_whose_viscosity_does_not_rise_has_the_films_of_its_laws(self):
+        still = with_field(quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3}), "lubricant.pressure_viscosity", 0)
+        self.assert_refused(run("contact", self.folder.write("hard.json", still)), "lubricant.pressure_viscosity",
+                            "whose film would be 0", "hamrock_dowson_soft_central")
+        soft = with_field(still, "closures.film", "hamrock_dowson_soft_central")
+        at = self.at(soft, 0.1)
+        films = {film["law"]: film["film"] for film in at["films"]}
+        self.assertIsNone(films["hamrock_dowson_central"])
+        rising = {film["law"]: film["film"] for film in self.at(with_field(soft, "lubricant.pressure_viscosity", 1e-10), 0.1)["films"]}
+        self.assertEqual(films["hamrock_dowson_soft_central"], rising["hamrock_dowson_soft_central"])
+        self.assertEqual(values(at["numbers"])["regime"], "isoviscous_elastic")
+        points = [run("solve", self.folder.write("soft.json", with_field(soft, "lubricant.pressure_viscosity", alpha) | {"outputs": ["film"]}),
+                      "--format", "json").json()["points"][0]["film"] for alpha in (0, 1e-10)]
+        self.assertEqual(points[0], points[1])
+
+    def test_the_oil_is_told_at_its_temperature(self):
+        oil = {"kinematic_viscosity": [["40 °C", "68 mm²/s"], ["100 °C", "8.6 mm²/s"]], "density": 870, "temperature": "40 °C",
+               "pressure_viscosity": 2e-8, "eyring_stress": 2.5e6}
+        told = self.told(quiet_scene(lubricant=oil))
+        facts = values(told["lubricant"])
+        self.assert_near(facts["kinematic_viscosity"], 68e-6, 1e-9)
+        self.assert_near(facts["viscosity"], 870 * 68e-6, 1e-9)
+        self.assertEqual(facts["temperature"], 313.15)
+        text = run("contact", self.folder.write("oil.json", quiet_scene(lubricant=oil))).out
+        for part in ("68 mm²/s", "59.16 mPa·s", "40 °C", "20 1/GPa"):
+            self.assertIn(part, text)
+
+    def test_words_say_what_lambda_and_a_low_share_mean(self):
+        for roughness, word in ((1e-6, "boundary or mixed lubrication"), (1e-8, "mixed lubrication"), (1e-9, "full film")):
+            ratios = {one["name"]: one for one in self.at(with_field(quiet_scene("smooth"), "surface.rms_roughness", roughness), 0.1)["ratios"]}
+            self.assertEqual(ratios["lambda_ratio"]["note"], word, ratios["lambda_ratio"]["value"])
+        share, = [one for one in self.told(quiet_scene())["surfaces"] if one["name"] == "share_without_film"]
+        self.assertLess(share["value"], 1)
+        self.assertIn(f"at most {100*share['value']:.0f} % of the load", share["note"])
 
     def test_the_table_has_the_units_that_people_use(self):
         result = run("contact", self.folder.write("scene.toml", with_field(scene(speed=0.1), "surface.average_roughness", 1e-7)))

@@ -41,6 +41,7 @@ GOOD = {
     "roelands_viscosity": {"viscosity": 0.0202, "pressure_viscosity": 2e-8, "pressure": 3e8},
     "astm_d341_viscosity": {"first_temperature": 313.15, "first_viscosity": 32e-6, "second_temperature": 373.15,
                             "second_viscosity": 5.4e-6, "temperature": 353.15},
+    "viscosity_index": {"kinematic_viscosity_40": 73.3e-6, "kinematic_viscosity_100": 8.86e-6},
     "summits_from_spectral_moments": {"m0": 1e-14, "m2": 1e-4, "m4": 4e6},
 }
 OPTIONAL = {"ellipticity", "radius_ratio", "damiens_exponent"}
@@ -78,7 +79,7 @@ class Listed(unittest.TestCase):
         for entry in run("functions", "--format", "json").json()["functions"]:
             name = entry["name"]
             for field, (has, has_not) in {"meaning": ("^[a-z]+ .* ", r" = |\(1[89]\d\d\)"), "equation": (" = ", r"\(1[89]\d\d\)"),
-                                          "source": (r"\(1[89]\d\d\)|ASTM D341", "Error of")}.items():
+                                          "source": (r"\(1[89]\d\d\)|ASTM D", "Error of")}.items():
                 self.assertRegex(entry[field], has, (name, field))
                 self.assertNotRegex(entry[field], has_not, (name, field))
             self.assertEqual({one["name"] for one in entry["parameters"]}, set(GOOD[name]))
@@ -195,6 +196,13 @@ class Values(unittest.TestCase):
         same = {**GOOD["astm_d341_viscosity"], "temperature": 373.15}
         self.assert_close(value("astm_d341_viscosity", **same), 5.4e-6)
 
+    def test_viscosity_index(self):
+        # The standard's examples, and an oil thicker at 40 °C than one of the index 0.
+        for at_40, at_100, index in ((73.3, 8.86, 92), (22.83, 5.05, 156), (53.47, 7.8, 111), (73.5, 8.86, 92),
+                                     (4905, 70, 0), (100, 6, -213)):
+            self.assertEqual(round(value("viscosity_index", kinematic_viscosity_40=1e-6 * at_40,
+                                         kinematic_viscosity_100=1e-6 * at_100)), index)
+
     def test_summits_from_spectral_moments(self):
         answer, = ask(call("summits_from_spectral_moments", GOOD["summits_from_spectral_moments"]))
         self.assertEqual(list(answer), ["id", "bandwidth", "summit_density", "summit_radius", "summit_height_sd",
@@ -301,8 +309,12 @@ class Mistakes(unittest.TestCase):
                 ("astm_d341_viscosity", {"first_viscosity": 3e-7}, "first_viscosity", "above 3e-7"),
                 ("astm_d341_viscosity", {"second_viscosity": 1e-7}, "second_viscosity", "above 3e-7"),
                 ("astm_d341_viscosity", {"second_temperature": 313.15}, "second_temperature", "two different"),
+                ("viscosity_index", {"kinematic_viscosity_100": math.nextafter(2e-6, 0)}, "kinematic_viscosity_100",
+                 "defined from 2e-6"),
+                ("viscosity_index", {"kinematic_viscosity_40": 8.86e-6}, "kinematic_viscosity_40", "thicker at 40"),
                 ("summits_from_spectral_moments", {"m4": 0.8968e6}, "m4", "above 0.8968")):
             self.assert_error(call(function, {**GOOD[function], **change}), field, words)
+        self.assertGreater(value("viscosity_index", kinematic_viscosity_40=5e-6, kinematic_viscosity_100=2e-6), 100)
         thin = {**GOOD["roelands_viscosity"], "viscosity": 6.4e-5, "pressure": 1e3}
         self.assertGreater(value("roelands_viscosity", **thin), 6.4e-5)
 

@@ -212,6 +212,17 @@ class Oils(GivenTest):
         self.assertEqual(films, alone)
         self.assertEqual(films, sorted(films, reverse=True))
 
+    def test_pairs_do_not_vary_in_a_sweep(self):
+        tree = toml(smooth_scene(outputs=["film"], speed=1, lubricant=GRADE)).replace("viscosity_index = 95\n", "")
+        spread = '{ distribution = "uniform", from = 4e-5, to = 5e-5 }'
+        for pairs in (f"[[313.15, {spread}], [373.15, 6.8e-6]]", '[[{ printed = "313" }, 46e-6], [373.15, 6.8e-6]]',
+                      f"[[313.15, 46e-6], {spread}]", spread):
+            self.folder.write("sweep.toml", tree.replace("iso_vg = 46", f"kinematic_viscosity = {pairs}"))
+            done = run("sweep", self.folder.path("sweep.toml"), "-o", self.folder.path("o.h5"))
+            self.assert_refused(done, "sweep.toml: lubricant.kinematic_viscosity: its pairs do not vary; allowed: "
+                                      "lubricant.viscosity alone, or lubricant.iso_vg")
+            self.assertNotIn("nothing varies", done.err)
+
     def test_in_a_stream(self):
         line = {**smooth_scene(outputs=["film"], speed=1, lubricant={
             "kinematic_viscosity": [["40 °C", 46e-6], [373.15, "6.8 cSt"]], "density": 870, "temperature": 333.15,
@@ -236,6 +247,13 @@ class Oils(GivenTest):
             self.assert_scene_refused(smooth_scene(lubricant={**pairs, "kinematic_viscosity": bad}),
                                       "lubricant.kinematic_viscosity", *words)
         self.assert_scene_refused(smooth_scene(lubricant={**GRADE, "iso_vg": 3}), "lubricant.viscosity_index", "index")
+
+    def test_temperatures_that_were_meant_in_celsius(self):
+        self.assert_scene_refused(smooth_scene(lubricant={**GRADE, "temperature": 70}), "lubricant.temperature: 70 K is -203 °C",
+                                  'allowed: "70 °C", or a number from 150 on, in K')
+        pairs = {key: value for key, value in GRADE.items() if key not in ("iso_vg", "viscosity_index")}
+        self.assert_scene_refused(smooth_scene(lubricant={**pairs, "kinematic_viscosity": [[40, 46e-6], [100, 6.8e-6]]}),
+                                  "lubricant.kinematic_viscosity: 40 K is -233 °C")
 
 
 class HeatedInlets(GivenTest):

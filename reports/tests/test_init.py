@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import unittest
@@ -38,7 +39,7 @@ class Init(ProgramTest):
         self.assertNotIn("{{", text)
 
     def test_every_language_gives_its_template_with_all_functions(self):
-        self.assertGreaterEqual({row[0] for row in LANGUAGES}, {"python", "octave", "c", "fortran", "cpp"})
+        self.assertGreaterEqual({row[0] for row in LANGUAGES}, {"python", "octave", "javascript", "c", "fortran", "cpp", "rust"})
         for language, name, *_ in LANGUAGES:
             with self.subTest(language=language):
                 result = init(language, cwd=self.folder.name)
@@ -110,8 +111,8 @@ class Init(ProgramTest):
 
     def test_the_printed_line_builds_a_library_from_where_it_was_printed(self):
         os.mkdir(self.folder.path("a b"))
-        for language, name, program, *_ in LANGUAGES:
-            if language in ("python", "octave") or shutil.which(program) is None:
+        for language, name, program, _, command in LANGUAGES:
+            if "{library}" not in command or shutil.which(program) is None:
                 continue
             for out in (name, f"a b/my_{name}"):
                 with self.subTest(language=language, out=out):
@@ -136,6 +137,66 @@ class Init(ProgramTest):
         self.assertEqual((verdict["starts"], verdict["notes"]), (1, []))
         self.assertEqual([(one["failed"], one["skipped"]) for one in verdict["quantities"][:2]], [(2, 0), (0, 2)])
         self.assertIn("effective_modulus: no root", verdict["last_errors"])
+
+    def test_the_templates_have_the_defaults_that_questions_leave_out(self):
+        for language, sign in (("python", "    ellipticity=1,"), ("javascript", "    ellipticity = 1,"),
+                               ("octave", "q.ellipticity = 1;")):
+            path = self.folder.path(language)
+            init(language, "--out", path)
+            self.assertIn(sign, pathlib.Path(path).read_text())
+
+    def test_a_javascript_solver_answers_skips_and_fails_case_by_case(self):
+        if shutil.which("node") is None:
+            self.skipTest("no node is on PATH")
+        path = pathlib.Path(self.folder.path("solver.js"))
+        line = init("javascript", "--out", path).out.splitlines()[2].strip()
+        self.assertTrue(line.endswith(f" verify --subject 'node {path}'"), line)
+        lines = all_lines()
+        for asked, answer in zip(lines, answers_of(["node", path], lines), strict=True):
+            self.assertEqual(answer, {"id": asked["id"],
+                                      "skip": f"no {asked.get('function', 'operating point')} yet"})
+        head, rest = path.read_text().split("  hertz_point({")
+        path.write_text(head + "  hertz_point({" + rest.replace("return undefined;", """console.log("called");
+    if (load > 1e4) throw new Error("too much");
+    return { radius: Math.cbrt(0.75 * load * reduced_radius / effective_modulus), approach: NaN };""", 1))
+        verdict = run("verify", "--subject", f"node {path}", "--sample", "30", "--format", "json").json()
+        found = {one["quantity"]: one for one in verdict["quantities"]}
+        self.assertEqual((verdict["starts"], verdict["notes"]), (1, []))
+        self.assertGreater(found["hertz_point.radius"]["held"], 5)
+        self.assertIn("Error: too much", found["hertz_point.radius"]["reason"])
+        self.assertEqual((found["hertz_point.approach"]["held"], found["hertz_point.approach"]["status"]), (0, "FAILED"))
+        self.assertEqual(found["hertz_point.peak_pressure"]["status"], "not offered")
+        self.assertIn("called", verdict["last_errors"])
+
+    def test_a_panic_in_a_rust_solver_is_of_its_own_case(self):
+        if shutil.which("rustc") is None:
+            self.skipTest("no rustc is on PATH")
+        header = (TEMPLATES.parent / "tribocheck_plugin.h").read_text()
+        path = pathlib.Path(self.folder.path("solver.rs"))
+        line = init("rust", "--out", path).out.splitlines()[2].strip()
+        written = path.read_text()
+        version, = re.findall(r"TRIBOCHECK_PLUGIN_VERSION = (\d+)", header)
+        self.assertIn(f"const VERSION: c_int = {version};", written)
+        head, rest = written.split("fn hertz_point(")
+        path.write_text(head + "fn hertz_point(" + rest.replace("\n    None\n", """
+    if load > 1e4 {
+        panic!("too much");
+    }
+    Some(hertz_point_result {
+        radius: Some((0.75 * load * reduced_radius / effective_modulus).cbrt()),
+        approach: Some(f64::NAN),
+        ..Default::default()
+    })
+""", 1))
+        done = subprocess.run(["sh", "-c", line + " --sample 30 --format json"], capture_output=True, text=True,
+                              timeout=TIMEOUT, env=ENVIRONMENT)
+        verdict = json.loads(done.stdout)
+        found = {one["quantity"]: one for one in verdict["quantities"]}
+        self.assertEqual((done.returncode, verdict["starts"]), (1, 1))
+        self.assertGreater(found["hertz_point.radius"]["held"], 5)
+        self.assertGreater(found["hertz_point.radius"]["failed"], 0)
+        self.assertEqual((found["hertz_point.approach"]["held"], found["hertz_point.approach"]["status"]), (0, "FAILED"))
+        self.assertIn("too much", verdict["last_errors"])
 
     def test_a_file_that_is_there_is_left_alone_unless_forced(self):
         path = self.folder.write("solver.py", "mine")

@@ -85,6 +85,21 @@ class Silence(Trips):
         self.assert_silent(self.command("time.sleep(100)"), "it gives no answer within 1.5 s",
                            "--case-timeout", "0.3", "--start-timeout", "1.5")
 
+    def test_a_subject_that_may_not_flush_is_told_so_where_it_reads(self):
+        hint = "; if it prints answers, it may not flush its output after each line"
+        slow = self.command(each="time.sleep(0.4)", flush=False)
+        self.assert_silent(slow, "it gives no answer within 2 s" + hint, "--case-timeout", "1", "--start-timeout", "2",
+                           "--timeout", "60")
+        half = self.command(each="if name == 'hertz_point': print('{\"id\"', end='', flush=True); time.sleep(60)")
+        verdict = self.verdict(half, "--case-timeout", "1", "--sample", "3")
+        reason = next(one["reason"] for one in verdict["quantities"] if one["quantity"] == "hertz_point.radius")
+        self.assertIn("no answer within 1 s; half a line has come: it does not flush its output after each line", reason)
+
+    def test_lines_of_stderr_that_repeat_are_told_once(self):
+        before = "for i in range(100): print('overflow', file=sys.stderr)\nprint('end', file=sys.stderr)\nsys.exit(3)"
+        said = self.assert_silent(self.command(before), "it exits with code 3")
+        self.assertEqual(said[1:], ["  overflow", "    and 99 more like it", "  end"])
+
     def test_answers_without_an_id_are_told(self):
         self.assert_silent(self.command(each="print('{}', flush=True); continue"),
                            "it answers no case; an answer without an id: {}")

@@ -67,12 +67,26 @@ class Answers(unittest.TestCase):
         _, (answer,) = answers(point(id=None, outputs=["film"]))
         self.assertEqual((list(answer), answer["id"]), (["id", "film"], None))
 
+    def test_an_id_that_is_a_number_comes_back_as_a_number(self):
+        function = '"function": "gaussian_moment", "order": 2, "argument": 0'
+        for text in ("7", "0", "-3", "100000000", "9007199254740991", "0.1", "1e-300", "2.5e8"):
+            texts = [json_value(point(id="@", outputs=["film"])), '{"id": "@", %s}' % function,
+                     json_value(point(id="@", load=-5)), '{"id": "@", %s, "more": 1}' % function]
+            _, found = answers(*(line.replace('"@"', text) for line in texts))
+            self.assertEqual([answer["id"] for answer in found], [float(text)] * 4, text)
+            self.assertEqual([type(answer["id"]) for answer in found],
+                             [int if float(text).is_integer() else float] * 4, text)
+            self.assertEqual(["error" in answer for answer in found], [False, False, True, True])
+        for text in ("9007199254740992", "-9007199254740993", "1e400", "1e-400", "null", "[1]"):
+            self.assert_error(json_value(point(id="@")).replace('"@"', text), None, "id", "a text, or a number")
+            self.assert_error('{"id": %s, %s}' % (text, function), None, "id", "a text, or a number")
+
     def test_errors_in_a_scene(self):
         self.assert_error(point(load=-5), "rough", "load", "-5 is not allowed")
         self.assert_error(point(load=None), "rough", "load", "missing")
         self.assert_error(point(load=Literal("1e400")), "rough", "load", "1e400")
         self.assert_error(point(laod=1), "rough", "laod", "did you mean load?")
-        self.assert_error(point(id=5), None, "id")
+        self.assert_error(point(id=True), None, "id", "a text, or a number")
         self.assert_error(point(speed=[1]), "rough", "speed")
         self.assert_error(scene(), "rough", "speed")
         self.assert_error(json_value(point()).replace('"load"', '"load": 1, "load"'), "rough", "load",

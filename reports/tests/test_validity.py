@@ -7,7 +7,7 @@ import pathlib
 import re
 import unittest
 
-from program import Folder, quiet_scene, run, scene, with_field
+from program import Folder, quiet_scene, run, scene, with_field, without_field
 from sweeps import sweep
 
 REFERENCE = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reference"
@@ -45,6 +45,34 @@ class Warnings(ValidityTest):
         roller = dict(quiet_scene(**LINE), load=46e3)
         self.assertIn("length_range", self.passed("solve", with_field(roller, "bodies.length", 10.0)))
         self.assertIn("hertz_pressure", self.passed("solve", roller | {"load": 46e4}))
+
+    @staticmethod
+    def smooth_scene(speed):
+        return without_field(quiet_scene(speed=speed), "supply")
+
+    def test_faces_known_by_rq_alone_are_computed_as_smooth_and_the_warning_says_so(self):
+        faces = {"surface": {"rms_roughness": "300 nm"}, "outputs": ["film", "regime"], "accept": []}
+        done = run("solve", self.write(self.smooth_scene([0.1, 1]) | faces))
+        self.assertRegex(done.warned, r"rough_as_smooth 0\.0\d* \(at least 3; touches shares, friction; this is Λ: the faces "
+                                      r"touch, and are computed as smooth, because Rq alone does not say what the summits carry; give "
+                                      r"summits or spectral moments\)")
+        self.assertEqual(len(done.said.splitlines()), 1)
+        self.assertEqual(self.passed("solve", self.smooth_scene(1) | faces | {"surface": {"rms_roughness": "1 nm"}}), [])
+
+    def test_a_law_of_another_regime_is_told_with_the_one_to_take(self):
+        rubber = quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3}, supply=None, accept=[], load=1)
+        rubber = without_field(rubber, "surface") | {"outputs": ["film"], "speed": 0.1}
+        done = run("solve", self.write(rubber), "--strict")
+        self.assertEqual(done.code, 1)
+        self.assertIn("the contact is isoviscous_elastic: take hamrock_dowson_soft_central)", done.warned)
+        self.assertIn("film_law_regime", self.passed("solve", rubber))
+        soft = with_field(rubber, "closures.film", "hamrock_dowson_soft_central")
+        self.assertEqual(self.passed("solve", soft), [])
+
+    def test_a_number_that_follows_is_told_as_one(self):
+        ball = {"first_radius_x": "25 m", "second_radius_x": -25.025, "first_radius_y": "9 mm", "second_radius_y": 1e30}
+        done = run("solve", self.write(quiet_scene(speed=0.1, accept=[], bodies={"effective_modulus": 107.9e9} | ball)))
+        self.assertRegex(done.warned, r"bodies\.radius_x, which follows, 2\.5e\+04 m \([^;)]*\)")
 
     def test_several_scenes_have_one_line(self):
         paths = [self.write(scene(surface), f"{surface}.toml") for surface in ("rough", "medium")]
@@ -120,7 +148,7 @@ class Explained(ValidityTest):
         points, _, table = done.out.partition("\nrough: is the model valid here?\n")
         self.assertEqual(points, run("solve", self.write(tree)).out)
         rows = [re.split(r"  +", line.strip()) for line in table.splitlines()]
-        holds = {row[3]: row[0] for row in rows if len(row) >= 5}
+        holds = {row[4]: row[0] for row in rows if len(row) >= 6}
         self.assertEqual({holds[word] for word in ("hertz_pressure", "summit_offset")}, {"no"})
         self.assertEqual((holds["half_space"], holds["smooth_film_law"]), ("yes", "accepted"))
         self.assertNotIn("line_length", holds)
@@ -131,6 +159,8 @@ class Explained(ValidityTest):
         self.assertEqual({word for word, one in rows.items() if one["holds"] == "no"},
                          {one["word"] for one in told["warnings"]})
         self.assertEqual((rows["half_space"]["least"], rows["half_space"]["greatest"]), (None, 0.5))
+        self.assertEqual((rows["half_space"]["touches"], rows["smooth_film_law"]["touches"]), ("everything", "film"))
+        self.assertIn("below the boundary coefficient", rows["summit_capacity"]["advice"])
         for one in rows.values():
             self.assertTrue(one["assumption"].endswith(".") and one["source"], one)
 

@@ -19,6 +19,12 @@ constexpr std::size_t flood = 1000;         // wrong answers between two right o
 constexpr std::size_t print_flood = 10000;  // lines between two answers
 constexpr int most_silent_failures = 2;     // before any answer
 
+// Why a subject is silent that prints answers: they wait in the buffer of its output.
+constexpr const char* may_not_flush =
+    "; if it prints answers, it may not flush its output after each line";
+constexpr const char* half_a_line =
+    "; half a line has come: it does not flush its output after each line";
+
 // Answers are kept until all are judged. Of a longer one only the part that was asked for is kept.
 constexpr std::size_t longest_answer = 4096;
 
@@ -36,7 +42,7 @@ json asked_part(const json& answer, const TestCase& asked) {
     part[name] = text.size() <= longest_answer ? *found : json(start_of(text));
   };
   for (const Expected& one : asked.expected) keep(one.field);
-  for (const char* const name : {"undefined", "skip", "error"}) keep(name);
+  for (const char* const name : {"undefined", "skip", "error", "place"}) keep(name);
   return part;
 }
 
@@ -60,8 +66,8 @@ std::chrono::milliseconds usual_limit(const Limits& limits, bool has_answered) {
 
 std::string too_many_starts() { return fmt::format("it had to be started {} times", most_starts); }
 
-std::string late_text(const Limits& limits, bool has_answered) {
-  return "no answer " + within(usual_limit(limits, has_answered));
+std::string late_text(const Limits& limits, bool has_answered, const std::string& hint) {
+  return "no answer " + within(usual_limit(limits, has_answered)) + hint;
 }
 
 Questions::Questions(const std::string& subject, const std::vector<TestCase>& all,
@@ -120,7 +126,9 @@ void Patience::note_failure(const Questions& questions, std::size_t question,
 }
 
 std::string Patience::reason() const {
-  return fmt::format("it {} {} times in a row without an answer", end_, in_a_row_);
+  const std::size_t hint = std::min(end_.find(';'), end_.size());
+  return fmt::format("it {} {} times in a row without an answer{}", end_.substr(0, hint), in_a_row_,
+                     end_.substr(hint));
 }
 
 Asker::Asker(Questions& questions, std::deque<std::size_t> to_ask, Share share)
@@ -136,7 +144,9 @@ bool Asker::run(bool is_greeted) {
   if (is_greeted) to_ask_.push_front(questions_.greeting());
   while (any_to_send() || !asked_.empty()) {
     if (Clock::now() > questions_.deadline) {
-      if (last_end_.empty()) last_end_ = "gives no answer " + within(questions_.limits.all_cases);
+      if (last_end_.empty())
+        last_end_ = "gives no answer " + within(questions_.limits.all_cases) +
+                    (questions_.limits.flushes ? "" : may_not_flush);
       give_up("the time limit of all cases was reached");
     } else if (process_ || start()) {
       send();
@@ -187,6 +197,7 @@ bool Asker::start() {
   prints_ = 0;
   has_answered_ = false;
   last_heard_.reset();
+  heard_ = 0;
   at_once_ = account.answers_at_end_of_input;
   last_progress_ = Clock::now();
   return true;
@@ -279,8 +290,22 @@ void Asker::note_block() {
     account.answers_at_end_of_input = true;
 }
 
+// Takes the member away by which a plug-in's process tells the place of a case in an array.
+std::string Asker::place_of(json& answer) const {
+  const auto told = answer.find("place");
+  if (questions_.limits.flushes && told != answer.end() && told->is_string()) {
+    const std::string place = told->get<std::string>();
+    answer.erase(told);
+    return "at " + place;
+  }
+  return fmt::format("as question {} of its process{}", heard_,
+                     last_heard_ ? ", after " + questions_.cases[*last_heard_].id : "");
+}
+
 void Asker::take(json answer) {
   const std::size_t question = asked_.front();
+  ++heard_;
+  std::string place = place_of(answer);
   patience_.note_answer();
   prints_ = 0;
   stray_ = 0;
@@ -298,6 +323,7 @@ void Asker::take(json answer) {
   } else {
     settle(Outcome::answered, std::move(answer), {});
   }
+  if (question != questions_.greeting()) questions_.reply(question).place = std::move(place);
   has_answered_ = true;
   if (!any_answer_) note_first_answer(question);
 }
@@ -444,9 +470,14 @@ void Asker::hear_the_end() {
 }
 
 void Asker::late() {
-  const std::string limit_text = within(limit());
-  if (!any_answer_ && process_->unread() > 0)
-    silent_failures_ = most_silent_failures;  // it does not read
+  const bool has_unread = process_->unread() > 0;
+  if (!any_answer_ && has_unread) silent_failures_ = most_silent_failures;
+  std::string hint;
+  if (process_->is_within_a_line())
+    hint = half_a_line;
+  else if (!has_answered_ && (at_once_ || !has_unread) && !questions_.limits.flushes)
+    hint = may_not_flush;
+  const std::string limit_text = within(limit()) + hint;
   fail(Outcome::late, "no answer " + limit_text, "gives no answer " + limit_text);
 }
 

@@ -104,7 +104,8 @@ struct Account {
 };
 
 // The reason where no answer came in time; of a process that has answered before, or of another.
-std::string late_text(const Limits& limits, bool has_answered);
+// `hint`: what may be wrong with it, which comes behind.
+std::string late_text(const Limits& limits, bool has_answered, const std::string& hint);
 
 class Asker {
  public:
@@ -132,6 +133,7 @@ class Asker {
   void hear(const std::string& line);
   void note_block();
   void take(nlohmann::json answer);
+  std::string place_of(nlohmann::json& answer) const;
   void note_first_answer(std::size_t question);
   void hear_garbage(const std::string& line);
   void note_print(const std::string& line);
@@ -164,6 +166,7 @@ class Asker {
   std::size_t unread_ = 0;                 // bytes
   bool has_answered_ = false;              // this process
   std::optional<std::size_t> last_heard_;  // the case that this process answered last
+  std::size_t heard_ = 0;                  // answers of this process
   bool is_greeted_ = false;
   bool is_refused_ = false;  // the greeting has no answer
   int starts_ = 0;

@@ -114,8 +114,10 @@ void take_worse_answers(Conversation& conversation, const std::vector<TestCase>&
 void mark_unsteady(ConformanceResult& result) {
   for (QuantityVerdict& one : result.quantities)
     for (const Unsteady& changing : result.unsteady) {
-      one.is_unsteady |= changing.quantity == one.quantity;
-      one.is_of_unsteady_function |= function_of(changing.quantity) == function_of(one.quantity);
+      const double change = changing.apart_per_condition;
+      if (changing.quantity == one.quantity) one.change_asked_again = change;
+      if (function_of(changing.quantity) == function_of(one.quantity))
+        one.change_of_function = std::max(one.change_of_function, change);
     }
 }
 
@@ -196,7 +198,10 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const Offers& offers
   std::string why_not;
   const std::optional<Measured> found = measured(of, offers, tolerance, why_not);
   if (!found) {
-    if (verdict.skipped++ == 0 && verdict.failed == 0) verdict.first_reason = why_not;
+    if (verdict.skipped++ == 0) {
+      verdict.first_skipped = fmt::format("{}: {}", of.asked.id, why_not);
+      if (verdict.failed == 0) verdict.first_reason = why_not;
+    }
     return;
   }
   const bool is_physical = of.expected.is_physical;

@@ -89,9 +89,11 @@ struct QuantityVerdict {
   Example worst{};  // of the cases that held or failed; the first case where all were skipped
   std::vector<HeldCase> held_cases;
   std::vector<FailedCase> failed_cases;
-  std::string first_reason;  // of the first failure, or of the first skip
-  bool is_unsteady = false;  // an answer changed when it was asked again
-  bool is_of_unsteady_function = false;
+  std::string first_reason;   // of the first failure, or of the first skip
+  std::string first_skipped;  // the first case that was skipped, and why: "h0012: no root"
+  // The greatest change of an answer that was asked again, relative, over the condition; infinite
+  // where one of both is no number. Of this quantity, and of all of its function.
+  double change_asked_again = 0, change_of_function = 0;
 
   std::size_t judged() const { return held + failed; }
   // Every case that fails is one that the subject's end or silence has cost.

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -14,6 +16,7 @@
 #include <stdexcept>
 
 #include "protocol/bounded_json.hpp"
+#include "tribo/scene_reader.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::conformance {
@@ -23,6 +26,7 @@ using nlohmann::json;
 
 constexpr double ratchet = 4;
 constexpr int oldest_schema = 2, schema = 3;
+constexpr std::size_t longest_quoted = 60;  // of a line of a file
 constexpr std::string_view schema_name = "verify-baseline/";
 
 // The rank of a status; `failed` has the lowest.
@@ -38,9 +42,7 @@ int worth(const std::string& status) {
 // A right formula whose operations are in another order may round as much.
 constexpr double least_error = 4 * std::numeric_limits<double>::epsilon();
 
-bool is_beyond_ratchet(double now, double before) {
-  return now > ratchet * std::max(least_error, before);
-}
+bool is_beyond_ratchet(double now, double before) { return now > greatest_as_before(before); }
 
 // --- One case that failed.
 
@@ -96,6 +98,10 @@ std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& bef
   return worst_of(now, [&](const std::string& id) { return !failed.contains(id); });
 }
 
+// Answers may change when they are asked again at another place of an array, where the compiler
+// takes other instructions. That is rounding, and no loss.
+bool is_more_than_rounding(double change) { return is_beyond_ratchet(change, 0); }
+
 // Answers of a function change now and then from one ask to the next, those of one quantity in this
 // run and those of another in that. A row without the member is of a function that is steady.
 bool is_unsteady(const json& row) { return row.value("unsteady", false); }
@@ -112,7 +118,7 @@ json row_of(const QuantityVerdict& one) {
   const HeldCase worst = worst_of(one, [](const std::string&) { return true; });
   json row{{"status", name(one.status)}, {"asked", one.asked},         {"held", one.held},
            {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
-  put_unsteady(row, one.is_of_unsteady_function);
+  put_unsteady(row, is_more_than_rounding(one.change_of_function));
   return row;
 }
 
@@ -189,25 +195,40 @@ Difference better_cases(const QuantityVerdict& now, const json& failed_before) {
   return found;
 }
 
+// Which cases have lost their answer: "; the first case without an answer is h0012: no root". Empty
+// where none has. The file does not tell which cases were skipped then.
+std::string lost_answers(const QuantityVerdict& now, const json& before) {
+  const auto skipped = before.at("skipped").get<std::size_t>();
+  if (now.skipped <= skipped) return {};
+  const std::string then = skipped == 0 ? ""
+                                        : fmt::format("{} had no answer, {} have none; ",
+                                                      cases_text(skipped), now.skipped);
+  return fmt::format("; {}the first case without an answer is {}", then, now.first_skipped);
+}
+
 Difference what_is_worse(const QuantityVerdict& now, const json& before) {
   const std::string was(before.at("status").get<std::string>()), is(name(now.status));
   Difference cases = worse_cases(now, before.at("failed"));
-  if (worth(is) < worth(was))
-    return {fmt::format("was {}, is {}{}", was, is,
-                        now.first_reason.empty() ? "" : " (" + now.first_reason + ")"),
-            "status", was, is, std::move(cases.cases)};
+  if (worth(is) < worth(was)) {
+    const std::string reason = now.failed == 0            ? lost_answers(now, before)
+                               : now.first_reason.empty() ? ""
+                                                          : " (" + now.first_reason + ")";
+    return {fmt::format("was {}, is {}{}", was, is, reason), "status", was, is,
+            std::move(cases.cases)};
+  }
   if (!cases.text.empty()) return cases;
   // A case that failed and now holds does not stand for one that held and is lost.
   const auto held = before.at("held").get<std::size_t>();
   if (const std::size_t still = held_without_mended(now, before); still < held)
-    return {fmt::format("{} held, {} hold", cases_text(held), still), "held", held, still};
+    return {fmt::format("{} held, {} hold{}", cases_text(held), still, lost_answers(now, before)),
+            "held", held, still};
   const double error = before.at("worst_error").get<double>();
   const std::optional<HeldCase> worst = worst_of_old(now, before);
   if (worst && is_beyond_ratchet(worst->error, error))
     return {fmt::format("the worst error was {:.3g}, is {:.3g} (case {}); more than {} times",
                         error, worst->error, worst->id, ratchet),
             "worst_error", error, worst->error};
-  if (now.is_unsteady && !is_unsteady(before))
+  if (is_more_than_rounding(now.change_asked_again) && !is_unsteady(before))
     return {"its answers were the same each time, and change now when they are asked again"};
   return {};
 }
@@ -235,7 +256,7 @@ Difference what_is_better(const QuantityVerdict& now, const json& before) {
 // The quantity as it would be had the lost cases held that did not fail before.
 QuantityVerdict without_losses(const QuantityVerdict& now, const json& before) {
   QuantityVerdict mended = now;
-  mended.is_unsteady = false;  // the loss may be the change
+  mended.change_asked_again = 0;  // the loss may be the change
   mended.failed_cases.clear();
   bool is_as_before = true;  // all that still fails failed before
   for (const FailedCase& one : now.failed_cases) {
@@ -304,12 +325,26 @@ json schema_of(const json& baseline) {
   return number.is_number_integer() ? number : written;
 }
 
+// Whether 0.10.1 is newer than 0.9.0. Other texts are no versions, and not newer.
+bool is_newer(const std::string& one, const std::string& other) {
+  const auto numbers_of = [](const std::string& text) {
+    std::array<int, 3> numbers{-1, -1, -1};
+    std::sscanf(text.c_str(), "%d.%d.%d", &numbers[0], &numbers[1], &numbers[2]);
+    return numbers;
+  };
+  return numbers_of(one) > numbers_of(other);
+}
+
+std::string version_of(const json& baseline) {
+  const auto written = baseline.find("version");
+  return written != baseline.end() && written->is_string() ? written->get<std::string>() : "";
+}
+
 const json& quantities_of(const json& baseline) {
   if (!baseline.is_object() || !baseline.contains("quantities") || !baseline.contains("schema"))
     throw std::runtime_error("it is no baseline of `tribocheck verify`");
   if (const json number = schema_of(baseline); number != schema && number != oldest_schema)
-    throw std::runtime_error(fmt::format("it is a baseline of schema {}, and this program has {}",
-                                         number.dump(), schema));
+    throw std::runtime_error(other_schema_text(baseline, number, schema));
   return baseline.at("quantities");
 }
 
@@ -328,9 +363,52 @@ bool is_asked(const std::string& quantity, const ConformanceResult& result) {
 
 // Another version of this program may ask for other quantities. Files of the oldest schema do not
 // tell theirs.
-bool is_of_version(const json& baseline) { return baseline.value("version", "") == version; }
+bool is_of_version(const json& baseline) { return version_of(baseline) == version; }
 bool is_of_other_version(const json& baseline) {
   return baseline.contains("version") && !is_of_version(baseline);
+}
+
+// Why a text is no JSON, and in which line: "it is broken at line 7, and no JSON: …".
+std::string broken_text(const std::string& text) {
+  std::size_t number = 1;
+  for (std::size_t at = 0; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = std::string_view(text).substr(at, end - at);
+    for (const std::string_view mark : {"<<<<<<<", "|||||||", "=======", ">>>>>>>"})
+      if (line.starts_with(mark))
+        return fmt::format(
+            "it is broken at line {}, and no JSON: `{}` is a mark of a merge conflict", number,
+            printable(line, longest_quoted));
+    at = end + 1;
+  }
+  std::size_t at = text.size();
+  try {
+    [[maybe_unused]] const json whole = json::parse(text);
+  } catch (const json::parse_error& error) {
+    at = std::min(text.size(), error.byte - std::min<std::size_t>(error.byte, 1));
+  } catch (const json::exception&) {
+    at = 0;
+  }
+  const bool ends = text.find_first_not_of(" \t\r\n", at) == std::string::npos;
+  if (ends) at = text.find_last_not_of(" \t\r\n") + 1;
+  const auto before = text.begin() + static_cast<std::ptrdiff_t>(at);
+  const std::size_t start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+  const std::size_t stop = std::min(text.find('\n', at), text.size());
+  return fmt::format("it is broken at line {}, and no JSON: {} `{}`",
+                     1 + std::count(text.begin(), before, '\n'),
+                     ends ? "it ends too early, after" : "the line is",
+                     printable(std::string_view(text).substr(start, stop - start), longest_quoted));
+}
+
+// The file is no JSON: who has committed it can get it back.
+struct Broken : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::invalid_argument broken_baseline(const BaselineUse& use, const Broken& error) {
+  return std::invalid_argument(
+      fmt::format("{}: {}; restore it, for example by {}, or write it anew: {}", use.file,
+                  error.what(), use.restoration, use.renewal));
 }
 
 std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& error) {
@@ -339,6 +417,8 @@ std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& 
 }
 
 }  // namespace
+
+double greatest_as_before(double error) { return ratchet * std::max(least_error, error); }
 
 json baseline_of(const ConformanceResult& result, const json& before) {
   json rows = before.is_null() ? json::object() : rows_of(before);
@@ -352,7 +432,7 @@ json baseline_of(const ConformanceResult& result, const json& before) {
              what_is_worse(one, row).text.empty() && !what_is_better(one, row).text.empty())
       rows[one.quantity] = merged_row(one, row);
     if (!before.is_null() && schema_of(before) == oldest_schema)
-      put_unsteady(rows.at(one.quantity), one.is_of_unsteady_function);
+      put_unsteady(rows.at(one.quantity), is_more_than_rounding(one.change_of_function));
   }
   if (!before.is_null() && is_of_other_version(before))
     for (auto row = rows.begin(); row != rows.end();)
@@ -450,8 +530,11 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
     if (is_asked(row.key(), result)) continue;
     const bool is_explained = is_of_other_version(baseline);
     note(is_explained ? changes.gone : changes.worse, row.key(),
-         {is_explained ? fmt::format("is no longer asked by version {}; the baseline is of {}",
-                                     version, baseline.at("version").get<std::string>())
+         {is_explained ? fmt::format("is {} by version {}; the baseline is of {}",
+                                     is_newer(version_of(baseline), std::string(version))
+                                         ? "not asked yet"
+                                         : "no longer asked",
+                                     version, version_of(baseline))
                        : "is no longer asked",
           "status", row.value().at("status"), nullptr});
   }
@@ -472,16 +555,40 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
   return changes;
 }
 
+std::string newer_version_text(const json& baseline) {
+  const std::string written = version_of(baseline);
+  if (!is_newer(written, std::string(version))) return {};
+  return fmt::format(
+      "the baseline was written by tribocheck {}, which is newer than this {}: what it adds is not "
+      "judged",
+      printable(written), version);
+}
+
+std::string other_schema_text(const json& baseline, const json& number, int known) {
+  const std::string written = version_of(baseline);
+  return fmt::format("it is a baseline of schema {}, and this program has {}{}", number.dump(),
+                     known,
+                     is_newer(written, std::string(version))
+                         ? fmt::format("; tribocheck {} wrote it, which is newer than this {}",
+                                       printable(written), version)
+                         : "");
+}
+
 json usable_baseline(const BaselineUse& use, const std::function<void(const json&)>& check) {
   if (use.file.empty()) return nullptr;
   json content;
   try {
     if (std::filesystem::exists(use.file)) {
       std::ifstream file(use.file);
-      content = protocol::read_bounded_json(file);
-      if (content.is_discarded()) throw std::runtime_error("it is no JSON");
+      const std::string text{std::istreambuf_iterator<char>(file),
+                             std::istreambuf_iterator<char>()};
+      content = protocol::parse_bounded_json(text);
+      if (content.is_discarded()) throw Broken(broken_text(text));
       if (!content.is_null()) check(content);
     }
+  } catch (const Broken& error) {
+    if (use.force) return nullptr;
+    throw broken_baseline(use, error);
   } catch (const std::runtime_error& error) {
     if (use.force) return nullptr;
     throw no_baseline(use, error);

@@ -6,7 +6,8 @@
 // those that held ("worst_error": relative, over the condition), and under "failed" each case that
 // failed with its error: a number (relative; absolute where 0 is expected), "wrong" (NaN, null,
 // another word …) or "no answer". "losses" are the cases at which the subject ended or was late.
-// "unsteady" stands where answers of the quantity's function changed when they were asked again.
+// "unsteady" stands where answers of the quantity's function changed by more than rounding when
+// they were asked again.
 // Each of these is a line, so that a diff can be read. Its head says which program wrote it, and
 // when; a file of schema 2 has neither that nor "losses", and is read too.
 #pragma once
@@ -23,10 +24,11 @@ namespace tribo::conformance {
 
 // How a run uses a baseline.
 struct BaselineUse {
-  std::string file;          // empty: none
-  bool update = false;       // better results are written to it
-  bool force = false;        // with `update`: worse results, too; and over any file
-  std::string renewal = {};  // the command that makes it anew, for messages
+  std::string file;     // empty: none
+  bool update = false;  // better results are written to it
+  bool force = false;   // with `update`: worse results, too; and over any file
+  // Commands for messages: one makes it anew, the other gets the file back as it was.
+  std::string renewal = {}, restoration = {};
 };
 
 // The file's content, read before the subject is asked; null where the file is to be written, or
@@ -34,6 +36,14 @@ struct BaselineUse {
 // where it is no JSON or `check` throws a std::runtime_error; with `force` it is null there.
 nlohmann::json usable_baseline(const BaselineUse& use,
                                const std::function<void(const nlohmann::json&)>& check);
+
+// "the baseline was written by tribocheck 0.9.0, which is newer than this 0.2.0: what it adds is
+// not judged"; empty where it is not newer. Of any baseline that tells its version.
+std::string newer_version_text(const nlohmann::json& baseline);
+
+// "it is a baseline of schema 4, and this program has 3", and whether a newer program wrote it.
+std::string other_schema_text(const nlohmann::json& baseline, const nlohmann::json& schema,
+                              int known);
 
 // A case that failed then or now. Its errors are as in the file; null: it did not fail.
 struct CaseChange {
@@ -79,6 +89,9 @@ std::string baseline_text(const nlohmann::json& baseline, std::string_view commi
 // of other tolerances or of another sample. A file of tolerances counts by its content.
 void check_comparable(const nlohmann::json& baseline, const Tolerance& tolerance,
                       std::size_t sample);
+
+// The greatest error that is no worse than this one of a baseline.
+double greatest_as_before(double error);
 
 // Neither the worst error of what held, nor the error of any case that failed, may be worse than
 // 4·max(ε, what it was). Throws as check_comparable() does.

@@ -31,16 +31,6 @@ Expected expected(const std::string& field, const ReferenceRow& row) {
       {}};
 }
 
-// Whether a contact on earth can have these arguments.
-bool is_physical(const catalogue::Function& function, const catalogue::Arguments& arguments) {
-  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-    const catalogue::Parameter& one = function.parameters[i];
-    if (one.words.empty() && !(arguments[i] >= one.least && arguments[i] <= one.greatest))
-      return false;
-  }
-  return true;
-}
-
 // Whether a contact on earth can have the arguments of this point's film and load sharing.
 bool is_physical(const Scene& scene) {
   const double speed = scene.speeds[0];
@@ -90,12 +80,16 @@ std::vector<TestCase> cases_of(const catalogue::Function& function,
   return cases;
 }
 
+json::json_pointer pointer_of(const FieldInfo& field) {
+  std::string pointer = '/' + std::string(field.path);
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  return json::json_pointer(pointer);
+}
+
 // Puts the number or word of a field into a scene's JSON.
 void put(json& scene, std::size_t place, double value) {
   const FieldInfo& field = scene_fields()[place];
-  std::string pointer = '/' + std::string(field.path);
-  std::replace(pointer.begin(), pointer.end(), '.', '/');
-  json& to = scene[json::json_pointer(pointer)];
+  json& to = scene[pointer_of(field)];
   if (field.type == FieldType::choice)
     to = field.choices[static_cast<std::size_t>(value)];
   else if (field.type == FieldType::integer)
@@ -151,6 +145,62 @@ std::vector<TestCase> operating_points(const std::vector<ReferenceRow>& rows) {
   }
   for (TestCase& point : cases) add_words(point);
   return cases;
+}
+
+// A case that is asked once more without inputs that have their defaults: "f0000d".
+TestCase asked_without(const TestCase& one, json inputs) {
+  TestCase made = one;
+  made.id += 'd';
+  made.inputs = std::move(inputs);
+  return made;
+}
+
+constexpr std::size_t most_without_defaults = 2;  // of each function or word, of each default
+
+// The first cases of each word that have a default, without it: a solver has its own default there.
+std::vector<TestCase> without_defaults(const catalogue::Function& function,
+                                       const std::vector<TestCase>& cases) {
+  std::vector<TestCase> made;
+  std::map<std::string, std::size_t> count;
+  for (const TestCase& one : cases) {
+    if (one.is_extreme) continue;
+    json inputs = one.inputs;
+    std::string left_out;
+    for (const catalogue::Parameter& parameter : function.parameters) {
+      const std::string name(parameter.name);
+      if (!parameter.words.empty()) left_out += inputs[name].get<std::string>() + ' ';
+      if (!parameter.default_value || inputs[name] != *parameter.default_value) continue;
+      inputs.erase(name);
+      left_out += name + ' ';
+    }
+    if (inputs.size() < one.inputs.size() && count[left_out]++ < most_without_defaults)
+      made.push_back(asked_without(one, std::move(inputs)));
+  }
+  return made;
+}
+
+// The points without the fields that have their defaults, until each field has been left out.
+std::vector<TestCase> without_defaults(const std::vector<TestCase>& points) {
+  std::vector<TestCase> made;
+  std::map<std::pair<std::string, std::string_view>, std::size_t> count;  // by kind and field
+  for (const TestCase& one : points) {
+    json inputs = one.inputs;
+    bool is_new = false;
+    for (const FieldInfo& field : scene_fields()) {
+      const json::json_pointer place = pointer_of(field);
+      if (field.default_text.empty() || !inputs.contains(place)) continue;
+      const json& value = inputs[place];
+      const std::string text = value.is_string() ? value.get<std::string>()
+                                                 : scene_detail::number_text(value.get<double>());
+      if (text != field.default_text) continue;
+      json& section = inputs[place.parent_pointer()];
+      section.erase(place.back());
+      if (section.empty()) inputs.erase(place.parent_pointer().back());
+      is_new |= count[{one.function, field.path}]++ < most_without_defaults;
+    }
+    if (is_new) made.push_back(asked_without(one, std::move(inputs)));
+  }
+  return made;
 }
 
 // The fields that are not as usual, and the model of the contact.
@@ -257,10 +307,15 @@ std::vector<TestCase> read_cases(const CaseSources& sources) {
   const auto table = [&](std::string_view name) {
     return read_reference_table(fmt::format("{}/{}.csv", sources.exact, name));
   };
-  for (const catalogue::Function& function : catalogue::functions())
-    add(cases_of(function, table(function.name)));
+  for (const catalogue::Function& function : catalogue::functions()) {
+    const std::vector<TestCase> cases = cases_of(function, table(function.name));
+    add(cases);
+    add(without_defaults(function, cases));
+  }
   add(paper_points(sources.published));
-  add(operating_points(table("operating_point")));
+  const std::vector<TestCase> points = operating_points(table("operating_point"));
+  add(points);
+  add(without_defaults(points));
   for (TestCase& one : all) complete(one);
   return all;
 }

@@ -168,7 +168,9 @@ int settle_in_order(Questions& questions, std::map<std::size_t, Breakdown>& brea
     if (breakdown != breakdowns.end()) {
       patience.note_failure(questions, question, breakdown->second.end);
       if (is_shared && reply.outcome == Outcome::late)
-        reply.reason = late_text(questions.limits, has_answered);
+        reply.reason =
+            late_text(questions.limits, has_answered,
+                      reply.reason.substr(std::min(reply.reason.find(';'), reply.reason.size())));
       has_process = false;
     } else if (reply.outcome != Outcome::missing && reply.outcome != Outcome::garbage) {
       patience.note_answer();
@@ -181,7 +183,9 @@ int settle_in_order(Questions& questions, std::map<std::size_t, Breakdown>& brea
 std::vector<std::string> error_lines(const Conversation& conversation) {
   std::vector<std::string> lines;
   std::istringstream text(conversation.last_errors);
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  std::vector<KindLine> written;
+  for (std::string line; std::getline(text, line);) written.push_back({line, line, {}});
+  lines = without_repeats(written);
   while (!lines.empty() && lines.back().empty()) lines.pop_back();
   const auto has_failed = [](const Reply& one) {
     return one.outcome != Outcome::answered && one.outcome != Outcome::skipped;
@@ -279,6 +283,24 @@ std::string line_of(const json& value) {
 }
 
 std::string start_of(const std::string& text) { return printable(text, 80); }
+
+std::vector<std::string> without_repeats(const std::vector<KindLine>& lines) {
+  constexpr std::size_t most_alike = 3;
+  std::vector<std::string> made;
+  for (std::size_t first = 0, end = 0; first < lines.size(); first = end) {
+    while (end < lines.size() && lines[end].kind == lines[first].kind) ++end;
+    if (end - first <= most_alike) {
+      for (std::size_t i = first; i < end; ++i) made.push_back(lines[i].text);
+      continue;
+    }
+    std::string names;
+    for (std::size_t i = first + 1; i < end; ++i)
+      if (!lines[i].name.empty()) names += (names.empty() ? ": " : ", ") + lines[i].name;
+    made.push_back(lines[first].text);
+    made.push_back(fmt::format("  and {} more like it{}", end - first - 1, names));
+  }
+  return made;
+}
 
 std::string last_line(std::string errors) {
   while (errors.ends_with('\n')) errors.pop_back();

@@ -27,6 +27,13 @@ std::string line_of(const nlohmann::json& value);
 // The start of a text, printable, for one line of a message.
 std::string start_of(const std::string& text);
 
+// Lines that follow each other and are of one kind become the first of them, and "  and 19 more
+// like it: names"; up to three stay as they are.
+struct KindLine {
+  std::string text, kind, name;  // the name may be empty
+};
+std::vector<std::string> without_repeats(const std::vector<KindLine>& lines);
+
 // The last line of what a program wrote to stderr, without the name of this program in front.
 std::string last_line(std::string errors);
 
@@ -45,13 +52,17 @@ struct Reply {
   Outcome outcome = Outcome::not_asked;
   nlohmann::json fields{};  // of an answer
   std::string reason{};     // of anything else
+  // Where it was asked: "as question 12 of its process, after h0002", or of a plug-in "at place 3
+  // of an array of 32". Empty where no answer came.
+  std::string place{};
 };
 
 struct Limits {
   std::chrono::milliseconds one_case{10000};
   std::chrono::milliseconds first_answer{60000};  // of each process: it may have much to load
   std::chrono::milliseconds all_cases{600000};
-  bool flushes = false;  // it is known to write each answer at once
+  // It is a plug-in in our own process: it writes each answer at once, and may tell its place.
+  bool flushes = false;
 };
 
 // How many are asked at once, and what is asked twice.

@@ -2,6 +2,7 @@
 #include "conformance/description.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -9,17 +10,18 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
+
+#include "conformance/dependence.hpp"
+#include "conformance/place.hpp"
+#include "conformance/scatter.hpp"
+#include "conformance/variable.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 // --- Numbers as products of powers
-
-// "F" of "F, of both bodies"
-std::string symbol_of(const catalogue::Parameter& parameter) {
-  return std::string(parameter.meaning.substr(0, parameter.meaning.find_first_of(", ")));
-}
 
 // Numbers as a product of powers of a function's inputs, by least squares on logarithms.
 struct PowerLaw {
@@ -114,7 +116,7 @@ std::optional<PowerLaw> fit_power_law(const Part& part, const NumberOf& number_o
     std::copy_if(samples.begin(), samples.end(), std::back_inserter(of_value),
                  [&](const FittedNumber& one) { return one.of->input(held) == value; });
     if (auto law = fit(of_value, places, function.parameters.size()); is_close(law)) {
-      law->held = fmt::format("{} = {:.4g}", symbol_of(function.parameters[held]), value);
+      law->held = fmt::format("{} = {:.4g}", symbol_of(function.parameters[held].meaning), value);
       return law;
     }
   }
@@ -127,11 +129,11 @@ std::string power_in_words(const catalogue::Parameter& parameter, double exponen
   for (const int denominator : {1, 2, 3, 4, 6}) {
     const double numerator = exponent * denominator;
     if (std::abs(numerator - std::round(numerator)) > 1e-6 * denominator) continue;
-    return denominator == 1
-               ? fmt::format("{}^{:+.0f}", symbol_of(parameter), numerator)
-               : fmt::format("{}^({:+.0f}/{})", symbol_of(parameter), numerator, denominator);
+    return denominator == 1 ? fmt::format("{}^{:+.0f}", symbol_of(parameter.meaning), numerator)
+                            : fmt::format("{}^({:+.0f}/{})", symbol_of(parameter.meaning),
+                                          numerator, denominator);
   }
-  return fmt::format("{}^{:+.4g}", symbol_of(parameter), std::round(exponent * 1e5) / 1e5);
+  return fmt::format("{}^{:+.4g}", symbol_of(parameter.meaning), std::round(exponent * 1e5) / 1e5);
 }
 
 std::string powers_in_words(const catalogue::Function& function,
@@ -144,11 +146,6 @@ std::string powers_in_words(const catalogue::Function& function,
 }
 
 // --- Where and how numbers are wrong
-
-// Part of the cases, and of the right or the wrong ones, that may lie on the wrong side of a
-// border.
-constexpr double stray = 0.02, stray_of_few = 0.1;
-constexpr std::size_t fewest_right = 3;
 
 std::vector<Part::Number> along(const Part& part, std::size_t input) {
   std::vector<Part::Number> numbers = part.all;
@@ -170,91 +167,7 @@ std::vector<std::size_t> number_inputs(const Part& part) {
   return inputs;
 }
 
-// The stretch [first, last) in which answers are right (or wrong), and how many cases it misplaces:
-// the best of all stretches, by the greatest sum of a run.
-struct Stretch {
-  std::size_t first = 0, last = 0;
-  std::size_t misplaced = 0;
-};
-
-Stretch best_stretch(const std::vector<Part::Number>& points, bool of_wrong) {
-  // +1 for a case that belongs inside, −1 for one that does not.
-  Stretch best;
-  long sum = 0, greatest = 0;
-  std::size_t first = 0, belonging = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool belongs = points[i].answered->is_wrong == of_wrong;
-    belonging += belongs ? 1 : 0;
-    sum += belongs ? 1 : -1;
-    if (sum > greatest) {
-      greatest = sum;
-      best.first = first;
-      best.last = i + 1;
-    }
-    if (sum < 0) {
-      sum = 0;
-      first = i + 1;
-    }
-  }
-  best.misplaced = belonging - static_cast<std::size_t>(greatest);
-  return best;
-}
-
-std::size_t count_right(const Part& part) {
-  return static_cast<std::size_t>(
-      std::count_if(part.all.begin(), part.all.end(),
-                    [](const Part::Number& one) { return !one.answered->is_wrong; }));
-}
-
-struct Where {
-  std::string text;
-  std::size_t misplaced;
-};
-
-std::optional<Where> where_along(const Part& part, std::size_t input) {
-  const std::vector<Part::Number> points = along(part, input);
-  const std::string symbol = symbol_of(part.function()->parameters[input]);
-  const Stretch right = best_stretch(points, false), wrong = best_stretch(points, true);
-  const bool inside_is_wrong = wrong.misplaced < right.misplaced;
-  const Stretch& inside = inside_is_wrong ? wrong : right;
-  const std::size_t right_count = count_right(part);
-  const std::size_t fewer = std::min(right_count, points.size() - right_count);
-  if (static_cast<double>(inside.misplaced) > std::min(stray * static_cast<double>(points.size()),
-                                                       stray_of_few * static_cast<double>(fewer)))
-    return std::nullopt;
-  const bool from_start = inside.first == 0, to_end = inside.last == points.size();
-  if (from_start && to_end) return std::nullopt;
-  const double low = points[inside.first].input(input);
-  const double high = points[inside.last - 1].input(input);
-  const char* const word = inside_is_wrong ? "wrong" : "right";
-  const char* const other = inside_is_wrong ? "right" : "wrong";
-  if (!from_start && points[inside.first - 1].input(input) == low) return std::nullopt;
-  if (!to_end && points[inside.last].input(input) == high) return std::nullopt;
-  std::string text;
-  if (from_start)
-    text = fmt::format("{} up to {} = {:.4g}, {} from {:.4g} on", word, symbol, high, other,
-                       points[inside.last].input(input));
-  else if (to_end)
-    text = fmt::format("{} up to {} = {:.4g}, {} from {:.4g} on", other, symbol,
-                       points[inside.first - 1].input(input), word, low);
-  else
-    text = fmt::format("{} from {} = {:.4g} to {:.4g}, {} below and beyond", word, symbol, low,
-                       high, other);
-  return Where{std::move(text), inside.misplaced};
-}
-
-// "right for −21 ≤ d ≤ 5.1, wrong beyond"; empty if wrong and right answers are not apart in any
-// input. A border stands between the last right case and the first wrong one; 2 in 100 cases may
-// lie on the wrong side of it.
-std::string where_wrong(const Part& part) {
-  if (part.all.size() < fewest_cases || count_right(part) < fewest_right) return {};
-  std::optional<Where> best;
-  for (const std::size_t input : number_inputs(part)) {
-    auto found = where_along(part, input);
-    if (found && (!best || found->misplaced < best->misplaced)) best = std::move(found);
-  }
-  return best ? best->text : std::string();
-}
+constexpr double greatest_of_quadrature = 0.1, least_of_quadrature = 1e-4;  // relative errors
 
 // How the errors run along an input: as those of an integral that ends too early, of digits that
 // cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: as none
@@ -296,8 +209,9 @@ std::string manner_of_errors(const Part& part) {
     return "the errors have no order and grow: digits cancel there";
   const double greatest = *std::max_element(sizes.begin(), sizes.end());
   const double least = *std::min_element(sizes.begin(), sizes.end());
-  if (share(flips) < 0.05 && greatest <= 1 && greatest > 3 * least &&
-      (share(falls) < 0.2 || share(falls) > 0.8))
+  // A quadrature is good somewhere, and nowhere off by orders.
+  if (share(flips) < 0.05 && greatest <= greatest_of_quadrature && least <= least_of_quadrature &&
+      greatest > 3 * least && (share(falls) < 0.2 || share(falls) > 0.8))
     return "the errors are smooth and grow, as of a quadrature or a series with too few terms";
   return {};
 }
@@ -306,6 +220,8 @@ std::string manner_of_errors(const Part& part) {
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
+  if (std::isinf(ratio)) return "beyond any double";
+  if (ratio == 0) return "0 times the right value";
   if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value";
   if (ratio < 0) return fmt::format("{:.4g} times the right value, of the wrong sign", ratio);
   if (ratio > 3) return fmt::format("{:.4g} times too large", ratio);
@@ -404,7 +320,7 @@ std::string exponents_in_words(const Part& part, const std::vector<Mistake>& mis
     const catalogue::Parameter& input = function.parameters[i];
     // The exponents of E* and R follow from those of U, G and W.
     if (!in_groups.empty() && (input.name == "effective_modulus" || input.unit == "m")) continue;
-    const std::string symbol = symbol_of(input);
+    const std::string symbol = symbol_of(input.meaning);
     if (std::abs(got->exponents[i]) <= 1e-4)
       text += fmt::format(" It does not depend on {}; the law has {}.", symbol,
                           power_in_words(input, law->exponents[i]));
@@ -428,10 +344,30 @@ std::string constant_factor(const Part& part) {
     least = std::min(least, one->got / one->expected->high);
     greatest = std::max(greatest, one->got / one->expected->high);
   }
-  return greatest - least < 1e-9 * std::abs(greatest) ? known_factor(least) : "";
+  if (greatest - least >= 1e-9 * std::abs(greatest)) return {};
+  const double off = (least + greatest) / 2 - 1;
+  if (std::abs(off) < rounding && greatest - least < 0.01 * std::abs(off))
+    return fmt::format(
+        "It is off by one factor, 1 {} {:.3g}, as a constant with too few digits makes it.",
+        off < 0 ? "−" : "+", std::abs(off));
+  return known_factor(least);
 }
 
 }  // namespace
+
+std::function<double(const Question&)> power_factor(const Part& part) {
+  const auto law = fit_power_law(
+      part,
+      [](const AnsweredCase&, const AnsweredNumber& one) { return one.got / one.expected->high; },
+      rounding);
+  if (!law || !law->held.empty()) return {};
+  return [law = *law](const Question& question) {
+    double factor = law.constant;
+    for (std::size_t i = 0; i < law.exponents.size(); ++i)
+      if (law.exponents[i] != 0) factor *= std::pow(question.arguments[i], law.exponents[i]);
+    return factor;
+  };
+}
 
 std::string pattern(const Part& part) {
   std::vector<double> ratios;
@@ -445,14 +381,24 @@ std::string pattern(const Part& part) {
           ? "everywhere"
           : fmt::format("in {} of {} cases", part.wrong.size(), part.all.size());
   if (least == 0 && greatest == 0) return "answered as 0 " + where;
-  if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
+  const double off = std::abs(middle - 1);
+  if (greatest - least <= 2e-3 * off + std::min(1e-9, 1e-3 * off))
     return fmt::format("{} {}", in_words(middle), where);
   return fmt::format("off {}, between {} and {}; median: {}", where, in_words(least),
                      in_words(greatest), in_words(middle));
 }
 
+constexpr double log_chance_of_cache = -14;  // a millionth
+
 // The inputs in which two cases differ: "surface.summit_density".
 std::vector<std::string> different_inputs(const AnsweredCase& one, const AnsweredCase& other) {
+  if (const catalogue::Function* const function = one.question.function) {
+    std::vector<std::string> found;  // what a question leaves out has its default
+    for (std::size_t i = 0; i < function->parameters.size(); ++i)
+      if (one.question.arguments[i] != other.question.arguments[i])
+        found.emplace_back(function->parameters[i].name);
+    return found;
+  }
   const nlohmann::json inputs = one.question.asked->inputs.flatten();
   const nlohmann::json others = other.question.asked->inputs.flatten();
   std::vector<std::string> found;
@@ -490,21 +436,61 @@ std::string kept_answers(const Part& part) {
       input, example, input);
 }
 
+// Whether an answer is wrong in cases alone that differ from the case before in one input, and by
+// which inputs the wrong ones begin; the chance of that by accident is small. A cache inside of a
+// solver does so, which keeps a part of the answer and looks for it without these inputs.
+std::string kept_from_before(const Part& part) {
+  std::vector<std::vector<std::string>> changed(part.all.size());
+  double alike = 0, log_chance = 0, count = static_cast<double>(part.all.size());
+  for (std::size_t i = 1; i < part.all.size(); ++i) {
+    changed[i] = different_inputs(*part.all[i].of, *part.all[i - 1].of);
+    alike += changed[i].size() == 1 ? 1 : 0;
+  }
+  std::set<std::string> begins;
+  std::string first;
+  for (std::size_t i = 0; i < part.all.size(); ++i) {
+    if (!part.all[i].answered->is_left()) continue;
+    if (changed[i].size() != 1) return {};
+    log_chance += std::log(alike-- / count--);
+    if (part.all[i - 1].answered->is_wrong) continue;
+    begins.insert(changed[i].front());
+    if (first.empty()) first = part.all[i].of->question.asked->id;
+  }
+  if (begins.empty() || log_chance > log_chance_of_cache) return {};
+  return fmt::format(
+      "It is wrong only in cases that differ from the case before in one input, first in {}, and "
+      "begins where {} changes. The solver keeps something from case to case, as a cache does, and "
+      "looks for it without {}.",
+      first, fmt::join(begins, " or "), begins.size() == 1 ? "this input" : "these inputs");
+}
+
 Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   std::string text = pattern(part);
-  if (const std::string kept = kept_answers(part); !kept.empty()) return {text + ". " + kept, true};
+  std::function<bool(const Question&)> is_in_place;
+  if (const std::string kept = kept_answers(part); !kept.empty())
+    return {text + ". " + kept, true, {}};
+  if (2 * part.wrong.size() < part.all.size())
+    if (const std::string kept = kept_from_before(part); !kept.empty())
+      return {text + ". " + kept, false, {}};
   if (part.wrong.size() < part.all.size())
-    if (const std::string where = where_wrong(part); !where.empty()) text += ": " + where;
+    if (const std::optional<WrongPlace> place = place_of_wrong(part)) {
+      text += ": " + place->text;
+      is_in_place = place->holds;
+    }
   text += '.';
   const std::string factor = constant_factor(part);
-  if (!factor.empty()) return {text + ' ' + factor, true};
+  if (!factor.empty()) return {text + ' ' + factor, true, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);
-  if (!powers.empty()) return {text + powers, true};
+  if (!powers.empty()) return {text + powers, true, is_in_place};
   if (std::string manner = manner_of_errors(part); !manner.empty()) {
     manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
-    text += ' ' + manner + '.';
+    return {text + ' ' + manner + '.', false, is_in_place};
   }
-  return {text, false};
+  if (const std::optional<Dependence> depends = dependence_of(part))
+    return {text + ' ' + depends->text, false, is_in_place};
+  if (const std::string scatter = scatter_of(part); !scatter.empty())
+    return {text + ' ' + scatter, false, is_in_place};
+  return {text, false, is_in_place};
 }
 
 }  // namespace tribo::conformance

@@ -2,6 +2,7 @@
 // Wrong numbers in words: how far off they are, where, and by which powers of the inputs.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,14 @@ std::string pattern(const Part& part);
 struct Description {
   std::string text;
   bool is_cause;  // it says what the numbers are, not only where and how far they are off
+  // For questions in the place where answers are wrong; empty: no place is told.
+  std::function<bool(const Question&)> is_in_place = {};
 };
 // The pattern of a part that no known mistake gives, where it is wrong, and its law if it has one.
 Description described(const Part& part, const std::vector<Mistake>& mistakes);
+
+// The factor of the wrong answers, where it is a product of powers of the inputs, or a constant;
+// empty where it is none.
+std::function<double(const Question&)> power_factor(const Part& part);
 
 }  // namespace tribo::conformance

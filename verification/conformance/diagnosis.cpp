@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "conformance/description.hpp"
+#include "conformance/follow.hpp"
 #include "conformance/mistake_search.hpp"
 
 namespace tribo::conformance {
@@ -18,6 +22,10 @@ namespace {
 
 constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
+constexpr std::size_t fewest_followed = 3;
+// Points that are told by themselves beside those with a result wrong that is computed before.
+constexpr std::size_t fewest_others = 3;
+constexpr double part_of_others = 0.25;  // of those
 
 // The functions from which a function's numbers are computed.
 std::vector<std::string> rests_on(const std::string& function) {
@@ -38,18 +46,38 @@ std::vector<std::string> rests_on(const std::string& function) {
 class Diagnoser {
  public:
   Diagnoser(std::string function, std::vector<AnsweredCase> cases,
-            const std::vector<Mistake>& mistakes, std::string wrong_below,
+            const std::vector<Mistake>& mistakes, std::vector<const WrongFunction*> below,
             const std::map<std::string, std::string>& named_before)
       : function_(std::move(function)),
         cases_(std::move(cases)),
         mistakes_(mistakes),
-        wrong_below_(std::move(wrong_below)),
+        below_(std::move(below)),
         named_before_(named_before) {
     for (const AnsweredCase& one : cases_)
       for (const AnsweredNumber& number : one.numbers) wrong_ += number.is_wrong ? 1 : 0;
   }
 
   std::vector<Diagnosis> run() {
+    follow_by_number();
+    find_causes();
+    if (follow_by_use()) find_causes();
+    describe_rest();
+    return std::move(found_);
+  }
+
+  // The function as others that are computed from it see it.
+  WrongFunction as_below() const {
+    std::vector<Mistake> named;
+    for (const Mistake* const one : named_) named.push_back(*one);
+    return {function_, cases_, named};
+  }
+
+ private:
+  static bool has_left(const AnsweredCase& one) {
+    return std::any_of(one.numbers.begin(), one.numbers.end(),
+                       [](const AnsweredNumber& number) { return number.is_left(); });
+  }
+  void find_causes() {
     for (int i = 0; i < most_causes && any_left(); ++i) {
       Cause cause = find_cause(cases_, mistakes_, {});
       if (cause.explains.empty()) break;
@@ -78,15 +106,8 @@ class Diagnoser {
       same->second.push_back(branch);
     }
     for (auto& [cause, of_branches] : causes) tell(std::move(cause), of_branches);
-    describe_rest();
-    return std::move(found_);
   }
 
- private:
-  static bool has_left(const AnsweredCase& one) {
-    return std::any_of(one.numbers.begin(), one.numbers.end(),
-                       [](const AnsweredNumber& number) { return number.is_left(); });
-  }
   bool any_left() const { return std::any_of(cases_.begin(), cases_.end(), has_left); }
 
   // The result that most of these numbers are of, with them as its wrong ones.
@@ -106,10 +127,165 @@ class Diagnoser {
         ->second;
   }
 
+  // --- What follows from functions below
+
+  // A wrong function that an answer is computed from, and points in which it is as the subject has
+  // it; null: it is not known well enough there.
+  struct Used {
+    const WrongFunction* below;
+    const Mistake* at_points;
+  };
+
+  std::vector<Used> used_by(const AnsweredCase& one) const {
+    std::vector<Used> used;
+    const std::vector<Question> inner = inner_questions(one.asked);
+    for (const WrongFunction* const below : below_)
+      for (const Question& question : inner)
+        if (below->is_wrong_at(question)) {
+          used.push_back({below, below->at_points(question)});
+          break;
+        }
+    return used;
+  }
+
+  struct Followed {
+    AnsweredCase* of;
+    Question question;  // with the functions below as the subject has them
+    Numbers numbers;    // that follow
+    double closeness;   // of these
+    std::vector<Used> from;
+  };
+
+  // Empty: some wrong function of these is not known well enough.
+  static std::optional<Followed> followed(AnsweredCase& one, std::vector<Used> used) {
+    Mistakes together;
+    Question question = one.question;
+    double closeness = 0;
+    for (const auto& [below, mistake] : used) {
+      if (mistake == nullptr) return std::nullopt;
+      together.push_back(mistake);
+      if (mistake->before) mistake->before(question);
+      closeness = std::max(closeness, below->closeness());
+    }
+    const std::optional<Numbers> numbers = numbers_with(together, one.question);
+    if (!numbers) return std::nullopt;
+    return Followed{&one, std::move(question), *numbers, closeness, std::move(used)};
+  }
+
+  static bool is_met(const AnsweredNumber& number, const Followed& followed) {
+    const double given = followed.numbers[number.place];
+    if (!std::isfinite(given)) return false;
+    const double change = std::abs(given - number.expected->high);
+    return std::abs(number.got - given) <=
+           std::max(number.allowed, followed.closeness * std::min(change, std::abs(given)));
+  }
+
+  // Answers of points that are right once functions below are as the subject has them follow from
+  // these. The others are judged by what would follow.
+  void follow_by_number() {
+    if (below_.empty() || !any_left()) return;
+    std::vector<Followed> all;
+    std::vector<AnsweredNumber*> met;
+    std::size_t lost = 0;  // right answers that would not be right
+    for (AnsweredCase& one : cases_) {
+      std::vector<Used> used = used_by(one);
+      if (used.empty()) continue;
+      std::optional<Followed> found = followed(one, std::move(used));
+      if (!found) continue;
+      for (AnsweredNumber& number : one.numbers) {
+        if (number.is_wrong && is_met(number, *found)) met.push_back(&number);
+        lost += !number.is_wrong && !is_met(number, *found) ? 1 : 0;
+      }
+      all.push_back(std::move(*found));
+    }
+    if (met.size() < fewest_followed || lost > met.size()) return;
+    std::set<std::string> from;
+    for (const Followed& one : all)
+      for (const Used& used : one.from) from.insert(used.below->name());
+    tell_followed(met, from);
+    is_followed_ = true;
+    for (Followed& one : all) {
+      one.of->question = std::move(one.question);
+      for (AnsweredNumber& number : one.of->numbers) shift(number, one);
+    }
+  }
+
+  void tell_followed(const std::vector<AnsweredNumber*>& met, const std::set<std::string>& from) {
+    const Part part = shown(met);
+    found_.push_back({part.quantity(),
+                      {},
+                      met.size(),
+                      wrong_,
+                      fmt::format("{} is {}. This follows from {}: with the answers that it gives "
+                                  "there, {} of {} wrong answers of {} are right.",
+                                  part.quantity(), pattern(part), fmt::join(from, ", "), met.size(),
+                                  wrong_, function_)});
+    for (AnsweredNumber* const one : met) one->is_explained = true;
+  }
+
+  // Expects of a number what follows.
+  void shift(AnsweredNumber& number, const Followed& followed) {
+    const double given = followed.numbers[number.place];
+    if (number.is_explained || !std::isfinite(given)) return;
+    number.is_wrong = !is_met(number, followed);
+    shifted_.push_back(*number.expected);
+    shifted_.back().high = given;
+    shifted_.back().low = 0;
+    number.expected = &shifted_.back();
+  }
+
+  // Whether a wrong function can change this result of a point.
+  static bool reaches(const WrongFunction& below, const AnsweredNumber& number) {
+    return below.name() != "starvation_ratio" || number.expected->field != "film_flooded";
+  }
+
+  // Wrong answers left that use a function below where it is wrong rest on it. They are told, and
+  // left out of what is still to be told. Returns whether there were some, and others are left.
+  bool follow_by_use() {
+    if (below_.empty() || !any_left()) return false;
+    std::map<std::size_t, Part> parts;
+    std::set<std::string> from;
+    std::vector<const AnsweredCase*> resting;
+    for (const AnsweredCase& one : cases_) {
+      if (!has_left(one)) continue;
+      std::vector<Used> used = used_by(one);
+      std::erase_if(used,
+                    [&](const Used& wrong) { return is_followed_ && wrong.at_points != nullptr; });
+      for (const AnsweredNumber& number : one.numbers) {
+        if (!number.is_left()) continue;
+        for (const Used& wrong : used)
+          if (reaches(*wrong.below, number)) {
+            from.insert(wrong.below->name());
+            parts[number.place].wrong.push_back(&number);
+            if (resting.empty() || resting.back() != &one) resting.push_back(&one);
+            break;
+          }
+      }
+    }
+    if (resting.empty()) return false;
+    for (const AnsweredCase& one : cases_)
+      for (const AnsweredNumber& number : one.numbers)
+        parts[number.place].all.push_back({&one, &number});
+    const Part& part =
+        std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+          return a.second.wrong.size() < b.second.wrong.size();
+        })->second;
+    found_.push_back({part.quantity(),
+                      {},
+                      0,
+                      wrong_,
+                      fmt::format("{} is {}. It rests on {}, wrong too: mend that first.",
+                                  part.quantity(), pattern(part), fmt::join(from, ", "))});
+    std::erase_if(cases_, [&](const AnsweredCase& one) {
+      return std::find(resting.begin(), resting.end(), &one) != resting.end();
+    });
+    return any_left();
+  }
+
   // Adds the diagnosis of a cause that was found for all cases, or for these branches.
   void tell(Cause cause, const std::vector<std::string>& branches) {
     const Part part = shown(cause.explains);
-    Diagnosis one{part.quantity(), {}, cause.explains.size(), wrong_, {}};
+    Diagnosis one{part.quantity(), {function_}, {}, cause.explains.size(), wrong_, {}};
     std::string causes;
     for (const Mistakes& choice : cause.choices) {
       std::string name, text;
@@ -120,6 +296,7 @@ class Diagnoser {
       one.mistakes.push_back(name);
       causes += (causes.empty() ? "" : "; or ") + text;
     }
+    if (branches.empty()) one.cause = causes;
     const std::size_t together = cause.choices.front().size();
     one.text = fmt::format(
         "{}{} is {}. These are the numbers that {}: {} ({} of {} answers of {} that {} would "
@@ -132,14 +309,16 @@ class Diagnoser {
         causes, cause.met, cause.changed, function_, together == 1 ? "it" : "they",
         cause.explains.size(), wrong_);
     if (const auto before = named_before_.find(cause.choices.front().front()->follows);
-        together == 1 && before != named_before_.end())
+        together == 1 && before != named_before_.end()) {
+      one.cause = "follows from " + before->second;
       one.text = fmt::format(
           "{} is {}. This follows from {}: its answers are taken here as it gives them ({} of {} "
           "answers that this would change).",
           one.quantity, pattern(part), before->second, cause.met, cause.changed);
-    else if (one.mistakes.size() > 1)
+    } else if (one.mistakes.size() > 1)
       one.text += " The numbers do not tell these apart.";
     for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;
+    for (const Mistake* const mistake : cause.choices.front()) named_.push_back(mistake);
     found_.push_back(std::move(one));
   }
 
@@ -164,29 +343,17 @@ class Diagnoser {
     return {};
   }
 
-  // The wrong answers of one result over all branches, if functions that it needs are wrong too.
-  std::string rests_text(const std::string& quantity, std::size_t place,
-                         const std::vector<Part>& parts) const {
-    if (wrong_below_.empty()) return {};
-    Part whole{place};
-    for (const Part& part : parts)
-      if (part.place == place) {
-        whole.all.insert(whole.all.end(), part.all.begin(), part.all.end());
-        whole.wrong.insert(whole.wrong.end(), part.wrong.begin(), part.wrong.end());
-      }
-    return fmt::format("{} is {}. It rests on {}, wrong too: mend that first.", quantity,
-                       pattern(whole), wrong_below_);
-  }
-
   // Branches that are off in the same way are told at once.
   std::string described_by_branch(const std::string& quantity, std::size_t place,
-                                  const std::vector<Part>& parts) const {
+                                  const std::vector<Part>& parts,
+                                  std::function<bool(const Question&)>& is_in_place) const {
     std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
     bool has_causes = true;
     for (const Part& part : parts) {
       if (part.place != place) continue;
       const Description description = described(part, mistakes_);
       has_causes = has_causes && description.is_cause;
+      is_in_place = description.is_in_place;
       const auto same = std::find_if(told.begin(), told.end(), [&](const auto& sentence) {
         return sentence.first == description.text;
       });
@@ -209,28 +376,90 @@ class Diagnoser {
                                   : " None of the known mistakes gives these others.");
   }
 
+  // The part with most wrong answers; of points the result that is computed first, if enough points
+  // are wrong in another one alone. These are told by themselves.
   void describe_rest() {
     std::vector<Part> parts = parts_left(cases_);
     if (parts.empty()) return;
-    // The part with most wrong answers first.
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.wrong.size() > b.wrong.size(); });
-    const std::size_t first = parts.front().place;
-    Diagnosis one{parts.front().quantity(), {}, 0, wrong_, {}};
-    one.text = precision_text(one.quantity, parts.front());
-    if (one.text.empty()) one.text = rests_text(one.quantity, first, parts);
-    if (one.text.empty()) one.text = described_by_branch(one.quantity, first, parts);
+    if (is_operating_point(function_)) {
+      const auto first =
+          std::min_element(parts.begin(), parts.end(),
+                           [](const Part& a, const Part& b) { return a.place < b.place; });
+      const std::size_t place = first->place;
+      if (is_wrong_elsewhere(first->wrong.size())) {
+        const auto is_in_place = describe(parts, place);
+        leave_out(place, is_in_place);
+        if (is_wrong_elsewhere(0)) find_causes();
+        if (is_wrong_elsewhere(0)) describe_rest();
+        return;
+      }
+    }
+    describe(parts, parts.front().place);
+  }
+
+  // Whether some points more than these are wrong.
+  bool is_wrong_elsewhere(std::size_t told) const {
+    const auto wrong =
+        static_cast<std::size_t>(std::count_if(cases_.begin(), cases_.end(), has_left));
+    return wrong >= told + fewest_others &&
+           static_cast<double>(wrong - told) >= part_of_others * static_cast<double>(told);
+  }
+
+  // Leaves out the points in which a result that is told is wrong, or that are in its place.
+  void leave_out(std::size_t place, const std::function<bool(const Question&)>& is_in_place) {
+    std::erase_if(cases_, [&](const AnsweredCase& one) {
+      const bool is_told = std::any_of(
+          one.numbers.begin(), one.numbers.end(),
+          [&](const AnsweredNumber& number) { return number.place == place && number.is_left(); });
+      return is_told || (has_left(one) && is_in_place && is_in_place(one.asked));
+    });
+  }
+
+  std::function<bool(const Question&)> describe(const std::vector<Part>& parts, std::size_t place) {
+    const Part& part = *std::find_if(parts.begin(), parts.end(),
+                                     [&](const Part& one) { return one.place == place; });
+    Diagnosis one{part.quantity(), {function_}, {}, 0, wrong_, {}};
+    one.text = precision_text(one.quantity, part);
+    std::function<bool(const Question&)> is_in_place;
+    if (one.text.empty()) one.text = described_by_branch(one.quantity, place, parts, is_in_place);
     found_.push_back(std::move(one));
+    return is_in_place;
   }
 
   std::string function_;
   std::vector<AnsweredCase> cases_;
   const std::vector<Mistake>& mistakes_;
-  std::string wrong_below_;  // functions that this one needs and that are wrong
+  std::vector<const WrongFunction*> below_;  // that this function needs and that are wrong
+  std::deque<Expected> shifted_;             // what follows from them is expected
   const std::map<std::string, std::string>& named_before_;  // mistakes, with their functions
   std::size_t wrong_ = 0;
+  bool is_followed_ = false;           // some answers follow by number
+  std::vector<const Mistake*> named_;  // of the first choice of each cause
   std::vector<Diagnosis> found_;
 };
+
+// Adds a diagnosis to the one of the same cause in other functions, if there is one.
+void add(std::vector<Diagnosis>& found, Diagnosis&& one) {
+  const auto same = std::find_if(found.begin(), found.end(), [&](const Diagnosis& other) {
+    return !one.cause.empty() && other.cause == one.cause;
+  });
+  if (same == found.end()) return found.push_back(std::move(one));
+  same->functions.push_back(one.functions.front());
+  same->explained += one.explained;
+  same->wrong += one.wrong;
+  for (std::string& mistake : one.mistakes)
+    if (std::find(same->mistakes.begin(), same->mistakes.end(), mistake) == same->mistakes.end())
+      same->mistakes.push_back(std::move(mistake));
+}
+
+// Where the cause is found in several functions, as they share a helper.
+std::string shared_text(const Diagnosis& one) {
+  if (one.functions.size() == 1) return {};
+  const std::vector<std::string> others(one.functions.begin() + 1, one.functions.end());
+  return fmt::format(" The same explains the answers of {}.", fmt::join(others, ", "));
+}
 
 }  // namespace
 
@@ -242,25 +471,28 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
     if (std::find(functions.begin(), functions.end(), one.function) == functions.end())
       functions.push_back(one.function);
   std::vector<Diagnosis> found;
-  std::set<std::string> wrong;
+  std::vector<WrongFunction> wrong;
   std::map<std::string, std::string> named;
   for (const std::string& function : functions) {
     std::vector<Mistake> mistakes;
     for (const Mistake& one : all)
       if (one.function == (is_operating_point(function) ? "operating_point" : function))
         mistakes.push_back(one);
-    std::string below;
+    std::vector<const WrongFunction*> below;
     for (const std::string& other : rests_on(function))
-      if (wrong.contains(other)) below += (below.empty() ? "" : ", ") + other;
-    for (Diagnosis& one :
-         Diagnoser(function, answered_cases(function, cases, conversation, tolerance), mistakes,
-                   below, named)
-             .run()) {
-      wrong.insert(function);
+      for (const WrongFunction& one : wrong)
+        if (one.name() == other) below.push_back(&one);
+    Diagnoser diagnoser(function, answered_cases(function, cases, conversation, tolerance),
+                        mistakes, std::move(below), named);
+    std::vector<Diagnosis> of_function = diagnoser.run();
+    if (!of_function.empty() && !is_operating_point(function))
+      wrong.push_back(diagnoser.as_below());
+    for (Diagnosis& one : of_function) {
       for (const std::string& mistake : one.mistakes) named[mistake] = function;
-      found.push_back(std::move(one));
+      add(found, std::move(one));
     }
   }
+  for (Diagnosis& one : found) one.text += shared_text(one);
   return found;
 }
 

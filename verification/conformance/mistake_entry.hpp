@@ -107,4 +107,8 @@ std::optional<Mistake> for_points(const Mistake& mistake);
 // A mistake that several film laws have, in the film of an operating point by any of them.
 Mistake with_film(const std::vector<Mistake>& laws);
 
+// A wrong function of Hertz in the points that have its contact: their area and pressure, and of an
+// ellipse the ratio of its axes in the film.
+Mistake with_contact(const Mistake& wrong);
+
 }  // namespace tribo::conformance

@@ -12,6 +12,7 @@
 #include "tribo/spectral_moments.hpp"
 #include "tribo/starvation.hpp"
 #include "tribo/two_bodies.hpp"
+#include "tribo/viscosity_index.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -163,6 +164,15 @@ Value d341(const Arguments& a, const Of& y, const OfTemperature& x, const Invers
 double natural_log(double x) { return std::log(x); }
 double log_log(double viscosity) { return std::log(std::log(viscosity + 0.7)); }
 double without_log_log(double y) { return std::exp(std::exp(y)) - 0.7; }
+
+// --- Viscosity index: arguments ν at 40 and at 100 °C
+
+// Where U is below H, by `above` of H/U and Y; else the right index.
+template <class Above>
+Value index_of(const Arguments& a, const Above& above) {
+  const double hundred = detail::index_oils(a[1]).hundred, u = 1e6 * a[0];
+  return u < hundred ? above(hundred / u, 1e6 * a[1]) : viscosity_index(a[0], a[1]);
+}
 
 // --- Summits: arguments m₀, m₂ and m₄
 
@@ -442,6 +452,20 @@ constexpr NamedFormula formulas[] = {
        return d341(
            a, [](double viscosity) { return std::log(viscosity + 0.7); }, natural_log,
            [](double y) { return std::exp(y) - 0.7; });
+     }},
+
+    {"viscosity_index", "index_of_difference", 0,
+     [](const Arguments& a, Constants) {
+       const auto oils = detail::index_oils(a[1]);
+       return 100 * (oils.zero - 1e6 * a[0]) / (oils.zero - oils.hundred);
+     }},
+    // Numbers: what is raised to the power N, and what is added.
+    {"viscosity_index", "index_of_power", 2,
+     [](const Arguments& a, Constants numbers) {
+       return index_of(a, [&](double ratio, double y) {
+         const double power = std::log(ratio) / std::log(y);
+         return (std::pow(numbers[0], power) - 1) / 0.00715 + numbers[1];
+       });
      }},
 
     // Numbers: of which moments the root is taken.

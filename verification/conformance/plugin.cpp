@@ -90,6 +90,14 @@ Answer<Result> answer_of(int status, Result result) {
   }
 }
 
+template <class Result>
+void set_places(std::span<Answer<Result>> answers) {
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    answers[i].place = i + 1;
+    answers[i].of = answers.size();
+  }
+}
+
 // A function of the catalogue, by its name.
 FunctionBatch function_batch(decltype(&tribocheck_function) function,
                              const catalogue::Function& asked) {
@@ -118,6 +126,7 @@ FunctionBatch function_batch(decltype(&tribocheck_function) function,
       for (std::size_t k = 0; k < results.size(); ++k) found[k] = results[k][i];
       answers[i] = answer_of(status[i], found);
     }
+    set_places(answers);
   };
 }
 
@@ -178,6 +187,7 @@ Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) 
       function(&scene, speeds.size(), speeds.data(), points.data(), status.data());
       for (std::size_t i = 0; i < points.size(); ++i)
         answers[first + i] = point_answer(status[i], points[i]);
+      set_places(answers.subspan(first, points.size()));
     }
   };
 }
@@ -204,10 +214,10 @@ Solver plugin_solver(const PluginFunctions& functions) {
   return solver;
 }
 
-int host_plugin(const std::string& path) {
+int host_plugin(const std::string& path, bool tells_places) {
   const int answers = take_stdout();
   const Plugin plugin = load_plugin(path);
-  return serve(plugin_solver(plugin.functions), answers);
+  return serve(plugin_solver(plugin.functions), answers, tells_places);
 }
 
 }  // namespace tribo::conformance

@@ -39,6 +39,6 @@ Solver plugin_solver(const PluginFunctions& functions);
 
 // Loads the plug-in and answers JSON lines from stdin on stdout with it, as serve() does; what the
 // plug-in prints, from its loading on, comes out on stderr. Throws PluginRefused.
-int host_plugin(const std::string& path);
+int host_plugin(const std::string& path, bool tells_places);
 
 }  // namespace tribo::conformance

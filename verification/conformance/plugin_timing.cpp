@@ -132,9 +132,44 @@ void keep_answered(const PluginFunctions& functions, std::vector<Question>& ques
   questions = std::move(answered);
 }
 
+// How many times as long as a call that was made before one of new cases takes: the same but for a
+// part in 1e9 of one number. They are made in turns, for some milliseconds at most.
+double new_over_asked(Block& block, const std::vector<Question>& questions) {
+  constexpr std::size_t most_pairs = 15;
+  constexpr double long_enough = 0.1;  // s
+  std::vector<double*> changed;
+  for (tribocheck_scene& scene : block.scenes) changed.push_back(&scene.load);
+  if (const auto* call = std::get_if<FunctionCall>(&questions[0])) {
+    const auto& parameters = call->function->parameters;
+    const auto found = std::find_if(parameters.begin(), parameters.end(), [](const auto& of) {
+      return of.words.empty() && of.range == catalogue::Range::above_zero;
+    });
+    const std::size_t place =
+        static_cast<std::size_t>(found - parameters.begin()) - (found == parameters.end() ? 1 : 0);
+    for (double& number : block.arguments[place]) changed.push_back(&number);
+  }
+  std::vector<double> ratios;
+  double spent = 0;
+  while (ratios.size() < most_pairs && spent < long_enough) {
+    for (double* const number : changed) *number *= 1 + 1e-9;
+    const double fresh = times_of(block, 1).seconds, asked = times_of(block, 1).seconds;
+    ratios.push_back(fresh / std::max(asked, 1e-9));
+    spent += fresh + asked;
+  }
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
 std::string answer_to(const PluginFunctions& functions, std::vector<Question> questions) {
   if (!questions.empty()) keep_answered(functions, questions);
   if (questions.empty()) return "{\"answered\": 0}";
+  double ratio = 0;
+  {
+    Block block;
+    prepare(block, functions, questions);
+    ratio = new_over_asked(block, questions);
+  }
   Block block;
   prepare(block, functions, questions);
   std::size_t calls = 1;
@@ -143,8 +178,10 @@ std::string answer_to(const PluginFunctions& functions, std::vector<Question> qu
   const Times times = times_of(block, calls);
   const double control = (before + control_seconds(Control::exponentials)) / 2;
   const auto count = static_cast<double>(questions.size());
-  return fmt::format("{{\"answered\": {}, \"seconds\": {}, \"wall\": {}, \"control\": {}}}",
-                     questions.size(), times.seconds / count, times.wall / count, control);
+  return fmt::format(
+      "{{\"answered\": {}, \"seconds\": {}, \"wall\": {}, \"control\": {}, \"new_over_asked\": "
+      "{}}}",
+      questions.size(), times.seconds / count, times.wall / count, control, ratio);
 }
 
 std::string error_of(std::string_view message) {

@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "conformance/follow.hpp"
 #include "conformance/mistake_entry.hpp"
+#include "conformance/variable.hpp"
 #include "scene/schema.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -208,19 +210,6 @@ std::optional<double> value_with(const Mistake& wrong, const catalogue::Argument
   return numbers && std::isfinite((*numbers)[0]) ? std::optional((*numbers)[0]) : std::nullopt;
 }
 
-// The number of a scene that a film law's parameter is.
-double number_of(const Scene& scene, std::string_view parameter) {
-  const auto numbers = detail::numbers_of<double>(scene);
-  if (parameter == "speed") return scene.speeds[0];
-  if (parameter == "viscosity") return numbers.viscosity;
-  if (parameter == "pressure_viscosity") return numbers.pressure_viscosity;
-  if (parameter == "load") return numbers.load;
-  if (parameter == "load_per_length") return numbers.load / numbers.across;
-  if (parameter == "effective_modulus") return numbers.effective_modulus;
-  if (parameter == "ellipticity") return numbers.ellipticity;
-  return numbers.radius_x;
-}
-
 Mistake with_inlet(const Mistake& wrong) {
   return with_formula(wrong, [wrong](const Question& question) -> std::optional<Numbers> {
     const Scene& scene = *question.scene;
@@ -267,7 +256,50 @@ Mistake with_sharing(const Mistake& wrong) {
   });
 }
 
+// The place of a result of a function of Hertz.
+std::size_t result_place(const catalogue::Function& function, std::string_view name) {
+  const auto found = std::find_if(function.results.begin(), function.results.end(),
+                                  [&](const catalogue::Result& one) { return one.name == name; });
+  return static_cast<std::size_t>(found - function.results.begin());
+}
+
+// The film of an ellipse whose axes have another ratio, over the right film.
+double film_of_ratio(const Scene& scene, double axes_ratio) {
+  const auto numbers = detail::numbers_of<double>(scene);
+  const FilmLaw& law = film_law(scene.closures.film);
+  const auto film = [&](double ellipticity) {
+    return film_thickness(law, scene.speeds[0], numbers.viscosity, numbers.pressure_viscosity,
+                          numbers.load, numbers.effective_modulus, numbers.radius_x, ellipticity);
+  };
+  return film(axes_ratio) / film(numbers.ellipticity);
+}
+
 }  // namespace
+
+Mistake with_contact(const Mistake& wrong) {
+  const catalogue::Function* const function = catalogue::function_named(wrong.function);
+  Mistake of_points{.function = std::string(operating_point),
+                    .name = wrong.name,
+                    .text = wrong.text,
+                    .touches = {}};
+  return changed(std::move(of_points), {"area"}, [wrong, function](Question& question) {
+    Scene& scene = *question.scene;
+    const Question inner = contact_question(scene);
+    if (inner.function != function) return;
+    const Mistake* const one = &wrong;
+    const std::optional<Numbers> numbers = numbers_with({&one, 1}, inner);
+    if (!numbers) return;
+    const Numbers right = right_numbers(inner);
+    const std::size_t pressure = result_place(*function, "mean_pressure");
+    const std::size_t ratio = result_place(*function, "ellipticity");
+    const double area = right[pressure] / (*numbers)[pressure];
+    const double film = ratio < function->results.size() && (*numbers)[ratio] != right[ratio]
+                            ? film_of_ratio(scene, (*numbers)[ratio])
+                            : 1;
+    if (area > 0 && std::isfinite(area) && area != 1) scale_area(scene, area);
+    if (film > 0 && std::isfinite(film) && film != 1) scale_film(scene, film);
+  });
+}
 
 Mistake with_film(const std::vector<Mistake>& laws) {
   Mistake of_points{.function = std::string(operating_point),
@@ -286,7 +318,7 @@ Mistake with_film(const std::vector<Mistake>& laws) {
     catalogue::Arguments arguments{};
     const auto& parameters = catalogue::function_named(law->function)->parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i)
-      arguments[i] = number_of(scene, parameters[i].name);
+      arguments[i] = number_of_film(scene, parameters[i].name);
     if (const auto film = value_with(*law, arguments)) scale_film(scene, *film / right_film(scene));
   });
 }

@@ -106,9 +106,13 @@ Question question_of(const TestCase& asked) {
     return question;
   }
   const auto& parameters = question.function->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i)
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto written = asked.inputs.find(std::string(parameters[i].name));
+    const bool is_left_out = written == asked.inputs.end() && parameters[i].default_value;
     question.arguments[i] =
-        argument_of(parameters[i], asked.inputs.at(std::string(parameters[i].name)));
+        is_left_out ? *parameters[i].default_value
+                    : argument_of(parameters[i], asked.inputs.at(std::string(parameters[i].name)));
+  }
   return question;
 }
 

@@ -21,10 +21,10 @@ namespace tribo::conformance {
 namespace {
 
 using protocol::FunctionCall;
+using protocol::LineId;
 using protocol::OutputValue;
 using protocol::Question;
 using protocol::Text;
-using Id = std::optional<std::string_view>;
 
 struct Field {
   std::string_view name;
@@ -93,17 +93,21 @@ bool is_nan_alone(const catalogue::Results& values, const Question& asked) {
 }
 bool is_nan_alone(const PointResult&, const Question&) { return false; }
 
-Id id_of(const Question& question) {
-  return std::visit([](const auto& asked) -> Id { return asked.id; }, question);
+LineId id_of(const Question& question) {
+  return std::visit([](const auto& asked) { return protocol::id_of(asked); }, question);
 }
 
 template <class Result>
-void append_answer(Text& to, const Question& asked, const Answer<Result>& answer) {
+void append_answer(Text& to, const Question& asked, const Answer<Result>& answer,
+                   bool tells_place) {
   if (answer.status == Status::failed)
     return protocol::append_error(to, id_of(asked), "", answer.reason);
   if (answer.status == Status::done && is_nan_alone(answer.result, asked))
     return protocol::append_error(to, id_of(asked), "", "the solver gave NaN");
   protocol::AnswerObject object(to, id_of(asked));
+  if (tells_place && answer.of > 0)
+    object.word("place", "place " + std::to_string(answer.place) + " of an array of " +
+                             std::to_string(answer.of));
   if (answer.status == Status::skipped) {
     object.word("skip", answer.reason);
   } else {
@@ -132,7 +136,8 @@ std::string_view subject_of(const Question& question) {
 // Earlier answers are written by then, whatever the solver does.
 class Server {
  public:
-  Server(const Solver& solver, int descriptor) : solver_(solver), output_(descriptor) {}
+  Server(const Solver& solver, int descriptor, bool tells_places)
+      : solver_(solver), output_(descriptor), tells_places_(tells_places) {}
 
   void answer(protocol::LineReader& lines) {
     for (std::size_t number = 1;; ++number) {
@@ -143,7 +148,7 @@ class Server {
       const protocol::Line line = lines.next();
       if (line.kind == protocol::Line::Kind::end_of_input) return;
       if (line.kind == protocol::Line::Kind::too_long)
-        complain(std::nullopt, "", protocol::line_too_long);
+        complain({}, "", protocol::line_too_long);
       else if (!protocol::is_blank(line.text))
         take(protocol::read_question(line.text, number));
     }
@@ -152,8 +157,7 @@ class Server {
  private:
   static constexpr std::size_t most_together = 1024;
 
-  void complain(std::optional<std::string_view> id, std::string_view field,
-                std::string_view message) {
+  void complain(LineId id, std::string_view field, std::string_view message) {
     answer_waiting();
     protocol::append_error(output_.text(), id, field, message);
     output_.end_row();
@@ -161,7 +165,7 @@ class Server {
 
   void take(Question question) {
     if (const auto* call = std::get_if<FunctionCall>(&question); call && call->fault)
-      return complain(call->id, call->fault->field, call->fault->message);
+      return complain(protocol::id_of(*call), call->fault->field, call->fault->message);
     if (const auto* reading = std::get_if<SceneReading>(&question); reading && !reading->scene) {
       answer_waiting();
       protocol::append_first_error(output_.text(), *reading);
@@ -192,7 +196,7 @@ class Server {
       for (std::size_t i = 0; i < cases.size(); ++i)
         answers_all<Asked, Result>(batch, {&cases[i], 1}, {&answers[i], 1});
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      append_answer(output_.text(), waiting_[i], answers[i]);
+      append_answer(output_.text(), waiting_[i], answers[i], tells_places_);
       output_.end_row();
     }
   }
@@ -216,13 +220,14 @@ class Server {
   void skip_waiting() {
     const Answer<PointResult> none = skip("no " + std::string(subject_of(waiting_[0])));
     for (const Question& question : waiting_) {
-      append_answer(output_.text(), question, none);
+      append_answer(output_.text(), question, none, false);
       output_.end_row();
     }
   }
 
   const Solver& solver_;
   protocol::OutputStream output_;
+  const bool tells_places_;
   std::vector<Question> waiting_;
 };
 
@@ -255,11 +260,11 @@ const FunctionBatch& Solver::batch(const catalogue::Function& function) const {
   return found == functions_.end() ? no_batch : found->second;
 }
 
-int serve(const Solver& solver, int answers) {
+int serve(const Solver& solver, int answers, bool tells_places) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away shows as a failed write
   try {
     protocol::LineReader lines(STDIN_FILENO, max_scene_bytes);
-    Server(solver, answers).answer(lines);
+    Server(solver, answers, tells_places).answer(lines);
     return 0;
   } catch (const protocol::OutputClosed&) {
     return 0;

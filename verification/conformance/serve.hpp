@@ -82,6 +82,7 @@ struct Answer {
   Result result{};
   Status status = Status::failed;
   std::string reason = "no answer was given";
+  std::size_t place = 0, of = 0;  // in an array that the solver got, from 1; 0: it is not told
 };
 
 // Answers several cases; both spans have the same size, at least 1.
@@ -177,8 +178,9 @@ class Solver {
 // code: 0, or 1 after a line on stderr where input or output broke.
 int serve(const Solver& solver);
 
-// The same with answers to a descriptor, for who has used take_stdout() before.
-int serve(const Solver& solver, int answers);
+// The same with answers to a descriptor, for who has used take_stdout() before. With `tells_places`
+// an answer has its place in the array: "place": "place 3 of an array of 32".
+int serve(const Solver& solver, int answers, bool tells_places = false);
 
 // Returns a copy of stdout, or −1 if there is no stdout. From then on stdout leads to stderr, or
 // nowhere if stderr is closed.

@@ -21,6 +21,26 @@ constexpr std::size_t most_passes = 1000;
 constexpr unsigned microseconds_between_looks = 500;
 constexpr int exit_failed = 1, exit_bad = 2;
 
+constexpr std::size_t least_pairs = 5, most_pairs = 15;
+constexpr double longest_pass = 2e-2;  // s, where new cases are compared with asked ones
+
+// The case with another number in place of one that may be any above zero, or else of any one.
+json changed_inputs(const TestCase& one, std::size_t change) {
+  json inputs = one.inputs;
+  if (change == 0) return inputs;
+  std::string name = "load";  // of a scene
+  if (one.in_catalogue != nullptr) {
+    const auto& parameters = one.in_catalogue->parameters;
+    const auto found = std::find_if(parameters.begin(), parameters.end(), [](const auto& of) {
+      return of.words.empty() && of.range == catalogue::Range::above_zero;
+    });
+    name = found != parameters.end() ? found->name : parameters.back().name;
+  }
+  json& number = inputs[name];
+  if (number.is_number()) number = number.get<double>() * (1 + 1e-9 * static_cast<double>(change));
+  return inputs;
+}
+
 }  // namespace
 
 const char* name_of(Measured measured) {
@@ -108,11 +128,12 @@ std::string TimedSolver::next_answer(const TimedFunction& function) {
   }
 }
 
-TimedSolver::Pass TimedSolver::ask(const TimedFunction& function, std::size_t passes) {
+TimedSolver::Pass TimedSolver::ask(const TimedFunction& function, std::size_t passes,
+                                   std::size_t change) {
   std::size_t number = 0;
   for (std::size_t pass = 0; pass < passes; ++pass)
     for (const TestCase& one : function.cases) {
-      json request = one.inputs;
+      json request = changed_inputs(one, change);
       request["id"] = std::to_string(number++);
       process_->send(request.dump());
     }
@@ -146,9 +167,36 @@ json TimedSolver::ask_plugin(const TimedFunction& function) {
   return answer;
 }
 
+double TimedSolver::cpu_seconds_of(const TimedFunction& function, std::size_t change) {
+  const double before = cpu_seconds_of_tree(process_->guard_id());
+  const Pass pass = ask(function, 1, change);
+  const double spent = cpu_seconds_of_tree(process_->guard_id()) - before;
+  return function.measured == Measured::reported ? pass.reported : spent;
+}
+
+// New cases and the same once more in turns, so that what disturbs one disturbs the other.
+void TimedSolver::compare_new_with_asked(TimedFunction& function, double seconds_a_case) {
+  TimedFunction some = function;
+  const double most = std::max(1.0, longest_pass / std::max(seconds_a_case, 1e-9));
+  if (most < static_cast<double>(some.cases.size()))
+    some.cases.resize(static_cast<std::size_t>(most));
+  const std::size_t pairs = std::clamp(function.passes, least_pairs, most_pairs);
+  std::vector<double> ratios;
+  for (std::size_t change = 1; change <= pairs; ++change) {
+    const double fresh = cpu_seconds_of(some, change), asked = cpu_seconds_of(some, change);
+    ratios.push_back(fresh / std::max(asked, 1e-9));
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(pairs / 2),
+                   ratios.end());
+  function.new_over_asked = ratios[pairs / 2];
+}
+
 void TimedSolver::warm_up(TimedFunction& function, bool is_first) {
   if (is_plugin_) {
-    if (is_first) function.answered = ask_plugin(function).value("answered", std::size_t{0});
+    if (!is_first) return;
+    const json answer = ask_plugin(function);
+    function.answered = answer.value("answered", std::size_t{0});
+    function.new_over_asked = answer.value("new_over_asked", 0.0);
     return;
   }
   const Pass first = ask(function, 1);
@@ -167,6 +215,7 @@ void TimedSolver::warm_up(TimedFunction& function, bool is_first) {
   const double passes = std::ceil(enough / std::max(spent, 1e-6));
   function.passes =
       static_cast<std::size_t>(std::clamp(passes, 1.0, static_cast<double>(most_passes)));
+  compare_new_with_asked(function, spent / static_cast<double>(function.answered));
 }
 
 Lap TimedSolver::lap(const TimedFunction& function) {

@@ -32,11 +32,18 @@ struct TimedFunction {
   Measured measured = Measured::call_cpu;
   std::size_t answered = 0;  // cases with an answer; 0: it is not offered
   std::size_t passes = 1;    // over the cases in a lap, so that it takes some milliseconds
+  // How many times as long as a case that was asked before a new one takes; 0: it was not found
+  // out.
+  double new_over_asked = 0;
 };
 
 // At most `most` cases of each function in the order of the table, spread evenly over those that
 // are not extreme, or over all where there are no others.
 std::vector<TimedFunction> timed_functions(const std::vector<TestCase>& cases, std::size_t most);
+
+// From here on answers are kept, as by a cache: no other reason makes a case that was asked so much
+// faster than one that differs from it by a part in 1e9.
+inline constexpr double kept_ratio = 2;
 
 struct Lap {
   double own = 0;      // s a case, of the solver
@@ -73,7 +80,10 @@ class TimedSolver {
     std::size_t answered = 0, reporting = 0;
     double reported = 0;
   };
-  Pass ask(const TimedFunction& function, std::size_t passes);
+  // `change`: one number of each case is greater by so many parts in 1e9.
+  Pass ask(const TimedFunction& function, std::size_t passes, std::size_t change = 0);
+  double cpu_seconds_of(const TimedFunction& function, std::size_t change);
+  void compare_new_with_asked(TimedFunction& function, double seconds_a_case);
   nlohmann::json ask_plugin(const TimedFunction& function);
   std::string next_answer(const TimedFunction& function);
   [[noreturn]] void fail(const std::string& why, const TimedFunction& function);

@@ -59,10 +59,14 @@ std::vector<Unsteady> unsteady_quantities(const std::vector<TestCase>& cases,
       if (!differ(first, second, expected.field)) continue;
       const Said before = said(first, expected.field), after = said(second, expected.field);
       const double apart = distance(before, after);
+      one.apart_per_condition =
+          std::max(one.apart_per_condition, apart / std::max(1.0, expected.condition));
       if (one.changed++ > 0 && apart <= one.apart) continue;
       one.id = asked.id;
       one.first = before;
       one.second = after;
+      one.first_place = first.place;
+      one.second_place = second.place;
       one.unit = expected.unit;
       one.apart = apart;
     }
@@ -72,9 +76,11 @@ std::vector<Unsteady> unsteady_quantities(const std::vector<TestCase>& cases,
 }
 
 std::string change_text(const Unsteady& one) {
-  return fmt::format(
-      "{}, then {}{}", text_of(one.first, one.unit), text_of(one.second, one.unit),
-      std::isfinite(one.apart) ? fmt::format(", {:.2g} of it apart", one.apart) : "");
+  return fmt::format("{}, then {}{}{}", text_of(one.first, one.unit), text_of(one.second, one.unit),
+                     std::isfinite(one.apart) ? fmt::format(", {:.2g} of it apart", one.apart) : "",
+                     one.first_place.empty() || one.second_place.empty()
+                         ? ""
+                         : fmt::format("; asked {}, then {}", one.first_place, one.second_place));
 }
 
 std::vector<std::string> unsteady_lines(const std::vector<Unsteady>& unsteady) {

@@ -25,9 +25,12 @@ struct Unsteady {
   std::size_t asked_again = 0, changed = 0;  // cases
   std::string id;                            // of the case whose answers are farthest apart
   Said first, second;                        // its answers
+  std::string first_place, second_place;     // Reply::place
   std::string_view unit;
   // Relative to the greater one; infinite where one of them is no number.
   double apart = 0;
+  // The greatest of all cases, over the condition: what rounding in another order changes.
+  double apart_per_condition = 0;
 };
 
 // The quantities of which any answer differs in any bit, in the order of the cases.

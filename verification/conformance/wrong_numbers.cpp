@@ -12,25 +12,22 @@
 namespace tribo::conformance {
 namespace {
 
-// The argument whose values are branches of the function, or null.
-const catalogue::Parameter* branching(const catalogue::Function& function) {
-  for (const catalogue::Parameter& one : function.parameters)
-    if (!one.words.empty() || one.range == catalogue::Range::half_order) return &one;
-  return nullptr;
-}
-
-std::string branch_of(const Question& question) {
-  if (question.function == nullptr) return {};
-  const catalogue::Parameter* const parameter = branching(*question.function);
-  if (parameter == nullptr) return {};
-  const nlohmann::json& written = question.asked->inputs.at(std::string(parameter->name));
-  return written.is_string() ? written.get<std::string>()
-                             : fmt::format("{} {}", parameter->name, written.get<double>());
-}
-
 constexpr double few = 0.03;  // of the wrong answers
 
 }  // namespace
+
+std::string branch_of(const Question& question) {
+  if (question.function == nullptr) return {};
+  const auto& parameters = question.function->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double value = question.arguments[i];
+    if (!parameters[i].words.empty())
+      return std::string(parameters[i].words[static_cast<std::size_t>(value)]);
+    if (parameters[i].range == catalogue::Range::half_order)
+      return fmt::format("{} {}", parameters[i].name, value);
+  }
+  return {};
+}
 
 std::vector<AnsweredCase> answered_cases(const std::string& function,
                                          const std::vector<TestCase>& cases,
@@ -40,7 +37,8 @@ std::vector<AnsweredCase> answered_cases(const std::string& function,
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Reply& answer = conversation.answers[i];
     if (cases[i].function != function || answer.outcome != Outcome::answered) continue;
-    AnsweredCase one{question_of(cases[i]), {}, {}};
+    AnsweredCase one{question_of(cases[i]), {}, {}, {}};
+    one.asked = one.question;
     one.branch = branch_of(one.question);
     for (const Expected& expected : cases[i].expected) {
       if (!expected.word.empty() || expected.is_undefined) continue;

@@ -25,6 +25,7 @@ struct AnsweredNumber {
 
 struct AnsweredCase {
   Question question;
+  Question asked;  // the same, but without what functions below it change (follow.hpp)
   // The case's branch of the function, because one branch may be wrong alone: "order 1.5",
   // "greenwood_tripp". Empty: the function has no branches.
   std::string branch;
@@ -59,6 +60,9 @@ struct Part {
 // The parts with wrong answers that are still to be told. After a named mistake a few wrong
 // answers, such as near a border, are not told.
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);
+
+// The branch of its function that a question is of; empty: it has none.
+std::string branch_of(const Question& question);
 
 inline constexpr std::size_t fewest_cases = 8;  // that a pattern is told of
 

@@ -40,7 +40,7 @@ void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Vali
   const Scene& scene = *reading.scene;
   const MixedContact<double> contact(scene);
   const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
-  AnswerObject answer(to, reading.id);
+  AnswerObject answer(to, id_of(reading));
   for (const OutputInfo& output : output_infos)
     if (scene.outputs.contains(output.output) && !output.is_of_smooth_contact)
       answer.value(output.name, value_of(point, output.output));
@@ -48,7 +48,7 @@ void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Vali
     const SmoothContact smooth(contact);
     for (const OutputInfo& output : output_infos)
       if (scene.outputs.contains(output.output) && output.is_of_smooth_contact)
-        answer.value(output.name, value_of(smooth, output.output, point.speed));
+        answer.value(output.name, value_of(smooth, output.output, point));
   }
   answer.close();
   to.push_back('\n');
@@ -57,10 +57,10 @@ void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Vali
 
 // {"id": …, "value": …}, or what is wrong with the call.
 void append_function_answer(Text& to, const FunctionCall& call) {
-  if (call.fault) return append_error(to, call.id, call.fault->field, call.fault->message);
+  if (call.fault) return append_error(to, id_of(call), call.fault->field, call.fault->message);
   catalogue::Results results{};
   call.function->value(call.arguments, results);
-  AnswerObject answer(to, call.id);
+  AnswerObject answer(to, id_of(call));
   for (std::size_t i = 0; i < call.function->results.size(); ++i)
     answer.number(call.function->results[i].name, results[i]);
   answer.close();
@@ -80,13 +80,14 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output) {
   return number(numbers_of(point)[static_cast<std::size_t>(output)]);
 }
 
-OutputValue value_of(const SmoothContact& contact, Output output, double speed) {
-  return number(contact.value(output, speed));
+OutputValue value_of(const SmoothContact& contact, Output output,
+                     const OperatingPoint<double>& point) {
+  return number(contact.value(output, point.speed, point.film));
 }
 
 OutputSet needed_for(OutputSet asked) {
   if (asked.contains(Output::inlet)) asked.insert(Output::film);
-  return asked;
+  return solved_outputs(asked);
 }
 
 void append_json_text(Text& to, std::string_view text) {
@@ -104,12 +105,14 @@ void append_number(Text& to, double number) {
   fmt::format_to(fmt::appender(to), FMT_COMPILE("{}"), number);
 }
 
-AnswerObject::AnswerObject(Text& to, std::optional<std::string_view> id) : to_(to) {
+AnswerObject::AnswerObject(Text& to, LineId id) : to_(to) {
   append(to_, "{\"id\": ");
-  if (id)
-    append_json_text(to_, *id);
-  else
+  if (!id.text)
     append(to_, "null");
+  else if (id.is_number)
+    append(to_, *id.text);
+  else
+    append_json_text(to_, *id.text);
 }
 
 void AnswerObject::start_member(std::string_view name) {
@@ -156,8 +159,7 @@ void AnswerObject::close() {
   append(to_, undefined_count_ > 0 ? "}}" : "}");
 }
 
-void append_error(Text& to, std::optional<std::string_view> id, std::string_view field,
-                  std::string_view message) {
+void append_error(Text& to, LineId id, std::string_view field, std::string_view message) {
   AnswerObject answer(to, id);
   append(to, ", \"error\": {\"field\": ");
   append_json_text(to, field);
@@ -173,7 +175,7 @@ void append_first_error(Text& to, const SceneReading& reading) {
   std::string message = problem.message();
   if (problem.column > 0)
     fmt::format_to(std::back_inserter(message), " (column {})", problem.column);
-  append_error(to, reading.id, problem.field, message);
+  append_error(to, id_of(reading), problem.field, message);
 }
 
 void append_answer(Text& to, std::string_view line, std::size_t number,
@@ -192,7 +194,7 @@ void answer_lines(LineReader& lines, OutputStream& output,
     const Line line = lines.next();
     if (line.kind == Line::Kind::end_of_input) return;
     if (line.kind == Line::Kind::too_long)
-      append_error(output.text(), std::nullopt, "", line_too_long);
+      append_error(output.text(), {}, "", line_too_long);
     else if (!is_blank(line.text))
       append_answer(output.text(), line.text, number, passed);
     if (!passed.empty()) warn(number, passed);

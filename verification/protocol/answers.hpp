@@ -38,9 +38,12 @@ struct OutputValue {
 
 // The output is none of smooth_outputs(), which a point does not hold.
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
-OutputValue value_of(const SmoothContact& contact, Output output, double speed);
+// The point has its speed and its film.
+OutputValue value_of(const SmoothContact& contact, Output output,
+                     const OperatingPoint<double>& point);
 
-// The outputs to compute so that value_of() can tell a word that rests on an overflow.
+// The outputs to compute so that value_of() has what it needs: the film of the least film, and of a
+// word the number by which an overflow is told.
 OutputSet needed_for(OutputSet asked);
 
 // A JSON text with its quotes; bytes that are not UTF-8 become U+FFFD.
@@ -49,10 +52,20 @@ void append_json_text(Text& to, std::string_view text);
 // The shortest decimal that reads back to the same double; finite numbers only.
 void append_number(Text& to, double number);
 
+// The id of a line, which its answer has too: null where there is none.
+struct LineId {
+  std::optional<std::string_view> text;
+  bool is_number = false;
+};
+// That of a question, SceneReading or FunctionCall.
+template <class Asked>
+LineId id_of(const Asked& asked) {
+  return {asked.id, asked.id_is_number};
+}
+
 class AnswerObject {
  public:
-  // The id is null where there is none.
-  AnswerObject(Text& to, std::optional<std::string_view> id);
+  AnswerObject(Text& to, LineId id);
 
   // Members in the order of the calls. Names and reasons must outlive the object.
   void number(std::string_view name, double value);  // undefined where it is not finite
@@ -81,8 +94,7 @@ void append_answer(Text& to, std::string_view line, std::size_t number,
                    std::vector<Validity>& passed);
 
 // {"id": …, "error": {"field": …, "message": …}}
-void append_error(Text& to, std::optional<std::string_view> id, std::string_view field,
-                  std::string_view message);
+void append_error(Text& to, LineId id, std::string_view field, std::string_view message);
 
 // The answer to a scene with errors. It names the first error only; if the text is not JSON, it
 // also gives the column.

@@ -127,9 +127,11 @@ CallFault unknown_function(const scene_detail::Value& name) {
 
 std::optional<CallFault> read_call(Members members, FunctionCall& call) {
   if (const Entry* const id = find(members, "id")) {
-    if (id->value.kind != ValueKind::text)
-      return CallFault{"id", "this is no text; allowed: a text"};
-    call.id = id->value.text;
+    call.id = scene_detail::line_id(id->value);
+    if (!call.id)
+      return CallFault{"id",
+                       fmt::format("this is no id; allowed: {}", scene_detail::allowed_line_ids)};
+    call.id_is_number = id->value.kind == ValueKind::number;
   }
   const scene_detail::Value& name = find(members, "function")->value;
   call.function = name.kind == ValueKind::text ? catalogue::function_named(name.text) : nullptr;

@@ -21,7 +21,8 @@ struct CallFault {
 };
 
 struct FunctionCall {
-  std::optional<std::string> id;                  // empty: not given, or no text
+  std::optional<std::string> id;  // empty: not given, or neither text nor number
+  bool id_is_number = false;
   const catalogue::Function* function = nullptr;  // this and the next are set if no fault is:
   catalogue::Arguments arguments{};               // in range, with defaults filled in
   std::optional<CallFault> fault;                 // the first one in the line

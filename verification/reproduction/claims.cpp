@@ -156,21 +156,28 @@ Item with_tolerance(Item item, double factor) {
   return item;
 }
 
-std::optional<double> margin(const Item& item, const Observed& observed) {
+std::array<double, 2> threshold_margins(const Item& item, const Observed& observed) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (!observed.value || !(*observed.value > 0) || !std::isfinite(*observed.value))
-    return std::nullopt;
+    return {none, none};
   const double value = *observed.value;
   switch (item.rule) {
     case Rule::number:
-      return std::log(value / item.reported);
+      return {std::log(value / printed_limit(item.reported, item.last_digit, -1)),
+              std::log(printed_limit(item.reported, item.last_digit, 1) / value)};
     case Rule::order:
-      return std::log(value);
+      return {std::log(value), none};
     case Rule::equal:
-      return std::log1p(item.tolerance) - std::abs(std::log(value));
+      return {std::log1p(item.tolerance) - std::abs(std::log(value)), none};
     case Rule::at_least:
-      return std::log(value / item.tolerance);
+      return {std::log(value / item.tolerance), none};
   }
-  return std::nullopt;
+  return {none, none};
+}
+
+double nearest_as_printed(const Item& item, double value) {
+  return std::clamp(value, printed_limit(item.reported, item.last_digit, -1),
+                    printed_limit(item.reported, item.last_digit, 1));
 }
 
 namespace {

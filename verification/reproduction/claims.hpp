@@ -3,6 +3,7 @@
 // decides.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -123,9 +124,13 @@ std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observ
 // Is it sure, whatever the numerical error, whether the item is reproduced?
 bool is_sure(const Item& item, const Observed& observed);
 
-// The rule as a continuous function of the value, above 0 where the rule is met. For numbers it is
-// ln(value/reported), 0 at the reported value.
-std::optional<double> margin(const Item& item, const Observed& observed);
+// The rule as continuous functions of the value, all above 0 where the rule is met. A number has
+// two: ln(value/least) and ln(greatest/value), of the least and the greatest number that print as
+// reported. The other rules have one, and NaN; both are NaN where there is no number above 0.
+std::array<double, 2> threshold_margins(const Item& item, const Observed& observed);
+
+// Of rule number: the number nearest to the value that prints as reported.
+double nearest_as_printed(const Item& item, double value);
 
 // Reads claims.tsv. Throws std::runtime_error with one line.
 std::vector<Item> read_claims(const std::string& path);

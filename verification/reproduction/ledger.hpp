@@ -62,14 +62,15 @@ struct Requirement {
   Field field;
   std::optional<double> sensitivity{};     // d ln(number)/d ln(input) at the scene's inputs
   std::optional<double> by_sensitivity{};  // of numbers: the factor that it predicts
-  std::optional<double> factor{};  // the nearest to 1 between 1/30 and 30 at which the item holds
-  std::string surface;             // of the values below: the item's surface, or else rough
-  std::string unit;                // of the values
-  double paper_value;              // the input as the paper has it
-  double value;                    // the input at that factor
-  double low, high;                // its plausible range
+  // The nearest to 1 between 1/30 and 30 at which the item holds: a number prints as reported.
+  std::optional<double> factor{};
+  std::string surface;  // of the values below: the item's surface, or else rough
+  std::string unit;     // of the values
+  double paper_value;   // the input as the paper has it
+  double value;         // the input at that factor
+  double low, high;     // its plausible range
   bool plausible = false;
-  bool at_limit = false;  // outside by less than a tenth: the range itself is not known so well
+  bool at_limit = false;  // outside by at most a tenth of half the range's width
   std::vector<std::string> broken{}, mended{};  // claims that the change breaks or mends
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "reproduction/ledger.hpp"
 #include "sweep/on_threads.hpp"
@@ -24,8 +25,9 @@ class Search {
     scale_all(changed, field_, std::exp(log_factor));
     return evaluate(changed, reading_, item_);
   }
-  double margin_at(double log_factor) const {
-    return margin(item_, at(log_factor)).value_or(std::numeric_limits<double>::quiet_NaN());
+  // The margin of each threshold, of which a number has two: the ends of what prints as reported.
+  std::array<double, 2> margins_at(double log_factor) const {
+    return threshold_margins(item_, at(log_factor));
   }
 
   std::optional<double> sensitivity() const {
@@ -36,28 +38,47 @@ class Search {
     return std::log(*above.value / *below.value) / (2 * step);
   }
 
-  // The zero of the margin that is nearest to factor 1; there, or a little beyond, the item holds.
+  // The change that is nearest to factor 1 and makes the item hold by its rule: a zero of the
+  // margin of one of its thresholds; there, or a little beyond, the item holds.
   std::optional<double> nearest_log_factor() const {
     const double width = std::log(widest) / steps;
-    const double here = margin_at(0);
-    std::array<double, 2> last{here, here};  // upwards, downwards
+    const std::array<double, 2> here = margins_at(0);
+    std::array<std::array<double, 2>, 2> last{here, here};  // upwards, downwards
     for (int i = 1; i <= steps; ++i) {
+      std::optional<double> nearest;
       for (const int side : {1, -1}) {
-        double& before = last[side > 0 ? 0 : 1];
+        std::array<double, 2>& before = last[side > 0 ? 0 : 1];
         const double from = side * (i - 1) * width, to = side * i * width;
-        const double after = margin_at(to);
-        const bool crosses = (before < 0) != (after < 0) && before == before && after == after;
+        const std::array<double, 2> after = margins_at(to);
+        for (std::size_t end = 0; end < 2; ++end) {
+          const std::optional<double> found =
+              holds_between(end, {from, before[end]}, {to, after[end]}, side);
+          if (found && (!nearest || std::abs(*found) < std::abs(*nearest))) nearest = found;
+        }
         before = after;
-        if (!crosses) continue;
-        const double zero = bracketed_root([&](double x) { return margin_at(x); }, from, to, 1e-10);
-        for (const double beyond : {0.0, side * 1e-6})
-          if (judge(item_, at(zero + beyond)) == Verdict::reproduced) return zero + beyond;
       }
+      if (nearest) return nearest;
     }
     return std::nullopt;
   }
 
  private:
+  struct Place {
+    double log_factor, margin;
+  };
+
+  // Where the margin of a threshold is 0 between two places, if the item holds there.
+  std::optional<double> holds_between(std::size_t end, Place from, Place to, int side) const {
+    const bool crosses = (from.margin < 0) != (to.margin < 0) && from.margin == from.margin &&
+                         to.margin == to.margin;
+    if (!crosses) return std::nullopt;
+    const double zero = bracketed_root([&](double x) { return margins_at(x)[end]; },
+                                       from.log_factor, to.log_factor, 1e-10);
+    for (const double beyond : {0.0, side * 1e-8, side * 1e-6})
+      if (judge(item_, at(zero + beyond)) == Verdict::reproduced) return zero + beyond;
+    return std::nullopt;
+  }
+
   const PaperScenes& scenes_;
   const Reading& reading_;
   const Item& item_;
@@ -108,7 +129,8 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
     const std::optional<double>& value = results[one.item].observed.value;
     if (item.rule == Rule::number && value && one.sensitivity &&
         std::abs(*one.sensitivity) > 1e-9) {
-      const double log_factor = std::log(item.reported / *value) / *one.sensitivity;
+      const double log_factor =
+          std::log(nearest_as_printed(item, *value) / *value) / *one.sensitivity;
       if (std::abs(log_factor) < std::log(1000.0)) one.by_sensitivity = std::exp(log_factor);
     }
     const std::optional<double> log_factor = search.nearest_log_factor();
@@ -116,7 +138,9 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
     one.factor = std::exp(*log_factor);
     one.value *= *one.factor;
     one.plausible = one.value >= one.low && one.value <= one.high;
-    one.at_limit = !one.plausible && one.value >= one.low / 1.1 && one.value <= one.high * 1.1;
+    const double beside = 0.1 * (one.high - one.low) / 2;
+    one.at_limit =
+        !one.plausible && one.value >= one.low - beside && one.value <= one.high + beside;
     add_effects(one, scenes, reading, items, before);
   });
   return found;

@@ -51,11 +51,11 @@ struct OutputInfo {
   std::string_view unit;  // empty: dimensionless
   std::string_view meaning;
   std::span<const std::string_view> words = {};  // empty: a number
-  bool is_of_smooth_contact = false;             // computed only where a scene asks by its name
+  bool is_of_smooth_contact = false;  // no point holds it; only where a scene asks by its name
 };
 
-// In the order of Output: numbers of operating points first, then words, then the outputs of the
-// smooth contact. The columns of tables and files follow it.
+// In the order of Output: numbers of operating points first, then words, then the outputs that
+// no point holds. The columns of tables and files follow it.
 inline constexpr auto output_infos = std::to_array<OutputInfo>({
     {Output::film_flooded, "film_flooded", "m",
      "h_ff, film of the fully flooded contact with load sharing; the film law's h₀, which is that "
@@ -92,8 +92,8 @@ inline constexpr auto output_infos = std::to_array<OutputInfo>({
     {.output = Output::minimum_film,
      .name = "minimum_film",
      .unit = "m",
-     .meaning = "h_min, least film of the smooth, fully flooded contact, by the law of the least "
-                "film that belongs to closures.film",
+     .meaning = "h_min, least film: h* times the part that the law of the least film is of "
+                "closures.film; 0 where the film has collapsed",
      .is_of_smooth_contact = true},
     {.output = Output::lambda_ratio,
      .name = "lambda_ratio",
@@ -144,13 +144,20 @@ class OutputSet {
   std::uint32_t bits_ = 0;
 };
 
-// The outputs that follow without the balance of the load (smooth_contact.hpp). An operating point
-// does not hold them.
+// The outputs that an operating point does not hold (smooth_contact.hpp).
 constexpr OutputSet smooth_outputs() {
   OutputSet set;
   for (const OutputInfo& row : output_infos)
     if (row.is_of_smooth_contact) set.insert(row.output);
   return set;
+}
+
+// The outputs that a point must have so that those asked for follow: the least film and Λ follow
+// from the film.
+constexpr OutputSet solved_outputs(OutputSet asked) {
+  if (asked.contains(Output::minimum_film) || asked.contains(Output::lambda_ratio))
+    asked.insert(Output::film);
+  return asked;
 }
 
 // The outputs that depend on the balance of the load: an output that is computed from A belongs

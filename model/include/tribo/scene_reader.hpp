@@ -116,6 +116,7 @@ struct SceneReading {
   std::vector<InputProblem> errors;    // every problem found, not only the first
   std::vector<InputProblem> warnings;  // what is legal but has no effect; see also validity.hpp
   std::optional<std::string> id;       // as the input gives it, even when `errors` is not empty
+  bool id_is_number = false;           // the id was a number, as a line of JSON may have it
 };
 
 enum class SceneUse : std::uint8_t {

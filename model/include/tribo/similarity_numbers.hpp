@@ -91,6 +91,11 @@ constexpr std::string_view name(LubricationRegime regime) {
   return lubrication_regime_words[static_cast<std::size_t>(regime)];
 }
 
+// The film of a point contact in each regime, in the order of LubricationRegime.
+inline constexpr std::array regime_formulas{
+    FilmRegime::isoviscous_rigid, FilmRegime::viscous_rigid_roelands,
+    FilmRegime::isoviscous_elastic, FilmRegime::viscous_elastic};
+
 // The regime of a point contact on Hamrock's map: the one whose film is the thickest
 // (regime_film(), with Roelands' law for rigid bodies; with Barus' law, as on the map of 1978,
 // steel balls in oil would be rigid from some 1 GPa on). radius_ratio α = R_y/R_x and ellipticity k
@@ -99,13 +104,11 @@ constexpr std::string_view name(LubricationRegime regime) {
 template <class T>
 LubricationRegime point_regime(const RegimeNumbers<T>& numbers, const T& radius_ratio,
                                const T& ellipticity) {
-  constexpr std::array formulas{FilmRegime::isoviscous_rigid, FilmRegime::viscous_rigid_roelands,
-                                FilmRegime::isoviscous_elastic, FilmRegime::viscous_elastic};
   std::size_t thickest = 0;
   T most{};
-  for (std::size_t i = 0; i < formulas.size(); ++i) {
-    const T film =
-        regime_film(formulas[i], numbers.viscosity, numbers.elasticity, radius_ratio, ellipticity);
+  for (std::size_t i = 0; i < regime_formulas.size(); ++i) {
+    const T film = regime_film(regime_formulas[i], numbers.viscosity, numbers.elasticity,
+                               radius_ratio, ellipticity);
     if (!(film > most)) continue;
     most = film;
     thickest = i;

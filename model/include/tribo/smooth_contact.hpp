@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outputs of a scene that follow without the balance of the load (smooth_outputs() in
-// outputs.hpp): pressures of the dry, smooth contact, its least film in a flooded inlet, and Λ.
+// The outputs of a scene that operating points do not hold (smooth_outputs() in outputs.hpp):
+// pressures of the dry, smooth contact, and beside the film of a point its least film, and Λ.
 #pragma once
 
 #include "tribo/film_thickness.hpp"
@@ -35,38 +35,54 @@ T smooth_film(const FilmLaw& law, ContactShape shape, const detail::SceneNumbers
                         scene.ellipticity);
 }
 
+// The least film follows from the film h* as it is solved, with load sharing, heat and supply: it
+// is h* times the part that the law of the least film is of the scene's law, both of the smooth,
+// flooded contact at the same speed. Where the scene's law is one of the least film, this is h*.
 class SmoothContact {
  public:
   explicit SmoothContact(const MixedContact<double>& contact)
-      : hertz_(contact.hertz()),
-        law_(&minimum_film_law(contact.film())),
-        rms_roughness_(contact.scene_numbers().rms_roughness),
-        minimum_film_at_unit_speed_(
-            smooth_film(*law_, contact.words().shape, contact.scene_numbers(), 1.0)) {}
+      : hertz_(contact.hertz()), rms_roughness_(contact.scene_numbers().rms_roughness) {
+    const FilmLaw& law = contact.film();
+    const FilmLaw& minimum_law = minimum_film_law(law);
+    if (&minimum_law == &law) return;
+    const auto at_unit_speed = [&contact](const FilmLaw& one) {
+      return smooth_film(one, contact.words().shape, contact.scene_numbers(), 1.0);
+    };
+    part_at_unit_speed_ = at_unit_speed(minimum_law) / at_unit_speed(law);
+    speed_exponent_ = minimum_law.speed_exponent - law.speed_exponent;
+  }
 
-  // An output of smooth_outputs() at a speed in m/s. Λ is ∞ where the scene has no roughness.
-  // Error: of pressures that of hertz_contact(), of others film_contract.
-  double value(Output output, double speed) const {
+  // An output of smooth_outputs() at a speed in m/s, at which the film is `film` in m. Λ is ∞ where
+  // the scene has no roughness. Error: of pressures that of hertz_contact(), of others those of the
+  // film and of two films of film_contract.
+  double value(Output output, double speed, double film) const {
     switch (output) {
       case Output::peak_pressure:
         return hertz_.peak_pressure;
       case Output::mean_pressure:
         return hertz_.mean_pressure;
       case Output::minimum_film:
-        return minimum_film(speed);
+        return minimum_film(speed, film);
       default:
-        return minimum_film(speed) / rms_roughness_;
+        return minimum_film(speed, film) / rms_roughness_;
     }
   }
-  double minimum_film(double speed) const {
-    return minimum_film_at_unit_speed_ * decimal_power(speed, law_->speed_exponent);
+  // 0 where the film has collapsed.
+  double minimum_film(double speed, double film) const {
+    return film == 0 ? 0 : film * part_of_film(speed);
   }
 
  private:
+  // The least film over the film, of the smooth, flooded contact.
+  double part_of_film(double speed) const {
+    return speed_exponent_.p == 0 ? part_at_unit_speed_
+                                  : part_at_unit_speed_ * decimal_power(speed, speed_exponent_);
+  }
+
   HertzContact<double> hertz_;
-  const FilmLaw* law_;
   double rms_roughness_;
-  double minimum_film_at_unit_speed_;
+  double part_at_unit_speed_ = 1;
+  Fraction speed_exponent_{0, 1};  // of that part
 };
 
 }  // namespace tribo

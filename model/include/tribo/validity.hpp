@@ -16,6 +16,7 @@ namespace tribo {
 
 template <class T>
 class MixedContact;
+struct FilmLaw;
 
 // A limit, and where a scene stands to it. All texts live as long as the program.
 struct Validity {
@@ -27,7 +28,12 @@ struct Validity {
   std::string_view source = "";       // where the bounds come from; empty: a range of a field
   std::string_view field = "";        // whose range this is, "load"; else empty
   std::string_view likely_unit = "";  // that was probably meant, where the value is not in range
-  bool is_accepted = false;           // by the scene, whether it is passed or not
+  // The results that are wrong where the limit is passed, with all that follows from them:
+  // "friction", of a solved film "pressure", "film", "shares, friction", or "everything".
+  std::string_view touches = "everything";
+  std::string_view advice = "";  // what passing it means, and what to do; empty: nothing to add
+  bool value_follows = false;    // of a field: from others that the scene gives
+  bool is_accepted = false;      // by the scene, whether it is passed or not
 
   bool holds() const { return value >= least && value <= greatest; }
   bool is_passed() const { return !holds() && !is_accepted; }
@@ -39,6 +45,9 @@ struct Validity {
 // each field whose numbers have a range.
 std::span<const std::string_view> limit_words();
 std::span<const std::string_view> assumption_words();
+
+// The least ellipticity that a film law was fitted to, less the rounding of a ratio of two axes.
+double least_fitted_ellipticity(const FilmLaw& law);
 
 // The table "is the model valid here?": each assumption that concerns the scene, and the ranges of
 // fields that it leaves. An assumption that this scene does not make is left out: on summits

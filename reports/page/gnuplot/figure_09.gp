@@ -17,11 +17,14 @@ plot \
   for [s in surfaces] for [share in "asperity_share fluid_share"] marks \
     using (mark("collapse", s, "GT", speed)):(mark("collapse", s, "GT", value(share))) \
     with points linestyle 8 linecolor rgb colour(s) notitle, \
-  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", asperity_share)):(s) with labels right \
-    offset -0.9,-0.7 font small textcolor rgb colour(s) notitle, \
-  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", fluid_share)):(s) with labels right \
-    offset -0.9,0.7 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", asperity_share)):(s) with labels center \
+    offset 0,-0.8 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", fluid_share)):(s) with labels center \
+    offset 0,0.8 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] for [share in "asperity_share fluid_share"] marks \
+    using (mark("slowest", s, "GT", speed)):(mark("slowest", s, "GT", value(share))):(s) \
+    with labels left offset 0.6,-0.7 font small textcolor rgb colour(s) notitle, \
   keyentry with points linestyle 7 linecolor rgb grey \
     title "onset (film maximum)", \
   keyentry with points linestyle 8 linecolor rgb grey title "collapse", \
-  keyentry with lines linestyle 3 linecolor rgb grey title "past the collapse, as printed"
+  keyentry with lines linestyle 3 linecolor rgb grey title "past it, as printed"

@@ -17,8 +17,8 @@ plot \
   for [s in surfaces] marks \
     using (mark("onset", s, "GT", speed)):(nm*mark("onset", s, "GT", film)) \
     with points linestyle 7 linecolor rgb colour(s) notitle, \
-  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(nm*mark("onset", s, "GT", film)):(s) with labels right \
-    offset -0.9,0.7 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(nm*mark("onset", s, "GT", film)):(s) with labels center \
+    offset 0,-1.1 font small textcolor rgb colour(s) notitle, \
   for [s in surfaces] marks using (mark("collapse", s, "GT", speed)):(foot) \
     with points linestyle 8 linecolor rgb colour(s) notitle, \
   keyentry with points linestyle 7 linecolor rgb grey title "onset (film maximum)", \

@@ -23,8 +23,10 @@ plot \
     with points linestyle 7 linecolor rgb colour(s), \
   marks using (mark("onset", "smooth", "GW", speed)):(mark("onset", "smooth", "GW", friction)) \
     with points linestyle 7 linecolor rgb colour("smooth"), \
-  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", friction)):(s) with labels right \
-    offset -0.9,-1.3 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", friction)):(s) with labels center \
+    offset 0,-1.4 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("slowest", s, "GT", speed)):(mark("slowest", s, "GT", friction)):(s) with labels left \
+    offset 0.6,-0.7 font small textcolor rgb colour(s) notitle, \
   for [s in surfaces] marks using (mark("collapse", s, "GT", speed)):(head) \
     with points linestyle 8 linecolor rgb colour(s)
 

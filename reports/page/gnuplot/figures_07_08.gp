@@ -5,6 +5,17 @@ if (prefix eq "figure_07") {
   y = area
   set ylabel "real area / nominal area, A_r/A_{nom} (–)" offset y_words
   set yrange [0:*]
+  # The curves begin at one area, and have their names where they have fallen to about half of it.
+  stats marks using (mark("slowest", "smooth", "GT", y)) nooutput name "first"
+  half = 0.5*first_mean
+  do for [i = 1:3] {
+    s = word(surfaces, i)
+    undefine onset_*
+    stats marks using (mark("onset", s, "GT", speed)) nooutput name "onset"
+    falling = exists("onset_max") ? onset_max : speeds_max
+    stats gt(s) using (column(y) > half && column(speed) <= falling ? column(speed) : NaN) nooutput name "high"
+    set label s at first high_max, half center rotate by -17 offset 0,-0.75 font small textcolor rgb colour(s)
+  }
 } else {
   y = summits
   set ylabel "summits in contact (–)" offset y_words
@@ -31,9 +42,9 @@ plot \
     with points linestyle 8 linecolor rgb colour(s) notitle, \
   marks using (mark("collapse", "smooth", "GW", speed)):(mark("collapse", "smooth", "GW", y)) \
     with points linestyle 8 linecolor rgb colour("smooth") notitle, \
-  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", y)):(s) with labels right \
-    offset -0.9,0.7 font small textcolor rgb colour(s) notitle, \
+  for [s in surfaces] marks using (mark("slowest", s, "GT", speed)):(prefix eq "figure_07" ? NaN : mark("slowest", s, "GT", y)):(s) \
+    with labels left offset 0.6,-0.8 font small textcolor rgb colour(s) notitle, \
   keyentry with points linestyle 7 linecolor rgb grey \
     title "onset (film maximum)", \
   keyentry with points linestyle 8 linecolor rgb grey title "collapse", \
-  keyentry with lines linestyle 3 linecolor rgb grey title "past the collapse, as printed"
+  keyentry with lines linestyle 3 linecolor rgb grey title "past it, as printed"

@@ -19,6 +19,11 @@ do for [s in scenes] {
   speeds_max = one_max > speeds_max ? one_max : speeds_max
 }
 load scripts."stribeck.gp"
+# Told apart in grey too: a line style for each scene.
+set style line 11 linewidth 2.2 dashtype solid
+set style line 12 linewidth 2.2 dashtype (12,5)
+set style line 13 linewidth 2.2 dashtype (12,4,3,4)
+dashes(s) = s eq "ball_on_flat" ? 11 : s eq "bearing_outer_ring" ? 12 : 13
 
 gap = 0.02
 foot = 150.0/tall
@@ -32,7 +37,7 @@ set bmargin at screen foot + 2*panel + 2*gap
 set ylabel "friction coefficient μ (–)" offset y_words
 set yrange [0:*]
 plot \
-  for [s in scenes] curve(s) using speed:friction with lines linestyle 1 linecolor rgb colour(s), \
+  for [s in scenes] curve(s) using speed:friction with lines linestyle dashes(s) linecolor rgb colour(s), \
   for [s in scenes] marks using (mark(s, speed)):(mark(s, friction)) with points linestyle 7 \
     linecolor rgb colour(s)
 
@@ -44,7 +49,7 @@ set logscale y 10
 set yrange [*:*]
 set format y "%g"
 plot \
-  for [s in scenes] curve(s) using speed:film_parameter with lines linestyle 1 \
+  for [s in scenes] curve(s) using speed:film_parameter with lines linestyle dashes(s) \
     linecolor rgb colour(s), \
   for [s in scenes] marks using (mark(s, speed)):(mark(s, film_parameter)) with points linestyle 7 \
     linecolor rgb colour(s)
@@ -58,7 +63,7 @@ set ylabel "load share of the asperities (–)" offset y_words - 1.2
 unset logscale y
 set yrange [0:1]
 plot \
-  for [s in scenes] curve(s) using speed:asperity_share with lines linestyle 1 \
+  for [s in scenes] curve(s) using speed:asperity_share with lines linestyle dashes(s) \
     linecolor rgb colour(s) title named(s), \
   for [s in scenes] marks using (mark(s, speed)):(mark(s, asperity_share)) with points linestyle 7 \
     linecolor rgb colour(s) notitle, \

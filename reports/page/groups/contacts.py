@@ -22,6 +22,10 @@ def before_solved(file, about):
         raise Missing(f"the speeds of {file} leave {TOLD_SPEED:g} m/s out")
     dry = {name: one["value"] for name, one in about.contact.items() if name not in ("share_without_film", "speed_power")}
     return {"file": file, "shape": dry.pop("shape"), "load": about.input("load")} | dry | {
+        "summit_density": about.input("surface.summit_density"), "summit_radius": about.input("surface.summit_radius"),
+        "plane_offset": about.input("surface.offset_planes") * about.input("surface.summit_plane_offset"),
+        "viscosity": about.input("lubricant.viscosity"), "pressure_viscosity": about.input("lubricant.pressure_viscosity"),
+        "boundary_coefficient": about.input("friction.boundary_coefficient"),
         "slide_roll_ratio": about.input("friction.slide_roll_ratio"), "film_law": about.input("closures.film")}
 
 

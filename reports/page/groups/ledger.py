@@ -62,6 +62,21 @@ def reproduced(program, places):
     return members(answer), changes
 
 
+def circular_gap(program, places):
+    """What becomes of the main numbers with the gap of a circular contact at the inlet (E13), where the corrected reading keeps the
+    printed one of a line."""
+    answer, _ = program.said("reproduce", "--published", places.scenes, "--format", "json", "--ledger", "none", "--reading", "gap=point")
+    told = members(answer)
+    reading = told["readings"][0]
+    items = {one["item"]: one["readings"][reading["name"]] for one in told["items"]}
+    onsets = [items[f"C1.{name}"] for name in SURFACES]
+    parameter = items["C2.smooth"]
+    return {"score": reading["score"], "film_parameter": parameter["computed"], "verdict": parameter["verdict"],
+            "onset_speed": {name: one["computed"] for name, one in zip(SURFACES, onsets)},
+            "onset_factors": [one["factor"] for one in onsets], "onset_verdict": next(
+                one["verdicts"][reading["name"]] for one in told["claims"] if one["claim"] == "C1")}
+
+
 def comparison(committed):
     """The finding on changed verdicts, and the entry on a ledger that is missing."""
     if "missing" in committed:
@@ -163,6 +178,7 @@ def ledger(asked):
     found = [finding("claims", "claims", "paper", "holds" if reproduces_all else "differs"),
              finding("readings", "readings", "paper", "measured"),
              finding("independent_numbers", "uncertainty", "software", "holds" if all_independent else "fails"), compared]
+    told = told | {"circular_gap": circular_gap(asked.program, asked.places)}
     return Group(told | {"committed": committed}, found, left_out, [
         surfaces_data(asked, told, contacts), law_data(asked, contacts[SURFACES.index("smooth")]), scores_data(told),
         table_data(told)])

@@ -77,11 +77,17 @@ def supply_of(about):
     return {"kind": kind, "value": value}
 
 
-def summit_pressure(case):
-    """The mean pressure on the real area at the lowest speed, Pa. The area of GT belongs to GT's own load, A² of the whole."""
-    share, area = (case.solved.slowest[name] for name in ("asperity_load_share", "real_area_ratio"))
-    own = share ** 2 if case.model == "GT" else share
-    return own * case.of_contact("mean_pressure") / area if area else None
+def limits_passed(program, places):
+    """The limits of the model's validity that at least one of the scenes with GT passes, whether accepted or not."""
+    rows = {}
+    answer = program.answer("contact", *(places.scenes / f"{surface}.toml" for surface in ledger.SURFACES))
+    for surface, scene in zip(ledger.SURFACES, answer["scenes"], strict=True):
+        for limit in scene["validity"]:
+            row = rows.setdefault(limit["word"], {name: limit[name] for name in (
+                "word", "assumption", "unit", "least", "greatest", "source")} | {"values": {}, "is_passed": False})
+            row["values"][surface] = limit["value"]
+            row["is_passed"] |= limit["holds"] != "yes"
+    return [{name: value for name, value in row.items() if name != "is_passed"} for row in rows.values() if row["is_passed"]]
 
 
 def inputs_of(cases):
@@ -102,7 +108,6 @@ def scene_of(case):
         "supply": supply_of(about), "starvation": about.input("closures.starvation"),
         "slowest": told(one.slowest), "fastest": told(one.curve[-1]), "onset": told(one.at_onset), "collapse": told(one.at_collapse),
         "mean_pressure": case.of_contact("mean_pressure"), "peak_pressure": case.of_contact("peak_pressure"),
-        "summit_pressure": summit_pressure(case),
         "contact_share": min(1.0, case.of_contact("share_without_film")), "equal_share_speed": equal_share_speed(case),
         "least_friction": least_friction(case)}
 
@@ -291,7 +296,8 @@ def paper(asked):
     comparisons = {quantity: comparison(quantity, rows_of(cases.values(), claims, quantity)) for quantity in QUANTITIES}
     data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": inputs_of(asked.published),
             "departure": scenes.DEPARTURE, "comparisons": {quantity: compared for quantity, (compared, _) in comparisons.items()},
-            "offsets": offsets(asked.program, [case for case in cases.values() if case.model == "GT"]), "two_slopes": slopes.told}
+            "offsets": offsets(asked.program, [case for case in cases.values() if case.model == "GT"]), "two_slopes": slopes.told,
+            "limits_passed": limits_passed(asked.program, places)}
     files = [(f"data/curve_{stem}.tsv", tables.curve("Stribeck curve", case.source.file, case.solved.curve))
              for stem, case in cases.items()]
     files += [*slope_files(tables, slopes, cases["smooth"].source.file), ratio_file(tables, cases["smooth"], cases["smooth_gw"]),

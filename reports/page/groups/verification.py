@@ -66,6 +66,7 @@ def noticed(baseline):
     data |= {"rooms": [room_of_mutants(row) for row in score["rooms"]],
              "unnoticed": [copied(row, text, "id", "room", "operator", "place", "original", "replacement", "verdict", "reason", "since")
                            for row in score["unnoticed"]]}
+    data["goals_missed"] = sum(row["score"] is None or row["score"] < row["goal"] for row in data["rooms"])
     waiting = sum(row["drawn"] - row["ran"] for row in data["rooms"])
     left_out = [not_run("random changes", f"{waiting} of those that were drawn wait for slow tests", "`make mutants`")]
     found = finding("mutants", "mutants", "software", "holds")

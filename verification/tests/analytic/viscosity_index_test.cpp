@@ -22,7 +22,7 @@ TEST(ViscosityIndex, IsThatOfTheStandardsExamples) {
   EXPECT_EQ(std::round(index_of(22.83, 5.05)), 156);
   EXPECT_EQ(std::round(index_of(53.47, 7.80)), 111);
   EXPECT_EQ(std::round(index_of(73.50, 8.86)), 92);
-  const auto oils = detail::index_oils(8.86);
+  const auto oils = detail::index_oils(8.86e-6);
   EXPECT_TRUE(is_within(oils.zero, 119.9588, 5e-5));
   EXPECT_TRUE(is_within(oils.hundred, 69.4765, 5e-5));
 }
@@ -44,7 +44,7 @@ TEST(ViscosityIndex, OilsAreThoseOfTheStandardsTable) {
       {40, 1730, 651.8},   {47, 2333, 835.5},    {55, 3126, 1066},    {62, 3908, 1286},
       {69, 4773, 1523},    {70, 4905, 1558}};
   for (const Row& row : table) {
-    const auto oils = detail::index_oils(row.y);
+    const auto oils = detail::index_oils(row.y / 1e6);
     EXPECT_TRUE(is_within(oils.zero / row.zero, 1, 1.5e-3)) << row.y;
     EXPECT_TRUE(is_within(oils.hundred / row.hundred, 1, 1.5e-3)) << row.y;
   }
@@ -54,7 +54,7 @@ TEST(ViscosityIndex, IsSolvedBackwards) {
   Sampler sampler(73);
   for (int i = 0; i < 2000; ++i) {
     const double y = sampler.log_uniform(2.1, 300), index = sampler.uniform(0, 300);
-    const auto oils = detail::index_oils(y);
+    const auto oils = detail::index_oils(y / 1e6);
     const double u = index <= 100
                          ? oils.zero - index / 100 * (oils.zero - oils.hundred)
                          : oils.hundred / std::pow(y, std::log10(1 + 0.00715 * (index - 100)));

@@ -14,7 +14,10 @@
 #include <vector>
 
 #include "conformance/conformance_baseline.hpp"
+#include "conformance/question.hpp"
+#include "conformance/readings.hpp"
 #include "sampling/sampler.hpp"
+#include "scene/schema.hpp"
 #include "support/judge.hpp"
 #include "support/threshold.hpp"
 
@@ -204,6 +207,114 @@ TEST(Cases, ShowASolverThatForgetsOneInput) {
         // Moments stand order by order, at the same arguments each.
         EXPECT_EQ(is_missed(function, input, forgets_soon), !forgets_soon || input != "/order")
             << function << " without " << input << (forgets_soon ? ", from the case before" : "");
+}
+
+// What is left out has its default: a solver with another one is shown by a case without it.
+TEST(Cases, LeaveOutEachDefault) {
+  for (const catalogue::Function& function : catalogue::functions())
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+      const catalogue::Parameter& parameter = function.parameters[i];
+      if (!parameter.default_value) continue;
+      std::size_t shown = 0;
+      for (const TestCase& one : all_cases()) {
+        if (one.in_catalogue != &function || one.inputs.contains(parameter.name)) continue;
+        catalogue::Arguments x = question_of(one).arguments;
+        EXPECT_EQ(x[i], *parameter.default_value) << one.id;
+        x[i] *= 1.5;
+        catalogue::Results results{};
+        function.value(x, results);
+        const Expected& expected = one.expected.at(0);
+        shown += std::abs(results[0] - expected.high) >
+                 allowed_error(one, expected, engineering_tolerance());
+      }
+      EXPECT_GE(shown, 1U) << function.name << ' ' << parameter.name;
+    }
+  // Of scenes: each field that a point of the kind may leave out.
+  std::map<std::string, std::map<std::string, std::set<bool>>> given;
+  for (const TestCase& one : all_cases())
+    if (is_operating_point(one.function))
+      for (const FieldInfo& field : scene_fields()) {
+        std::string pointer = '/' + std::string(field.path);
+        std::replace(pointer.begin(), pointer.end(), '.', '/');
+        if (!field.default_text.empty())
+          given[one.function][std::string(field.path)].insert(
+              one.inputs.contains(json::json_pointer(pointer)));
+      }
+  for (const auto& [function, fields] : given)
+    for (const auto& [field, both] : fields) {
+      const bool is_what_the_kind_is = field == "closures.film" && function != "operating_point" &&
+                                       function != "operating_point_of_ellipse";
+      EXPECT_EQ(both.contains(false), !is_what_the_kind_is)
+          << function << ": " << field << " is always given";
+    }
+}
+
+// A solver that follows the printed constant, or the standard's full equation, in all its answers.
+Conversation answered_by(const std::vector<TestCase>& cases, double (*value)(const Question&)) {
+  Conversation conversation;
+  for (const TestCase& one : cases)
+    conversation.answers.push_back(with({{one.expected.at(0).field, value(question_of(one))}}));
+  return conversation;
+}
+std::vector<TestCase> cases_of(std::string_view function) {
+  std::vector<TestCase> cases;
+  for (const TestCase& one : all_cases())
+    if (one.function == function) cases.push_back(one);
+  return cases;
+}
+double roelands(const Question& asked, double pole) {
+  const auto [viscosity, alpha, pressure] =
+      std::array{asked.arguments[0], asked.arguments[1], asked.arguments[2]};
+  const double scale = std::log(viscosity / pole), z = alpha * 1.96e8 / scale;
+  return viscosity * std::exp(scale * std::expm1(z * std::log1p(pressure / 1.96e8)));
+}
+double walther(const Question& asked) {
+  using Real = long double;  // the strict tolerance is some units of the last place
+  const auto z = [](Real nu) {
+    nu *= 1e6L;
+    return std::log(std::log(nu + 0.7L + std::exp(-1.47L - 1.84L * nu - 0.51L * nu * nu)));
+  };
+  const catalogue::Arguments& x = asked.arguments;
+  const Real slope = (z(x[3]) - z(x[1])) / std::log(Real(x[2]) / x[0]);
+  const Real t = std::exp(std::exp(z(x[1]) + slope * std::log(Real(x[4]) / x[0]))) - 0.7L;
+  const Real less = std::exp(-0.7487L - 3.295L * t + 0.6119L * t * t - 0.3193L * t * t * t);
+  return static_cast<double>((t - less) / 1e6L);
+}
+
+TEST(Readings, OfOneLawAreEachHeldWhereAllAnswersFollowThem) {
+  struct Solver {
+    const char* function;
+    double (*value)(const Question&);
+    const char* note;  // empty: the certified reading
+    bool is_seen;      // by the engineering tolerance, too
+    bool is_right;
+  };
+  for (const auto& [function, value, note, is_seen, is_right] :
+       {Solver{"roelands_viscosity", [](const Question& x) { return roelands(x, std::exp(-9.67)); },
+               "", false, true},
+        {"roelands_viscosity", [](const Question& x) { return roelands(x, 6.31e-5); },
+         "the constant 6.31e-5 Pa·s", true, true},
+        {"roelands_viscosity", [](const Question& x) { return roelands(x, 6.315e-5); },
+         "the constant 6.315e-5 Pa·s", false, true},
+        {"roelands_viscosity", [](const Question& x) { return roelands(x, 6.3e-5); }, "", true,
+         false},
+        {"roelands_viscosity",
+         [](const Question& x) { return roelands(x, x.arguments[0] < 0.1 ? 6.31e-5 : 6.32e-5); },
+         "the constant 6.31", true, false},
+        {"astm_d341_viscosity", walther, "the exponential terms", false, true}}) {
+    for (const Tolerance& tolerance : {engineering_tolerance(), strict_tolerance()}) {
+      std::vector<TestCase> cases = cases_for(cases_of(function), tolerance);
+      Conversation conversation = answered_by(cases, value);
+      const std::vector<std::string> notes = take_readings(cases, conversation, tolerance);
+      const bool has_note = *note != '\0' && (is_seen || tolerance.is_strict);
+      EXPECT_TRUE(notes.empty() != has_note || !is_right) << function << ' ' << note;
+      for (const std::string& one : notes)
+        EXPECT_TRUE(!is_right || one.find(note) != std::string::npos) << one;
+      const ConformanceResult result = judge("", cases, std::move(conversation), tolerance);
+      EXPECT_EQ(result.quantities.at(0).failed == 0, is_right)
+          << function << ' ' << note << ' ' << result.quantities[0].first_reason;
+    }
+  }
 }
 
 // The strict tolerance asks all cases, the others leave out extreme ones; in their order.
@@ -424,6 +535,36 @@ TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
     EXPECT_EQ(change(held(error), held(16 * epsilon)), Way::same);
     EXPECT_EQ(change(held(error), held(above(16 * epsilon))), Way::worse);
   }
+}
+
+// An answer that is asked again in another place of an array may be rounded otherwise.
+TEST(Baseline, TakesAChangeOfAnAnswerAskedAgainForALossBeyondRoundingAlone) {
+  const auto asked_again = [](double change) {
+    QuantityVerdict one = row(Verdict::held, 10, 0, 0);
+    one.change_asked_again = one.change_of_function = change;
+    return one;
+  };
+  for (const double before : {0.0, epsilon, 16 * epsilon}) {
+    for (const double now : {0.0, epsilon / 2, 16 * epsilon})
+      EXPECT_EQ(change(asked_again(before), asked_again(now)), Way::same);
+    for (const double now : {above(16 * epsilon), 1e-9, std::numeric_limits<double>::infinity()})
+      EXPECT_EQ(change(asked_again(before), asked_again(now)), Way::worse) << now;
+  }
+  EXPECT_EQ(change(asked_again(1e-13), asked_again(1e-9)), Way::same);
+}
+
+// The condition says how much a rounding changes an answer.
+TEST(Unsteady, IsMeasuredOverTheConditionToo) {
+  const std::vector<TestCase> cases{asked_for({number(2, 100)}, "a"), asked_for({number(2)}, "b")};
+  Conversation conversation;
+  conversation.answers = {with({{"value", 2}}), with({{"value", 2}})};
+  conversation.again = {0, 1};
+  conversation.second_answers = {with({{"value", 2 + 2e-12}}), with({{"value", 2 + 2e-13}})};
+  const ConformanceResult result = judge("subject", cases, conversation, engineering_tolerance());
+  EXPECT_TRUE(is_close(result.unsteady.at(0).apart, 1e-12, 1e-3, {}));
+  EXPECT_EQ(result.unsteady[0].id, "a");
+  EXPECT_TRUE(is_close(result.quantities[0].change_asked_again, 1e-13, 1e-2, {}));
+  EXPECT_EQ(result.quantities[0].change_of_function, result.quantities[0].change_asked_again);
 }
 
 // --- Cases that failed stay held to how they failed.

@@ -351,8 +351,8 @@ TEST(RandomScenes, DrawEachFieldOfTheTable) {
       const double speed = scene.speeds.list.front();
       const MixedContact<double> before(scene), after(moved);
       moves = moves || numbers_of(before.solve(speed)) != numbers_of(after.solve(speed)) ||
-              SmoothContact(before).value(Output::lambda_ratio, speed) !=
-                  SmoothContact(after).value(Output::lambda_ratio, speed);
+              SmoothContact(before).value(Output::lambda_ratio, speed, 1) !=
+                  SmoothContact(after).value(Output::lambda_ratio, speed, 1);
     }
     EXPECT_EQ(varies, true) << field.path << " is the same in 500 random scenes: draw it in "
                             << "verification/tests/support/scenes.hpp";

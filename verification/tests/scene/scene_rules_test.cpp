@@ -507,6 +507,10 @@ TEST(SceneShapes, WithoutAContactAreRefused) {
                       "the faces do not meet at a point"));
   EXPECT_TRUE(refused(faces("5e-3", "5e-3", "5e-3", "-5e-3"), "bodies.first_radius_y",
                       "or length in place of both radii, for a line"));
+  EXPECT_TRUE(refused(faces("5e-3", "5e-3", "5e-3", "-4e-3"), "bodies.first_radius_y",
+                      "the groove's radius must be larger than the ball's"));
+  EXPECT_TRUE(refused(faces("5e-3", "\"inf\"", "5e-3", "5e-3"), "bodies.second_radius_x",
+                      "write it without the quotes"));
   EXPECT_TRUE(refused(faces("5e-3", "5e-3", "1e308", "1e308"), "bodies.first_radius_y",
                       "the faces do not meet at a point"));
   EXPECT_TRUE(refused(line().set("bodies.length", "0"), "bodies.length", "0 is not allowed"));

@@ -87,6 +87,11 @@ constexpr Unit units[] = {{"nm", "m", -9},
                           {"kg/m³", "kg/m³", 0},
                           {"kg/m^3", "kg/m³", 0},
                           {"g/cm³", "kg/m³", 3},
+                          {"g/ml", "kg/m³", 3},
+                          {"g/mL", "kg/m³", 3},
+                          {"kg/dm³", "kg/m³", 3},
+                          {"kg/l", "kg/m³", 3},
+                          {"kg/L", "kg/m³", 3},
                           {"W/(m K)", "W/(m·K)", 0},
                           {"mW/(m·K)", "W/(m·K)", -3}};
 
@@ -145,7 +150,7 @@ TEST(Units, CelsiusIsTheExactDecimalSum) {
                    static_cast<int>(std::to_string(std::abs(celsius)).size()) - decimals);
     const std::string wanted = with_point(
         std::to_string(kelvins), static_cast<int>(std::to_string(kelvins).size()) - decimals - 2);
-    for (const char* unit : {" °C", "℃", " degC"}) {
+    for (const char* unit : {" °C", "℃", " degC", " C"}) {
       const Value value = in_si(text_of(degrees + unit), "K");
       ASSERT_EQ(value.kind, ValueKind::number) << degrees << unit;
       EXPECT_EQ(value.number, std::strtod(wanted.c_str(), nullptr)) << degrees << ' ' << wanted;
@@ -221,6 +226,16 @@ TEST(Units, MayStandInListsAndRangesOfSpeeds) {
   }
   EXPECT_TRUE(refused(SceneText::good().set("speed", "[\"1 m/s\", \"2 m\"]"), "speed[1]",
                       "\"2 m\" is not in a unit that fits"));
+}
+
+TEST(Units, AnotherQuantityIsNamed) {
+  EXPECT_TRUE(refused(SceneText::good().set("lubricant.viscosity", "\"20.4 cSt\""),
+                      "lubricant.viscosity", "write it as kinematic_viscosity, with density"));
+  for (const char* turns : {"3000 rpm", "3000 1/min", "3000 min^-1"})
+    EXPECT_TRUE(refused(SceneText::good().set("speed", '"' + std::string(turns) + '"'), "speed",
+                        "is a speed of rotation, and speed is the mean speed of the two surfaces"));
+  EXPECT_TRUE(refused(SceneText::good().set("load", "[20, 50]"), "load",
+                      "a sweep takes lists: tribocheck sweep"));
 }
 
 TEST(Units, NumbersWithoutAUnitHaveNone) {

@@ -19,6 +19,7 @@
 #include "../support/threshold.hpp"
 #include "scene_text.hpp"
 #include "sweep/plan_reader.hpp"
+#include "tribo/film_thickness.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::scene_test {
@@ -164,6 +165,138 @@ TEST(Validity, ElasticSummitsArePassedBeyondTheirBound) {
   EXPECT_TRUE(seen[0] && seen[1]);
 }
 
+// The bodies of a ball in a cup are far more curved than the gap between them.
+TEST(Validity, AContactIsComparedWithTheBodiesNotWithTheGap) {
+  SceneText text = ordinary().remove("bodies.reduced_radius");
+  text.set("bodies.first_radius_x", "0.014").set("bodies.second_radius_x", "-0.01408");
+  text.set("bodies.first_radius_y", "0.014").set("bodies.second_radius_y", "-0.01408");
+  const double gap = 1 / (1 / 0.014 - 1 / 0.01408);
+  const double axis = std::cbrt(3 * 50 * gap / (4 * 107.9e9));
+  EXPECT_NEAR(limit_of(scene_of(text), "half_space").value / (axis / 0.014), 1, 1e-6);
+  EXPECT_EQ(passes(with(text, "load", 50 * std::pow(0.0071 / axis, 3)), "half_space"), true);
+  EXPECT_EQ(passes(with(text, "load", 50 * std::pow(0.0069 / axis, 3)), "half_space"), false);
+  // Without the bodies the gap is all that is known.
+  SceneText other = ordinary().remove("bodies.reduced_radius");
+  other.set("bodies.radius_x", "0.02").set("bodies.radius_y", "0.02");
+  const double of_gap = std::cbrt(3 * 50 * 0.02 / (4 * 107.9e9)) / 0.02;
+  EXPECT_NEAR(limit_of(scene_of(other), "half_space").value / of_gap, 1, 1e-6);
+}
+
+// The border of Hamrock's map between elastic bodies in a liquid that pressure thickens and in one
+// that it does not: 3.42 g_V^0.49 g_E^0.17 (1 − e^{−0.68}) = 8.70 g_E^0.67 (1 − 0.85 e^{−0.31}).
+TEST(Validity, AFilmLawBelongsToItsRegime) {
+  using enum verification::True;
+  const double modulus = 2 * 1e8, radius = 9.5e-3, speed = 0.1;
+  const double u = 0.0202 * speed / (modulus * radius), w = 50 / (modulus * radius * radius);
+  const double elasticity = std::pow(w, 8.0 / 3) / (u * u);
+  const double viscosity = std::pow(
+      8.70 * std::sqrt(elasticity) * (1 - 0.85 * std::exp(-0.31)) / (3.42 * (1 - std::exp(-0.68))),
+      1 / 0.49);
+  const double border = viscosity * u * u / (w * w * w) / modulus;
+  const SceneText hard = ordinary().set("bodies.effective_modulus", "1e8").set("speed", "0.1");
+  const SceneText soft = SceneText(hard).set("closures.film", "\"hamrock_dowson_soft_central\"");
+  for (const bool is_soft : {false, true}) {
+    const auto is_passed = [&](double alpha) {
+      return passes(with(is_soft ? soft : hard, "lubricant.pressure_viscosity", alpha),
+                    "film_law_regime");
+    };
+    // Next to the border films that differ by a fifth are alike.
+    const double limit = border * std::pow(is_soft ? 1.2 : 1 / 1.2, 1 / 0.49);
+    EXPECT_TRUE(verification::changes_at_its_limit(
+        {"film_law_regime", limit, is_soft ? above : below, is_passed, 1e-10}));
+  }
+  // Its number is how many times the films of both regimes differ.
+  const Validity found = limit_of(
+      scene_of(with(hard, "lubricant.pressure_viscosity", border / 100)), "film_law_regime");
+  EXPECT_NEAR(found.value / std::pow(100, 0.49), 1, 1e-9);
+  EXPECT_NE(found.advice.find("take hamrock_dowson_soft_central"), std::string_view::npos);
+  const Validity other = limit_of(
+      scene_of(with(soft, "lubricant.pressure_viscosity", border * 100)), "film_law_regime");
+  EXPECT_NEAR(other.value / std::pow(100, 0.49), 1, 1e-9);
+  EXPECT_NE(other.advice.find("take hamrock_dowson_central"), std::string_view::npos);
+  // Lines have no law of another regime.
+  SceneText line = ordinary().remove("bodies.reduced_radius");
+  line.set("bodies.radius_x", "0.01").set("bodies.length", "0.01").set("load", "100");
+  line.set("closures.film", "\"dowson_toyoda_central\"").set("bodies.effective_modulus", "1e7");
+  const Validity rubber = limit_of(scene_of(line), "film_law_regime");
+  EXPECT_FALSE(rubber.holds());
+  EXPECT_NE(rubber.advice.find("tribocheck film"), std::string_view::npos);
+}
+
+// A(0)² = K F_{5/2}(0) where δ is 0 (model/README.md, section 10).
+TEST(Validity, SummitsThatCannotCarryTheLoadAreTold) {
+  bool seen[2] = {false, false};
+  for (double density = 1e11; density < 1e14; density *= 1.1) {
+    SceneText text = with(ordinary(), "surface.summit_density", density);
+    text.set("speed", "1e-6");
+    const double a = std::cbrt(3 * 50 * 9.5e-3 / (4 * 107.9e9));
+    const double roughness = density * 5e-5 * 5e-9;
+    const double stiffness = 16 * std::sqrt(2) * pi / 15 * roughness * roughness *
+                             std::sqrt(5e-9 / 5e-5) * 107.9e9 * pi * a * a / 50;
+    const double share = std::sqrt(stiffness * 0.61663421900);
+    const Validity found = limit_of(scene_of(text), "summit_capacity");
+    if (found.word.empty()) {  // the summits keep the film thick
+      EXPECT_GE(share, 1);
+      continue;
+    }
+    EXPECT_NEAR(found.value / share, 1, 1e-9);
+    EXPECT_EQ(found.holds(), share >= 1);
+    seen[found.holds() ? 1 : 0] = true;
+    // It does not matter where the film is thick.
+    EXPECT_EQ(limit_of(scene_of(text.set("speed", "1")), "summit_capacity").word, "");
+  }
+  EXPECT_TRUE(seen[0]);
+}
+
+// Faces of which Rq alone is known do not touch from Λ = 3 on; Λ is that of the slowest speed.
+TEST(Validity, FacesWithoutSummitsAreSmoothFromAFullFilmOn) {
+  using enum verification::True;
+  const SceneText text = ordinary().remove_section("surface").set("speed", "[2, 0.1, 1]");
+  const double least =
+      film_thickness(hamrock_dowson_minimum_law, 0.1, 0.0202, 2e-8, 50.0, 107.9e9, 9.5e-3, 1.0);
+  const auto is_passed = [&](double roughness) {
+    return passes(with(text, "surface.rms_roughness", roughness), "rough_as_smooth");
+  };
+  EXPECT_TRUE(
+      verification::changes_at_its_limit({"rough_as_smooth", least / 3, above, is_passed, 1e-12}));
+  EXPECT_EQ(limit_of(scene_of(ordinary()), "rough_as_smooth").word, "");
+  EXPECT_EQ(limit_of(scene_of(text), "rough_as_smooth").word, "");
+}
+
+TEST(Validity, SaysWhichResultsALimitTouches) {
+  const Scene loud = scene_of(SceneText::good()
+                                  .set("lubricant.viscosity", "20.2")
+                                  .set("load", "1e6")
+                                  .set("bodies.ellipticity", "3"));
+  for (const Validity& limit : validity_of(loud)) {
+    EXPECT_FALSE(limit.touches.empty()) << limit.word;
+    EXPECT_EQ(limit.advice.empty() || !limit.holds(), true) << limit.word;
+    if (!limit.field.empty()) {
+      EXPECT_EQ(limit.touches, "everything") << limit.field;
+    }
+  }
+  EXPECT_EQ(limit_of(loud, "alpha_p0").touches, "friction");
+  EXPECT_EQ(limit_of(loud, "hertz_pressure").touches, "everything");
+  EXPECT_EQ(limit_of(loud, "inlet_heating").touches, "film");
+}
+
+TEST(Validity, OfANumberThatFollowsNoUnitIsGuessed) {
+  SceneText text = ordinary().remove("bodies.reduced_radius");
+  text.set("bodies.first_radius_x", "25").set("bodies.second_radius_x", "inf");
+  text.set("bodies.first_radius_y", "25").set("bodies.second_radius_y", "inf");
+  std::size_t following = 0;
+  for (const Validity& limit : validity_of(scene_of(text))) {
+    if (limit.field == "bodies.radius_x" || limit.field == "bodies.radius_y") {
+      EXPECT_TRUE(limit.value_follows);
+      EXPECT_EQ(limit.likely_unit, "");
+      ++following;
+    } else if (!limit.field.empty()) {
+      EXPECT_FALSE(limit.value_follows) << limit.field;
+    }
+  }
+  EXPECT_GE(following, 1u);
+}
+
 // An assumption that a scene does not make is not in its table.
 TEST(Validity, LeavesOutWhatTheSceneDoesNotAssume) {
   const SceneText ball = ordinary();
@@ -189,6 +322,7 @@ TEST(Validity, OfASolvedFilmIsThatOfItsLine) {
   // p₀² = FE*/(πRL)
   const double peak = std::sqrt(1e4 * 107.9e9 / (pi * 0.01 * 0.01));
   EXPECT_NEAR(limit_of(scene, "barus", use).value / peak, 1, 1e-14);
+  EXPECT_EQ(limit_of(scene, "barus", use).touches, "pressure");
   EXPECT_EQ(limit_of(scene, "smooth_film_law", use).word, "");
   EXPECT_EQ(passes(line, "barus", use), true);
 }
@@ -261,7 +395,7 @@ TEST(Accept, EachWordIsTakenAndSilencesItsLimitAlone) {
     std::erase(left, word);
     EXPECT_EQ(words_passed(quiet), left) << word;
   }
-  EXPECT_EQ(assumption_words().size(), 15u);
+  EXPECT_EQ(assumption_words().size(), 18u);
   for (const std::string_view word : assumption_words()) EXPECT_FALSE(word.ends_with("_range"));
 }
 

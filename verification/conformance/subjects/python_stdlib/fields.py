@@ -57,6 +57,7 @@ FUNCTIONS |= {
     "barus_viscosity": {**above_zero("viscosity", "pressure_viscosity"), "pressure": ("from 0", REQUIRED)},
     "astm_d341_viscosity": above_zero("first_temperature", "first_viscosity", "second_temperature",
                                       "second_viscosity", "temperature"),
+    "viscosity_index": above_zero("kinematic_viscosity_40", "kinematic_viscosity_100"),
     "summits_from_spectral_moments": above_zero("m0", "m2", "m4"),
 }
 FUNCTIONS["roelands_viscosity"] = FUNCTIONS["barus_viscosity"]

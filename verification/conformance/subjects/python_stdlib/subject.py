@@ -69,7 +69,7 @@ FUNCTIONS |= {name: value_of(module, function) for name, module, function in (
     ("moes_line", films, "moes_line"), ("regime_film", films, "regime_film"),
     ("gupta_thermal_reduction", films, "thermal_reduction"), ("dowson_higginson_density", liquids, "density"),
     ("barus_viscosity", liquids, "barus"), ("roelands_viscosity", liquids, "roelands"),
-    ("astm_d341_viscosity", liquids, "astm_d341"))}
+    ("astm_d341_viscosity", liquids, "astm_d341"), ("viscosity_index", liquids, "viscosity_index"))}
 FUNCTIONS["summits_from_spectral_moments"] = lambda given: liquids.summits(*given.values())
 
 

@@ -33,7 +33,7 @@ for line in sys.stdin:
     elif name == "hamrock_dowson_central":
         r = q["reduced_radius"]
         answer = {"value": film(q["speed"], q["viscosity"], q["pressure_viscosity"], q["load"],
-                                q["effective_modulus"], r, r, q["ellipticity"])}
+                                q["effective_modulus"], r, r, q.get("ellipticity", 1))}
     elif name == "gaussian_moment" and q["order"] == 2.5:
         answer = {"value": moment_5_2(q["argument"])}
     print(json.dumps({"id": q["id"], **answer}), flush=True)

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/dependence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "conformance/variable.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+constexpr std::size_t fewest_values = 12;  // different ones of the variable
+constexpr double same_factor = 1e-6;       // of the range of the logarithms of the factors
+// Squares of what neighbours do not let expect, of the squares of all changes: of the factors'
+// logarithms, and of their ranks, so that no few cases decide.
+constexpr double most_rough = 2e-3, most_rough_ranks = 0.1;
+constexpr double as_good = 4;  // a variable that stands before may be rougher by this
+
+struct Sample {
+  double x, y;   // the variable, or its logarithm; the logarithm of the factor
+  double value;  // the variable
+};
+
+double interpolated(const Sample& a, const Sample& b, double x) {
+  return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+}
+
+// Each sample but the ends by a line between its neighbours.
+double roughness(const std::vector<Sample>& samples) {
+  const auto count = static_cast<double>(samples.size());
+  const double mean = std::accumulate(samples.begin(), samples.end(), 0.0,
+                                      [](double sum, const Sample& one) { return sum + one.y; }) /
+                      count;
+  double unexpected = 0, all = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    all += (samples[i].y - mean) * (samples[i].y - mean);
+    if (i == 0 || i + 1 == samples.size()) continue;
+    const double off = samples[i].y - interpolated(samples[i - 1], samples[i + 1], samples[i].x);
+    unexpected += off * off;
+  }
+  return all > 0 ? unexpected / all : INFINITY;
+}
+
+std::vector<Sample> ranks_of(std::vector<Sample> samples) {
+  std::vector<double> sorted;
+  for (const Sample& one : samples) sorted.push_back(one.y);
+  std::sort(sorted.begin(), sorted.end());
+  double place = 0;
+  for (Sample& one : samples) {
+    one.y =
+        static_cast<double>(std::lower_bound(sorted.begin(), sorted.end(), one.y) - sorted.begin());
+    one.x = place++;
+  }
+  return samples;
+}
+
+struct Curve {
+  std::string symbol;
+  std::function<double(const Question&)> value;
+  // The scale is logarithmic, of x plus this; empty: it is linear, as x may be below 0.
+  std::optional<double> log_offset = {};
+  std::vector<Sample> samples = {};
+  double rough = INFINITY;
+
+  double scaled(double x) const { return log_offset ? std::log(x + *log_offset) : x; }
+};
+
+// Empty: cases with the same value have different factors, or there are too few values.
+std::optional<Curve> curve_of(const Part& part, const Variable& variable) {
+  Curve curve{variable.symbol, variable.value};
+  double least = INFINITY, greatest = -INFINITY;  // of the logarithms of the factors
+  double lowest = 0, least_positive = INFINITY;   // of the variable
+  for (const Part::Number& one : part.all) {
+    if (one.answered->is_explained) continue;
+    const double factor = one.answered->got / one.answered->expected->high;
+    const double x = variable.value(one.of->asked);
+    if (!(factor > 0) || !std::isfinite(factor) || !std::isfinite(x)) return std::nullopt;
+    lowest = std::min(lowest, x);
+    if (x > 0) least_positive = std::min(least_positive, x);
+    curve.samples.push_back({x, std::log(factor), x});
+    least = std::min(least, curve.samples.back().y);
+    greatest = std::max(greatest, curve.samples.back().y);
+  }
+  std::sort(curve.samples.begin(), curve.samples.end(),
+            [](const Sample& a, const Sample& b) { return a.x < b.x; });
+  std::vector<Sample> different;
+  for (const Sample& one : curve.samples) {
+    const bool is_same =
+        !different.empty() && std::abs(one.x - different.back().x) <= 1e-12 * std::abs(one.x);
+    if (!is_same)
+      different.push_back(one);
+    else if (std::abs(one.y - different.back().y) > same_factor * (greatest - least) + 1e-9)
+      return std::nullopt;
+  }
+  if (different.size() < fewest_values) return std::nullopt;
+  if (lowest == 0 && std::isfinite(least_positive))
+    curve.log_offset = different.front().x > 0 ? 0 : least_positive;
+  for (Sample& one : different) one.x = curve.scaled(one.x);
+  curve.samples = std::move(different);
+  curve.rough = roughness(curve.samples);
+  if (curve.rough > most_rough || roughness(ranks_of(curve.samples)) > most_rough_ranks)
+    return std::nullopt;
+  return curve;
+}
+
+// Through the four nearest samples, or fewer at the ends.
+double factor_at(const Curve& curve, double value) {
+  const double x = curve.scaled(value);
+  const auto& samples = curve.samples;
+  if (!(x >= samples.front().x && x <= samples.back().x)) return unsaid;
+  const auto after = static_cast<std::size_t>(
+      std::upper_bound(samples.begin(), samples.end(), x,
+                       [](double one, const Sample& sample) { return one < sample.x; }) -
+      samples.begin());
+  const std::size_t first =
+      std::min(after >= 2 ? after - 2 : 0, samples.size() >= 4 ? samples.size() - 4 : 0);
+  const std::size_t last = std::min(first + 4, samples.size());
+  double sum = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    double term = samples[i].y;
+    for (std::size_t k = first; k < last; ++k)
+      if (k != i) term *= (x - samples[k].x) / (samples[i].x - samples[k].x);
+    sum += term;
+  }
+  return std::exp(sum);
+}
+
+std::string text_of(const Curve& curve, bool is_only_input) {
+  const std::string& symbol = curve.symbol;
+  const auto at = [&](std::size_t i) {
+    const Sample& one = curve.samples[i];
+    return fmt::format("{:.4g} at {} = {:.4g}", std::exp(one.y), symbol, one.value);
+  };
+  return fmt::format("The factor {}: {}, {}, {}.",
+                     is_only_input ? fmt::format("changes smoothly with {}", symbol)
+                                   : fmt::format("depends on {} alone", symbol),
+                     at(0), at(curve.samples.size() / 2), at(curve.samples.size() - 1));
+}
+
+}  // namespace
+
+std::optional<Dependence> dependence_of(const Part& part) {
+  if (part.wrong.size() < fewest_cases || part.function() == nullptr) return std::nullopt;
+  const std::vector<Variable> variables = variables_of(part.function());
+  const auto inputs = std::count_if(variables.begin(), variables.end(), [&](const Variable& one) {
+    return one.is_input &&
+           std::any_of(part.all.begin(), part.all.end(), [&](const Part::Number& number) {
+             return one.value(number.of->asked) != one.value(part.all.front().of->asked);
+           });
+  });
+  std::vector<Curve> curves;
+  for (const Variable& one : variables)
+    if (inputs > 1 || one.is_input)
+      if (auto curve = curve_of(part, one)) curves.push_back(std::move(*curve));
+  if (curves.empty()) return std::nullopt;
+  const double least =
+      std::min_element(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
+        return a.rough < b.rough;
+      })->rough;
+  const Curve& best = *std::find_if(curves.begin(), curves.end(),
+                                    [&](const Curve& one) { return one.rough <= as_good * least; });
+  Dependence found{text_of(best, inputs == 1), {}};
+  found.factor = [curve = best](const Question& question) {
+    return factor_at(curve, curve.value(question));
+  };
+  return found;
+}
+
+}  // namespace tribo::conformance

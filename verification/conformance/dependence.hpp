@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The factor between wrong answers and right ones, where it is a function of one input alone, or of
+// one group of inputs.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "conformance/wrong_numbers.hpp"
+
+namespace tribo::conformance {
+
+struct Dependence {
+  std::string text;  // "The factor depends on k alone: 0.998 at k = 0.9, …"
+  // The factor at a question of the function, between those of the cases. NaN: beyond them all.
+  std::function<double(const Question&)> factor;
+};
+
+// Empty where no variable alone determines the factor: where two cases with the same value have
+// different factors, or where the factor of a case is not what those of its neighbours let expect.
+std::optional<Dependence> dependence_of(const Part& part);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/follow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "conformance/dependence.hpp"
+#include "conformance/description.hpp"
+#include "conformance/mistake_entry.hpp"
+#include "conformance/mistake_search.hpp"
+#include "conformance/variable.hpp"
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+// Of the change, to which a slip is known by its formula, and by factors between cases.
+constexpr double closeness_of_formula = 1e-4, closeness_of_curve = 2e-2;
+constexpr double nearly_all = 0.97;  // of the wrong answers of a function
+
+Question asked_of(std::string_view function, catalogue::Arguments arguments) {
+  return {nullptr, catalogue::function_named(function), arguments};
+}
+
+double half_order_of(Order order) { return static_cast<int>(order) / 2.0; }
+
+void add_moments(std::vector<Question>& inner, AsperityModel model, double argument) {
+  for (const Order order : {load_order(model), area_order(model), count_order(model)})
+    inner.push_back(asked_of("gaussian_moment", {half_order_of(order), argument}));
+}
+
+Question film_question(const Scene& scene) {
+  const auto word = film_formula_words[static_cast<std::size_t>(scene.closures.film)];
+  Question question = asked_of(word, {});
+  const auto& parameters = question.function->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    question.arguments[i] = number_of_film(scene, parameters[i].name);
+  return question;
+}
+
+// The factor of each wrong result, of one branch.
+struct Factor {
+  std::size_t place;
+  std::string branch;
+  std::function<double(const Question&)> at;
+};
+
+}  // namespace
+
+Question contact_question(const Scene& scene) {
+  const auto numbers = detail::numbers_of<double>(scene);
+  const double load = numbers.load, modulus = numbers.effective_modulus;
+  const ContactShape shape = scene.bodies.shape();
+  if (shape == ContactShape::line)
+    return asked_of("hertz_line", {load / numbers.across, modulus, numbers.radius_x});
+  if (shape == ContactShape::ellipse)
+    return asked_of("hertz_ellipse", {load, modulus, numbers.radius_x, numbers.across});
+  return asked_of("hertz_point", {load, modulus, numbers.radius_x});
+}
+
+std::vector<Question> inner_questions(const Question& question) {
+  std::vector<Question> inner;
+  if (question.function != nullptr && question.function->name == "load_sharing") {
+    const auto model = static_cast<AsperityModel>(question.arguments[0]);
+    inner.push_back(asked_of(
+        "gaussian_moment",
+        {half_order_of(load_order(model)), right_numbers(question)[0] - question.arguments[3]}));
+  }
+  if (question.function != nullptr || !question.scene) return inner;
+  const Scene& scene = *question.scene;
+  const MixedContact<double> contact(scene);
+  const AsperityModel model = scene.closures.asperity;
+  const double offset = contact.sharing().offset(), speed = scene.speeds[0];
+  const FloodedFilm<double> flooded = contact.flooded(speed);
+  const InletState<double> inlet = contact.inlet(flooded);
+  inner.push_back(contact_question(scene));
+  inner.push_back(film_question(scene));
+  inner.push_back(
+      asked_of("load_sharing", {static_cast<double>(model), contact.flooded_film_parameter(speed),
+                                contact.sharing().stiffness(), offset}));
+  add_moments(inner, model, flooded.shares.film_parameter - offset);
+  if (scene.supply.kind == SupplyKind::flooded) return inner;
+  const double starved = flooded.shares.film_parameter * inlet.film_ratio;
+  add_moments(inner, model, std::max(starved, contact.sharing().floor()) - offset);
+  inner.push_back(
+      asked_of("starvation_ratio", {static_cast<double>(contact.inlet_law().closure),
+                                    inlet.flooded_over_inlet, contact.inlet_law().exponent}));
+  return inner;
+}
+
+WrongFunction::WrongFunction(std::string name, std::vector<AnsweredCase> cases,
+                             const std::vector<Mistake>& named)
+    : name_(std::move(name)) {
+  std::size_t explained = 0, wrong = 0;
+  for (AnsweredCase& one : cases)
+    for (AnsweredNumber& number : one.numbers) {
+      wrong += number.is_wrong ? 1 : 0;
+      explained += number.is_explained ? 1 : 0;
+      number.is_explained = false;
+    }
+  for (const Part& part : parts_left(cases))
+    branches_[part.branch].push_back({place_of_wrong(part)});
+  const bool is_named =
+      !named.empty() && static_cast<double>(explained) >= nearly_all * static_cast<double>(wrong);
+  find_slip(cases, is_named ? named : std::vector<Mistake>{});
+}
+
+bool WrongFunction::is_wrong_at(const Question& inner) const {
+  if (inner.function == nullptr || inner.function->name != name_) return false;
+  const auto branch = branches_.find(branch_of(inner));
+  if (branch == branches_.end()) return false;
+  return std::any_of(branch->second.begin(), branch->second.end(), [&](const Branch& one) {
+    return !one.place || !one.place->holds || one.place->holds(inner);
+  });
+}
+
+const Mistake* WrongFunction::at_points(const Question& inner) const {
+  if (!at_points_) return nullptr;
+  const Mistake* const slip = &*slip_;
+  const std::optional<Numbers> numbers = numbers_with({&slip, 1}, inner);
+  const bool is_known = numbers && std::none_of(numbers->begin(), numbers->end(),
+                                                [](double one) { return std::isnan(one); });
+  return is_known ? &*at_points_ : nullptr;
+}
+
+void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
+                              const std::vector<Mistake>& named) {
+  Mistake slip{.function = name_, .name = name_, .text = name_, .touches = {}};
+  if (!named.empty()) {
+    closeness_ = closeness_of_formula;
+    slip.instead = [named](const Question& question) {
+      Mistakes together;
+      for (const Mistake& one : named) together.push_back(&one);
+      std::optional<Numbers> numbers = numbers_with(together, question);
+      return numbers ? numbers : std::optional(right_numbers(question));
+    };
+  } else {
+    std::vector<Factor> factors;
+    for (const Part& part : parts_left(cases)) {
+      Factor factor{part.place, part.branch, power_factor(part)};
+      if (factor.at) {
+        closeness_ = std::max(closeness_, closeness_of_formula);
+      } else {
+        const auto depends = dependence_of(part);
+        if (!depends) return;
+        factor.at = depends->factor;
+        closeness_ = closeness_of_curve;
+      }
+      factors.push_back(std::move(factor));
+    }
+    if (factors.empty()) return;
+    slip.instead = [factors](const Question& question) {
+      Numbers numbers = right_numbers(question);
+      for (const Factor& one : factors)
+        if (one.branch == branch_of(question)) numbers[one.place] *= one.at(question);
+      return std::optional(numbers);
+    };
+  }
+  slip_ = slip;
+  at_points_ = name_.starts_with("hertz_") ? std::optional(with_contact(slip)) : for_points(slip);
+  const bool is_film = std::find(film_formula_words.begin(), film_formula_words.end(), name_) !=
+                       film_formula_words.end();
+  if (is_film) at_points_ = with_film({slip});
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where answers are wrong: at a word or a number of the question, where two inputs are alike, or
+// from a border of one input, or of one group of inputs, on.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "conformance/wrong_numbers.hpp"
+
+namespace tribo::conformance {
+
+struct WrongPlace {
+  std::string text;                            // "right up to d = 5, wrong from 5.2 on"
+  std::function<bool(const Question&)> holds;  // for questions whose answers are wrong
+};
+
+// Empty: wrong and right answers are not apart in anything. Wrong answers that are explained are
+// left out. A border stands between the last right case and the first wrong one; two in a hundred
+// cases, and a tenth of the right or the wrong ones, may lie on the wrong side of it.
+std::optional<WrongPlace> place_of_wrong(const Part& part);
+
+}  // namespace tribo::conformance

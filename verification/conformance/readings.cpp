@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/readings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "conformance/question.hpp"
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using Real = long double;
+
+// --- Roelands' law with the viscosity at which all isotherms meet as it is printed: 9.67 is −ln of
+// it, rounded.
+
+Real log_thickening(Real viscosity, Real alpha, Real pressure, Real log_pole) {
+  const Real scale = std::log(viscosity) - log_pole,
+             relative = pressure / roelands_pressure<Real>();
+  return scale * std::expm1(alpha * roelands_pressure<Real>() / scale * std::log1p(relative));
+}
+
+std::optional<Real> viscosity_with(const Question& question, Real log_pole) {
+  const catalogue::Arguments& x = question.arguments;
+  return x[0] * std::exp(log_thickening(x[0], x[1], x[2], log_pole));
+}
+
+std::optional<Real> friction_with(const Question& question, Real log_pole) {
+  const Scene& scene = *question.scene;
+  if (scene.friction.viscosity != ViscosityLaw::roelands || !has_friction_inputs(scene))
+    return std::nullopt;
+  const OperatingPoint<Real> point = MixedContact<Real>(scene).solve(scene.speeds[0]);
+  if (std::isnan(point.friction)) return std::nullopt;
+  const auto numbers = detail::numbers_of<Real>(scene);
+  const Real mean_pressure = hertz_contact(scene.bodies.shape(), numbers).mean_pressure;
+  const Real pressure = point.fluid_load_share * mean_pressure;
+  const Real sliding = Real(scene.friction.slide_roll_ratio) * Real(scene.speeds[0]);
+  const auto stress = [&](Real thickening) {
+    return fluid_shear_stress(scene.friction.fluid, Real(*scene.lubricant.eyring_stress),
+                              numbers.viscosity, thickening, sliding, point.separation);
+  };
+  const Real own = log_thickening(numbers.viscosity, numbers.pressure_viscosity, pressure,
+                                  -roelands_log_viscosity<Real>());
+  const Real other =
+      log_thickening(numbers.viscosity, numbers.pressure_viscosity, pressure, log_pole);
+  const Real sheared = std::max(Real(0), 1 - point.real_area_ratio);
+  return point.friction + (stress(other) - stress(own)) * sheared / mean_pressure;
+}
+
+template <int digits>  // of the printed number: 631 or 6315
+Real log_pole() {
+  return std::log(Real(digits) / (digits < 1000 ? Real(10000000) : Real(100000000)));
+}
+
+// --- ASTM D341 with the exponential terms that the standard prints for thin liquids. ν in mm²/s.
+
+Real term(Real viscosity) {
+  return std::exp(-(Real(147) + viscosity * (Real(184) + Real(51) * viscosity)) / 100);
+}
+// Of Z − 0.7, the printed inverse, which meets the former one to some 1e-3 of ν.
+Real printed_viscosity(Real z) {
+  const Real power = -7487 + z * (-32950 + z * (6119 - z * 3193));
+  return z - std::exp(power / 10000);
+}
+Real solved_viscosity(Real z) {
+  Real viscosity = z;
+  for (int i = 0; i < 60; ++i) {  // Newton's method: the slope is above 0.5 from ν = 0 on
+    const Real of_term = term(viscosity);
+    const Real slope = 1 - of_term * (Real(184) + Real(102) * viscosity) / 100;
+    viscosity = std::max(Real(0), viscosity - (viscosity + of_term - z) / slope);
+  }
+  return viscosity;
+}
+
+std::optional<Real> full_astm_d341(const Question& question, Real (*viscosity_of)(Real)) {
+  const catalogue::Arguments& x = question.arguments;
+  const auto log_log = [](Real viscosity) {
+    const Real millions = 1000000 * viscosity;
+    return std::log(std::log(millions + Real(7) / 10 + term(millions)));
+  };
+  const Real first = log_log(x[1]), second = log_log(x[3]);
+  const Real part = std::log(Real(x[4]) / Real(x[0])) / std::log(Real(x[2]) / Real(x[0]));
+  const Real z = std::exp(std::exp(first + part * (second - first))) - Real(7) / 10;
+  return viscosity_of(z) / 1000000;
+}
+
+// --- The readings.
+
+struct Reading {
+  std::string_view function;  // or "operating_point" for each kind of points
+  std::string_view field;
+  std::string_view text;
+  std::optional<Real> (*value)(const Question&);  // none: as the certified reading has it
+};
+
+constexpr std::string_view with_631 =
+    "the constant 6.31e-5 Pa·s as it is printed, of which 9.67 "
+    "is the rounding";
+constexpr std::string_view with_6315 = "the constant 6.315e-5 Pa·s, the rounding of e^−9.67";
+constexpr std::array readings{
+    Reading{"roelands_viscosity", "value", with_631,
+            [](const Question& asked) { return viscosity_with(asked, log_pole<631>()); }},
+    Reading{"roelands_viscosity", "value", with_6315,
+            [](const Question& asked) { return viscosity_with(asked, log_pole<6315>()); }},
+    Reading{"operating_point", "friction", with_631,
+            [](const Question& asked) { return friction_with(asked, log_pole<631>()); }},
+    Reading{"operating_point", "friction", with_6315,
+            [](const Question& asked) { return friction_with(asked, log_pole<6315>()); }},
+    Reading{"astm_d341_viscosity", "value",
+            "the exponential terms that the standard prints for thin liquids",
+            [](const Question& asked) { return full_astm_d341(asked, printed_viscosity); }},
+    Reading{"astm_d341_viscosity", "value",
+            "the exponential term that the standard prints for thin liquids, solved for ν",
+            [](const Question& asked) { return full_astm_d341(asked, solved_viscosity); }}};
+
+bool is_of(const Reading& reading, const std::string& function) {
+  return reading.function == function ||
+         (is_operating_point(reading.function) && is_operating_point(function));
+}
+
+Expected* expected_of(TestCase& one, std::string_view field) {
+  for (Expected& expected : one.expected)
+    if (expected.field == field && expected.word.empty() && !expected.is_undefined)
+      return &expected;
+  return nullptr;
+}
+
+// What is expected by a reading: the same where it says nothing else.
+Expected read_as(const Reading& reading, const TestCase& one, Expected expected) {
+  const std::optional<Real> value = reading.value(question_of(one));
+  if (!value || !std::isfinite(static_cast<double>(*value))) return expected;
+  expected.high = static_cast<double>(*value);
+  expected.low = static_cast<double>(*value - static_cast<Real>(expected.high));
+  return expected;
+}
+
+// An answer, and what is expected of it.
+struct Judged {
+  TestCase* asked;
+  Expected* expected;
+  const Reply* answer;
+};
+
+std::vector<Judged> judged_of(std::vector<TestCase>& cases, const Conversation& conversation,
+                              const std::string& function, std::string_view field) {
+  std::vector<Judged> all;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Reply& answer = conversation.answers[i];
+    if (cases[i].function != function || answer.outcome != Outcome::answered) continue;
+    Expected* const expected = expected_of(cases[i], field);
+    if (expected != nullptr) all.push_back({&cases[i], expected, &answer});
+  }
+  return all;
+}
+
+std::vector<Expected> certified_of(const std::vector<Judged>& answers) {
+  std::vector<Expected> all;
+  for (const Judged& one : answers) all.push_back(*one.expected);
+  return all;
+}
+
+std::size_t count_met(const std::vector<Judged>& answers, const std::vector<Expected>& expected,
+                      const Tolerance& tolerance) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const auto& fields = answers[i].answer->fields;
+    const auto found = fields.find(expected[i].field);
+    if (found == fields.end() || !found->is_number()) continue;
+    const double error = std::abs((found->get<double>() - expected[i].high) - expected[i].low);
+    if (error <= allowed_error(*answers[i].asked, expected[i], tolerance)) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<std::string> take_readings(std::vector<TestCase>& cases,
+                                       const Conversation& conversation,
+                                       const Tolerance& tolerance) {
+  std::set<std::string> functions;
+  for (const TestCase& one : cases) functions.insert(one.function);
+  std::vector<std::string> notes;
+  for (const std::string& function : functions) {
+    // The answers of the function that are numbers of a reading's field.
+    std::vector<Judged> answers;
+    const Reading* best = nullptr;
+    std::size_t most = 0;  // answers that are met
+    std::vector<Expected> best_expected;
+    for (const Reading& reading : readings) {
+      if (!is_of(reading, function)) continue;
+      if (answers.empty()) {
+        answers = judged_of(cases, conversation, function, reading.field);
+        most = count_met(answers, certified_of(answers), tolerance);
+      }
+      if (most == answers.size()) break;
+      std::vector<Expected> expected;
+      for (const Judged& one : answers)
+        expected.push_back(read_as(reading, *one.asked, *one.expected));
+      const std::size_t met = count_met(answers, expected, tolerance);
+      if (met <= most) continue;
+      best = &reading;
+      most = met;
+      best_expected = std::move(expected);
+    }
+    if (best == nullptr) continue;
+    for (std::size_t i = 0; i < answers.size(); ++i) *answers[i].expected = best_expected[i];
+    notes.push_back(
+        fmt::format("{} is held to the law with {}.", answers[0].expected->quantity, best->text));
+  }
+  return notes;
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers by which right answers may be told from wrong ones: the inputs of a question, the
+// groups that its law is written in, and the right results.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "conformance/question.hpp"
+
+namespace tribo::conformance {
+
+struct Variable {
+  std::string symbol;                            // "k", "αp", "surface.offset_planes"
+  bool is_input;                                 // not a group of inputs, and not a result
+  std::function<double(const Question&)> value;  // NaN: this question has none
+};
+
+// "F" of "F, of both bodies": the symbol at the beginning of a meaning.
+std::string symbol_of(std::string_view meaning);
+
+// Of the function; null: of operating points. Inputs come first, then groups, then results.
+std::vector<Variable> variables_of(const catalogue::Function* function);
+
+// The number of a scene that is this parameter of a film law.
+double number_of_film(const Scene& scene, std::string_view parameter);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of wrong answers that no known mistake gives: where they are wrong, what the error
+// depends on, and what follows from another function.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+
+#include "conformance/diagnosis.hpp"
+#include "conformance/question.hpp"
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using nlohmann::json;
+using namespace nlohmann::literals;
+
+const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
+
+const std::vector<TestCase>& all_cases() {
+  static const std::vector<TestCase> cases = cases_for(
+      read_cases({reference + "/exact", reference + "/published"}), engineering_tolerance());
+  return cases;
+}
+
+// The right answer, which a slip changes.
+json right_answer(const TestCase& asked) {
+  json fields;
+  for (const Expected& one : asked.expected)
+    if (one.is_undefined)
+      fields[one.field] = nullptr;
+    else if (!one.word.empty())
+      fields[one.field] = one.word;
+    else
+      fields[one.field] = one.high;
+  return fields;
+}
+
+using Slip = std::function<void(const TestCase& asked, json& fields)>;
+
+// All sentences on a solver that offers the functions that have a slip.
+std::string said_of(const std::map<std::string, Slip>& slips) {
+  std::vector<TestCase> cases;
+  Conversation conversation;
+  for (const TestCase& one : all_cases()) {
+    const auto slip = slips.find(one.function);
+    if (slip == slips.end()) continue;
+    json fields = right_answer(one);
+    slip->second(one, fields);
+    cases.push_back(one);
+    conversation.answers.push_back({Outcome::answered, std::move(fields), {}});
+  }
+  std::string said;
+  for (const Diagnosis& one : diagnose(cases, conversation, engineering_tolerance(), {}))
+    said += one.text + '\n';
+  return said;
+}
+
+void expect_said(const std::string& said, const std::string& words, bool is_wanted = true) {
+  EXPECT_EQ(said.find(words) != std::string::npos, is_wanted) << words << "\nsaid: " << said;
+}
+
+void multiply(json& field, double by) { field = field.get<double>() * by; }
+
+double number(const json& inputs, const char* name) { return inputs.at(name).get<double>(); }
+
+// Answers of a field that are wrong, each by another factor, where something holds.
+Slip noise_where(const std::string& field, std::function<bool(const json& inputs)> holds) {
+  return [=](const TestCase& asked, json& fields) {
+    std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(asked.id)));
+    if (holds(asked.inputs) && fields.contains(field) && fields[field].is_number())
+      multiply(fields[field], std::uniform_real_distribution<double>(1.1, 1.9)(random));
+  };
+}
+bool has_roelands(const json& inputs) {
+  return inputs.value("/friction/viscosity"_json_pointer, std::string("barus")) == "roelands";
+}
+
+TEST(Place, IsAWordOrAnEqualityOrAnOrderWhereThatTellsAllWrongAnswers) {
+  expect_said(said_of({{"effective_modulus", noise_where("value",
+                                                         [](const json& in) {
+                                                           return in.at("first_modulus") !=
+                                                                  in.at("second_modulus");
+                                                         })}}),
+              "cases where E₁ is not E₂");
+  expect_said(said_of({{"hertz_ellipse", noise_where("approach",
+                                                     [](const json& in) {
+                                                       return number(in, "radius_y") <
+                                                              number(in, "radius_x");
+                                                     })}}),
+              "cases where R_y < R_x, right in all others");
+  expect_said(said_of({{"operating_point", noise_where("friction", has_roelands)}}),
+              "cases where `friction.viscosity` is roelands, right in all others");
+  expect_said(said_of({{"operating_point_of_line", noise_where("film",
+                                                               [](const json& in) {
+                                                                 return in.contains("supply") &&
+                                                                        in.at("supply").contains(
+                                                                            "inlet_film_ratio");
+                                                               })}}),
+              "cases where `supply.inlet_film_ratio` is given, right in all others");
+}
+
+TEST(Place, IsAConditionThatAllWrongAnswersNeed) {
+  std::mt19937 random(7);
+  expect_said(said_of({{"operating_point", noise_where("film",
+                                                       [&](const json& in) {
+                                                         return in.at("surface").value(
+                                                                    "offset_planes", 1) == 2 &&
+                                                                random() % 3 > 0;
+                                                       })}}),
+              "wrong only where `surface.offset_planes` is 2: in ");
+}
+
+TEST(Place, IsNoneWhereWrongAnswersAreAnywhere) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+    std::mt19937 random(seed);
+    const auto sometimes = [&](const json&) { return random() % 3 == 0; };
+    for (const char* const function : {"effective_modulus", "hertz_line", "moes_line"}) {
+      const std::string field = function == std::string("hertz_line") ? "approach" : "value";
+      const std::string said = said_of({{function, noise_where(field, sometimes)}});
+      for (const char* const words : {"wrong in all", "wrong only", "right up to", "right from"})
+        expect_said(said, words, false);
+    }
+  }
+}
+
+TEST(Place, IsABorderOfAGroupWhereNoInputHasOne) {
+  expect_said(said_of({{"barus_viscosity", noise_where("value",
+                                                       [](const json& in) {
+                                                         return number(in, "pressure_viscosity") *
+                                                                    number(in, "pressure") >
+                                                                2;
+                                                       })}}),
+              "right up to αp = ");
+  expect_said(
+      said_of({{"pan_hamrock_central", noise_where("value",
+                                                   [](const json& in) {
+                                                     return number(in, "load_per_length") /
+                                                                (2 *
+                                                                 number(in, "effective_modulus") *
+                                                                 number(in, "reduced_radius")) >
+                                                            2e-5;
+                                                   })}}),
+      "right up to W = ");
+}
+
+TEST(Place, OfOneCaseIsThatCase) {
+  const std::string said = said_of({{"effective_modulus", noise_where("value", [](const json& in) {
+                                       return in.at("first_poisson_ratio") == 0;
+                                     })}});
+  expect_said(said, ", the only case where ν₁ = 0");
+  expect_said(said, "right below and beyond", false);
+}
+
+// The factor of a film by k, by U, or by both.
+TEST(Dependence, IsOnTheOneVariableThatDeterminesTheFactor) {
+  const auto film = [](const std::string& function,
+                       const std::function<double(double k, double U)>& factor) {
+    return said_of({{function, [=](const TestCase& asked, json& fields) {
+                       const json& in = asked.inputs;
+                       const double radius = in.contains("reduced_radius")
+                                                 ? number(in, "reduced_radius")
+                                                 : number(in, "radius_x");
+                       const double U = number(in, "viscosity") * number(in, "speed") /
+                                        (2 * number(in, "effective_modulus") * radius);
+                       multiply(fields["value"], factor(in.value("ellipticity", 1.0), U));
+                     }}});
+  };
+  for (const char* const function :
+       {"hamrock_dowson_central", "hamrock_dowson_minimum", "hamrock_dowson_soft_minimum"}) {
+    const auto of_k = film(function, [](double k, double) { return 1 - 0.4 * std::exp(-k / 2); });
+    expect_said(of_k, "The factor depends on k alone: ");
+    const auto of_both = film(function, [](double k, double U) {
+      return 1 - 0.4 * std::exp(-k / 2) * std::pow(U, 0.05);
+    });
+    expect_said(of_both, "The factor depends on", false);
+  }
+  for (const char* const function : {"moes_line", "ertel_grubin"})
+    expect_said(film(function, [](double, double U) { return 1 + std::pow(U * 1e11, 0.1) / 9; }),
+                "The factor depends on U alone: ");
+}
+
+TEST(Dependence, IsNotSaidOfNoise) {
+  for (const char* const function : {"hamrock_dowson_central", "moes_line", "barus_viscosity"})
+    expect_said(said_of({{function, noise_where("value", [](const json&) { return true; })}}),
+                "The factor depends on", false);
+}
+
+// Relative errors of both signs, up to a size that may depend on the question.
+Slip scattered(std::function<double(const json& inputs)> size) {
+  return [=](const TestCase& asked, json& fields) {
+    std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(asked.id)));
+    const double part = std::uniform_real_distribution<double>(-1, 1)(random);
+    multiply(fields["value"], 1 + part * size(asked.inputs));
+  };
+}
+
+TEST(Scatter, IsSaidOfErrorsInNoOrder) {
+  for (const char* const function :
+       {"moes_line", "hamrock_dowson_central", "pan_hamrock_minimum"}) {
+    const auto small = said_of({{function, scattered([](const json&) { return 1e-4; })}});
+    expect_said(small, "as of an iteration that stops too early");
+    const auto growing = said_of({{function, scattered([](const json& in) {
+                                     return std::min(0.5, 1e-3 / number(in, "viscosity"));
+                                   })}});
+    expect_said(growing, "and grow where η₀ is small");
+    const auto large = said_of({{function, scattered([](const json&) { return 0.5; })}});
+    expect_said(large, "in no order", false);
+    const auto smooth =
+        said_of({{function, [](const TestCase& asked, json& fields) {
+                    multiply(fields["value"], 1 + 1e-4 / (1 + number(asked.inputs, "speed") +
+                                                          number(asked.inputs, "viscosity")));
+                  }}});
+    expect_said(smooth, "in no order", false);
+  }
+}
+
+// Films of dowson_toyoda_central that are too thick by 30 %, in points, too, and friction that is
+// twice as high with Roelands' law.
+void set_numbers(json& fields, const OperatingPoint<double>& point) {
+  const auto numbers = numbers_of(point);
+  for (std::size_t i = 0; i < output_infos.size(); ++i) {
+    const std::string name(output_infos[i].name);
+    if (i < numbers.size() && fields.contains(name) && fields[name].is_number() &&
+        std::isfinite(numbers[i]))
+      fields[name] = numbers[i];
+  }
+}
+void thicken(const TestCase& asked, json& fields) {
+  const Question question = question_of(asked);
+  if (question.scene->closures.film != FilmFormula::dowson_toyoda_central) return;
+  FilmLaw law = film_law(FilmFormula::dowson_toyoda_central);
+  law.constant.p = law.constant.p * 13;
+  law.constant.q = law.constant.q * 10;
+  set_numbers(fields, MixedContact<double>(*question.scene, law).solve(question.scene->speeds[0]));
+}
+void thicken_film(const TestCase&, json& fields) { multiply(fields["value"], 1.3); }
+
+TEST(Following, IsSaidOfPointsThatUseTheWrongFunctionAndOfNoOthers) {
+  const std::string follows = "This follows from dowson_toyoda_central: ";
+  const std::string said =
+      said_of({{"dowson_toyoda_central", thicken_film}, {"operating_point_of_line", thicken}});
+  expect_said(said, follows);
+  expect_said(said, "None of the known mistakes gives these others", false);
+  const std::string both =
+      said_of({{"dowson_toyoda_central", thicken_film},
+               {"operating_point_of_line", [](const TestCase& asked, json& fields) {
+                  thicken(asked, fields);
+                  if (has_roelands(asked.inputs)) multiply(fields["friction"], 2);
+                }}});
+  expect_said(both, follows);
+  expect_said(both, "cases where `friction.viscosity` is roelands, right in all others");
+  // Points of other films are wrong by themselves.
+  const std::string others =
+      said_of({{"dowson_toyoda_central", thicken_film},
+               {"operating_point", noise_where("film", [](const json&) { return true; })}});
+  expect_said(others, "follows from", false);
+  expect_said(others, "It rests on", false);
+}
+
+// Moments of greenwood_tripp's load are wrong in a way that has no law.
+TEST(Following, IsByUseWhereTheWrongFunctionIsNotKnownWellEnough) {
+  const auto moments = noise_where("value", [](const json& in) { return in.at("order") == 2.5; });
+  const std::string said = said_of(
+      {{"gaussian_moment", moments}, {"load_sharing", noise_where("value", [](const json& in) {
+                                        return in.at("asperity") == "greenwood_williamson";
+                                      })}});
+  expect_said(said, "It rests on gaussian_moment", false);
+  expect_said(said_of({{"gaussian_moment", moments},
+                       {"load_sharing", noise_where("value",
+                                                    [](const json& in) {
+                                                      return in.at("asperity") == "greenwood_tripp";
+                                                    })}}),
+              "It rests on gaussian_moment, wrong too");
+}
+
+// One slip in the film and one in friction are told each; what follows from the first is not.
+TEST(Point, IsToldByTheResultThatIsComputedFirstAndThenByOthers) {
+  const auto film = [](const TestCase& asked, json& fields) {
+    if (asked.inputs.at("surface").value("offset_planes", 1) != 2) return;
+    std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(asked.id)));
+    for (const char* const name : {"film_flooded", "film", "separation", "film_parameter"})
+      multiply(fields[name], std::uniform_real_distribution<double>(1.1, 1.9)(random));
+  };
+  const std::string of_film = "film_flooded is off in ";
+  const std::string planes = "cases where `surface.offset_planes` is 2, right in all others";
+  const std::string one = said_of({{"operating_point", film}});
+  expect_said(one, of_film);
+  expect_said(one, planes);
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1) << one;
+  const std::string both =
+      said_of({{"operating_point", [&](const TestCase& asked, json& fields) {
+                  film(asked, fields);
+                  if (has_roelands(asked.inputs) && fields["friction"].is_number())
+                    multiply(fields["friction"], 2);
+                }}});
+  expect_said(both, of_film);
+  expect_said(both, planes);
+  expect_said(both, "cases where `friction.viscosity` is roelands, right in all others");
+  EXPECT_EQ(std::count(both.begin(), both.end(), '\n'), 2) << both;
+}
+
+// The inputs in which a question differs from the one before.
+std::set<std::string> changes(const json& inputs, const json& before) {
+  std::set<std::string> changed;
+  for (const auto& [name, value] : inputs.items())
+    if (before.value(name, json()) != value) changed.insert(name);
+  return changed;
+}
+
+// A point keeps its contact from the case before, unless the load is another one.
+TEST(Cache, InsideOfAPointIsSaidWithTheInputThatItDoesNotLookAt) {
+  json before = json::object();
+  bool is_kept = false;
+  const std::string said = said_of({{"operating_point", [&](const TestCase& asked, json& fields) {
+                                       json inputs = asked.inputs.flatten();
+                                       const auto changed = changes(inputs, before);
+                                       if (changed.size() > 1 || changed.contains("/load"))
+                                         is_kept = false;
+                                       else if (changed.contains("/bodies/effective_modulus"))
+                                         is_kept = true;
+                                       if (is_kept) multiply(fields["friction"], 1.05);
+                                       before = std::move(inputs);
+                                     }}});
+  expect_said(said, "begins where bodies.effective_modulus changes. The solver keeps something");
+  // As many wrong answers anywhere are of no cache.
+  std::mt19937 random(3);
+  expect_said(said_of({{"operating_point",
+                        noise_where("friction", [&](const json&) { return random() % 20 == 0; })}}),
+              "as a cache does", false);
+}
+
+}  // namespace
+}  // namespace tribo::conformance
