@@ -219,6 +219,12 @@ class SceneBinder {
   void take_both_faces(std::size_t field, const Entry& entry) {
     const FieldInfo& info = scene_fields()[field];
     if (entry.elements.size() != 2) return refuse(info, info.path, entry.value);
+    for (const Value& element : entry.elements)
+      if (element.kind == ValueKind::table)
+        return problems_.error(
+            info.path,
+            {.what = "a list of two faces takes no distribution; allowed: a distribution "
+                     "of both faces together, √(x₁² + x₂²), or two numbers"});
     std::array<std::optional<double>, 2> faces;
     for (std::size_t i = 0; i < faces.size(); ++i)
       faces[i] = number_of(info, entry.elements[i], element_name(info.path, i));

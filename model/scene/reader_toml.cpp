@@ -145,6 +145,13 @@ bool is_of_sweep(const Entry& entry) {
          });
 }
 
+// Does the parser stop at a letter, as at a unit behind a number?
+bool stops_at_letter(std::string_view description) {
+  if (description.size() < 3 || !description.ends_with('\'')) return false;
+  const char sign = description[description.size() - 2];
+  return (sign >= 'a' && sign <= 'z') || (sign >= 'A' && sign <= 'Z');
+}
+
 void report(const toml::parse_error& error, const TomlScreen& screen, Problems& problems) {
   const toml::source_position where = error.source().begin;
   std::string description(error.description());
@@ -152,6 +159,8 @@ void report(const toml::parse_error& error, const TomlScreen& screen, Problems& 
   if (!field.empty())
     return problems.error_at(where.line, where.column, field, {.rule = Fault::once});
   if (description.starts_with("Error while")) description.erase(0, 6);
+  if (stops_at_letter(description))
+    description += "; a number with a unit stands in quotes, as \"46 kN\"";
   problems.error_at(where.line, where.column, "", {.what = "not TOML: " + description});
 }
 

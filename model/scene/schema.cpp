@@ -335,7 +335,9 @@ constexpr auto rows = std::to_array<Row>({
       .exclusive_minimum = false,
       .default_text = "1",
       .plausible_maximum = 100,
-      .meaning = "S, sliding speed over entrainment speed"},
+      .meaning =
+          "S, sliding speed over entrainment speed; usual in a rolling bearing 0.01 to 0.05, "
+          "in gears 0 to 0.5, on a rig with ball on disc 0.5"},
      at_number<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio>},
     choice_row("friction.fluid", fluid_shear_words, "shear law of the fluid",
                at<&Scene::friction, &Friction::fluid>),
@@ -569,7 +571,24 @@ std::string_view nearest_name(std::string_view path, bool with_sections, bool wi
   return nearest.name();
 }
 
+// Symbols that people write in place of an output's name.
+struct Symbol {
+  std::string_view sign, name;
+};
+constexpr auto symbols = std::to_array<Symbol>({{"Λ", "lambda_ratio"},
+                                                {"λ", "film_parameter"},
+                                                {"μ", "friction"},
+                                                {"µ", "friction"},
+                                                {"mu", "friction"},
+                                                {"h", "film"},
+                                                {"h_min", "minimum_film"},
+                                                {"A", "asperity_load_share"}});
+
 std::string_view nearest_choice(std::string_view word, std::span<const std::string_view> choices) {
+  for (const Symbol& symbol : symbols)
+    if (symbol.sign == word &&
+        std::find(choices.begin(), choices.end(), symbol.name) != choices.end())
+      return symbol.name;
   Nearest nearest(word);
   for (const std::string_view choice : choices) nearest.consider(choice);
   return nearest.name();

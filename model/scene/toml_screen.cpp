@@ -187,7 +187,10 @@ class Screener {
 
   void pass_sign(char c) {
     if (static_cast<unsigned char>(c) >= 0x80)
-      return complain("non-ASCII sign outside of strings and comments");
+      return complain(
+          "non-ASCII sign outside of strings and comments; a number with a unit stands in quotes, "
+          "as "
+          "\"10 µm\"");
     if (is_word_sign(c)) return pass_word();
     const bool header = line_start_ && open_.empty() && c == '[';
     if (c != ' ' && c != '\t' && c != '\n' && c != '\r') line_start_ = false;

@@ -46,12 +46,14 @@ constexpr auto spellings = std::to_array<Spelling>({{"m", "*m", 1},
                                                     {"Pa", "*Pa", 1},
                                                     {"Pa", "N/mm2", 0, 6},
                                                     {"1/Pa", "1/*Pa", -1},
+                                                    {"1/Pa", "/*Pa", -1},
                                                     {"1/Pa", "*Pa-1", -1},
                                                     {"1/Pa", "mm2/N", 0, -6},
                                                     {"Pa·s", "*Pa.s", 1},
                                                     {"Pa·s", "*Pas", 1},
                                                     {"Pa·s", "*P", 1, -1},
                                                     {"m/s", "*m/s", 1},
+                                                    {"m/s", "km/h", 0},
                                                     {"m/s", "*m.s-1", 1},
                                                     {"m²/s", "*m2/s", 2},
                                                     {"m²/s", "*m2.s-1", 2},
@@ -196,6 +198,15 @@ std::string kelvins(const Parts& celsius) {
   return text.data();
 }
 
+// The decimal in m/s of one in km/h, with more digits than double has.
+std::string meters_per_second(const Parts& kilometers_per_hour) {
+  const std::string written = std::string(kilometers_per_hour.mantissa) + 'e' +
+                              std::to_string(kilometers_per_hour.exponent);
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.20Le", std::strtold(written.c_str(), nullptr) / 3.6L);
+  return text.data();
+}
+
 // A number with a unit of another quantity, which people have in place of the field's; empty where
 // it is none that is known here.
 std::string_view other_quantity(std::string_view text, std::string_view unit) {
@@ -217,6 +228,7 @@ std::optional<std::string> si_decimal(std::string_view text, std::string_view un
   const Parts parts = parts_of(text);
   if (parts.mantissa.empty() || parts.unit.empty()) return std::nullopt;
   const std::string written = plain_unit(parts.unit);
+  if (unit == "m/s" && written == "km/h") return meters_per_second(parts);
   const auto power = power_of(written, unit);
   if (!power) return std::nullopt;
   const bool is_celsius = unit == "K" && written.ends_with('C');
@@ -246,7 +258,7 @@ Value in_si(const Value& value, std::string_view unit, Measure measure) {
   return number;
 }
 
-bool is_number_with_unit(std::string_view text) { return !parts_of(text).unit.empty(); }
+bool is_number(std::string_view text) { return !parts_of(text).mantissa.empty(); }
 
 std::string_view usual_units(std::string_view unit) {
   const auto found =
@@ -259,7 +271,7 @@ Fault no_number(const Value& value, std::string_view unit, std::string allowed) 
   if (value.kind == ValueKind::list) fault.allowed += "; a sweep takes lists: tribocheck sweep";
   if (value.kind == ValueKind::text && (value.text == "inf" || value.text == "-inf"))
     fault.what = "a text: write it without the quotes";
-  if (value.kind != ValueKind::text || !is_number_with_unit(value.text)) return fault;
+  if (value.kind != ValueKind::text || !is_number(value.text)) return fault;
   const std::string_view units = usual_units(unit), other = other_quantity(value.text, unit);
   if (units.empty()) {
     fault.what = "a text, and this number has no unit";
@@ -267,6 +279,7 @@ Fault no_number(const Value& value, std::string_view unit, std::string allowed) 
     fault.what = other.empty() ? "not in a unit that fits" : other;
     fault.allowed += ", or a text in " + std::string(units);
   }
+  if (parts_of(value.text).unit.starts_with(',')) fault.allowed += ", with a decimal point";
   return fault;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers as people write them, "20.2 mPa s", in place of SI numbers. All units are powers of ten
-// of the SI unit, but for °C: a number keeps its digits, and so the bits that it has in SI.
+// of the SI unit, but for °C and km/h: a number keeps its digits, and so the bits that it has in
+// SI.
 #pragma once
 
 #include <optional>
@@ -22,8 +23,8 @@ std::optional<std::string> si_decimal(std::string_view text, std::string_view un
 // The number in place of a text that si_decimal() takes; any other value as it is.
 Value in_si(const Value& value, std::string_view unit, Measure measure = Measure::value);
 
-// Does a text begin with a number, behind which something stands?
-bool is_number_with_unit(std::string_view text);
+// Does a text begin with a number?
+bool is_number(std::string_view text);
 
 // "nm, µm, mm or m", for messages; empty where the field takes no unit.
 std::string_view usual_units(std::string_view unit);

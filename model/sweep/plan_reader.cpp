@@ -381,7 +381,19 @@ class SweepBinder {
         Fault::reach,
         (is_printed ? "this printed number" : "this " + std::string(name(kind)) + " distribution") +
             (value < 0 ? " reaches −" : " reaches ") + scene_detail::rounded_text(std::abs(value)),
-        has_tails ? ": truncate it with `" + std::string(end) + "`" : "", allowed};
+        has_tails ? ": truncate it with `" + std::string(end) + "`" + bound_text(variable, value)
+                  : "",
+        allowed};
+  }
+
+  // A bound that cuts off less than a thousandth, for a distribution that reaches 0 or beyond from
+  // above; empty for all others.
+  static std::string bound_text(const Variable& variable, double value) {
+    const double mean = variable.nominal;
+    if (variable.distribution.kind() != DistributionKind::normal || !(value <= 0 && mean > 0))
+      return {};
+    const double bound = std::max(mean - 0.5 * (mean - value), mean / 100);
+    return ", as from = " + scene_detail::rounded_text(bound);
   }
 
   // --- Correlation.

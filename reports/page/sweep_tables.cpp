@@ -41,6 +41,8 @@ std::string with_error(const sweep::Bounded& index) {
     return value < 0 && text != "0.000" ? "−" + text : text;
   };
   if (!std::isfinite(index.high)) return fixed(index.value);
+  // All differences that the input makes are exactly 0.
+  if (index.value == 0 && index.low == 0 && index.high == 0) return "not used";
   return fmt::format("{} ± {}", fixed(index.value), fixed(index.high - index.value));
 }
 

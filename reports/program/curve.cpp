@@ -50,7 +50,9 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   if (scene.speeds.list.empty())
     return stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
                           protocol::needed_for(scene.outputs), add);
-  for (const double speed : scene.speeds.list) add(contact.solve(speed));
+  std::vector<double> speeds = scene.speeds.list;
+  std::sort(speeds.begin(), speeds.end());
+  for (const double speed : speeds) add(contact.solve(speed));
 }
 
 void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
@@ -128,7 +130,7 @@ int curve(const CurveArguments& arguments, OutputStream& output) {
 constexpr const char* curve_footer =
     R"(The curve spans the scene's range of speeds with as many points as it has, spaced evenly in the
 logarithm of speed, also where the range is spaced otherwise. A list of speeds is answered at these
-speeds. Columns and formats are those of `tribocheck solve`.
+speeds, the least first. Columns and formats are those of `tribocheck solve`.
 
 --picture draws friction, film and the asperities' share of the load against speed, as far as the
 scenes ask for them, from the least to the greatest speed, and marks the film's maximum

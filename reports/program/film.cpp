@@ -144,8 +144,9 @@ constexpr const char* film_footer =
 the load, the bodies, the speed, lubricant.viscosity and lubricant.pressure_viscosity are needed, and
 friction.viscosity is taken where it is barus or roelands; the other fields may be absent and are not used.
 
-Each number is followed by what it may be off by (±, in CSV and JSON `error`), as grids that halve
-their cells show it. `deviation` is how far a formula's film is from the solved film that it stands
+Each number is followed by what the numerical solution may be off by (±, in CSV and JSON `error`), as
+grids that halve their cells show it. Another liquid changes the film by far more: `--viscosity
+roelands --density dowson_higginson` solves a real oil. `deviation` is how far a formula's film is from the solved film that it stands
 for, of the liquid that the formula was fitted to, which is solved as well; beside it stands how far
 it is from this contact's own film. Where no text tells which liquid that was, there is no deviation.
 Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
@@ -196,7 +197,7 @@ Command add_film(CLI::App& program) {
   add_number_option(
       *app, "--speed", [arguments](double speed) { arguments->speed = speed; },
       [](double speed) { return speed > 0 && std::isfinite(speed); }, "a number above 0, in m/s",
-      "this one speed in m/s in place of the scenes' own");
+      "this one speed, in m/s or with its unit, in place of the scenes' own", "m/s");
   app->add_flag("--profile", arguments->with_profile,
                 "pressure and film across the contact too; in CSV in place of the films");
   add_picture_option(*app, arguments->picture, "pressure and film of one contact");

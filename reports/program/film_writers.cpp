@@ -144,10 +144,16 @@ void append_notes(Text& to, const FilmCase& film) {
       film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
       film.viscosity == "barus" ? "Barus" : "Roelands"));
   note(
-      "deviation: from the solved film of the liquid that the formula was fitted to, where that "
-      "is known; this liquid: from the film above, of this contact's liquid");
-  note(fmt::format("± is what a number may be off by; {} grids, the finest of {} cells", film.grids,
-                   film.cells));
+      "deviation: the formula against the film solved for the liquid that it was fitted to, which "
+      "is that of the last column, where it is known; this liquid: the formula against the film "
+      "above");
+  note(fmt::format(
+      "± is what the numerical solution may be off by; {} grids, the finest of {} cells",
+      film.grids, film.cells));
+  if (film.viscosity == "barus" || film.density == "incompressible")
+    note(
+        "another liquid changes the film by more than ±: `--viscosity roelands --density "
+        "dowson_higginson` solves a real oil");
 }
 
 void append_profile(Text& to, const FilmCase& film) {

@@ -141,10 +141,15 @@ int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const Function& function : catalogue::functions()) names.push_back(function.name);
   const std::string_view nearest = scene_detail::nearest_choice(name, names);
+  std::vector<std::string_view> neighbours;  // functions with the same beginning
+  for (const std::string_view one : names)
+    if (!name.empty() && one.starts_with(name)) neighbours.push_back(one);
+  if (neighbours.empty() && !nearest.empty()) neighbours.push_back(nearest);
   return fail(exit_bad,
               fmt::format("there is no function \"{}\"; {}", printable(name),
-                          nearest.empty() ? std::string("`tribocheck functions` lists all")
-                                          : fmt::format("did you mean {}?", nearest)));
+                          neighbours.empty()
+                              ? std::string("`tribocheck functions` lists all")
+                              : fmt::format("did you mean {}?", fmt::join(neighbours, " or "))));
 }
 
 int show(const FunctionsArguments& arguments, OutputStream& output) {

@@ -143,7 +143,7 @@ Command add_onset(CLI::App& program) {
   add_number_option(
       *app, "--departure", [arguments](double departure) { arguments->departure = departure; },
       [](double departure) { return departure > 0 && departure < 1; },
-      "a number above 0 and below 1", "the ε of film_departure (default: 0.05)");
+      "a number above 0 and below 1, or in %", "the ε of film_departure (default: 0.05)", "%");
   return {app, [arguments](OutputStream& output) { return find_onsets(*arguments, output); },
           [arguments]() -> std::vector<Ignored> {
             return {{{"--departure"},

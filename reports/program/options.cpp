@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <system_error>
 #include <utility>
+
+#include "scene/units.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -29,6 +32,25 @@ std::string empty_option(const CLI::App& command) {
   return {};
 }
 
+std::optional<double> number_in(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return number;
+}
+
+// The number of an option, with or without the unit that it may have.
+std::optional<double> number_of(const std::string& text, std::string_view unit) {
+  if (unit == "%" && text.ends_with('%')) {
+    const std::size_t last = text.find_last_not_of(" %");
+    const auto number = number_in(text.substr(0, last + 1));
+    return number ? std::optional(*number / 100) : std::nullopt;
+  }
+  const auto decimal = unit.empty() ? std::nullopt : scene_detail::si_decimal(text, unit);
+  return number_in(decimal ? *decimal : text);
+}
+
 }  // namespace
 
 std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& table) {
@@ -47,14 +69,13 @@ std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& 
 
 CLI::Option* add_number_option(CLI::App& app, const std::string& name,
                                std::function<void(double)> store, bool (*is_allowed)(double),
-                               const std::string& allowed, const std::string& description) {
+                               const std::string& allowed, const std::string& description,
+                               std::string_view unit) {
   const auto read = [=, store = std::move(store)](const std::string& text) {
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, number);
-    if (error != std::errc() || stop != end || !is_allowed(number))
+    const std::optional<double> number = number_of(text, unit);
+    if (!number || !is_allowed(*number))
       throw CLI::ValidationError(name, text + " is not allowed; allowed: " + allowed);
-    store(number);
+    store(*number);
   };
   return app.add_option_function<std::string>(name, read, description);
 }

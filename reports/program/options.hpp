@@ -30,9 +30,11 @@ inline std::chrono::milliseconds milliseconds(double seconds) {
 }
 
 // Adds an option that is a number. CLI11's own conversion rounds twice and lets "nan" through.
-// `allowed` tells in words which numbers `is_allowed` takes.
+// `allowed` tells in words which numbers `is_allowed` takes. Where there is a `unit`, as "m/s" or
+// "%", the number may have one, as in scenes; a number in % is stored as a part of 1.
 CLI::Option* add_number_option(CLI::App& app, const std::string& name,
                                std::function<void(double)> store, bool (*is_allowed)(double),
-                               const std::string& allowed, const std::string& description);
+                               const std::string& allowed, const std::string& description,
+                               std::string_view unit = {});
 
 }  // namespace tribo::cli

@@ -12,7 +12,8 @@
 namespace tribo::cli {
 
 void add_picture_option(CLI::App& app, std::string& picture, const std::string& subject) {
-  app.add_option("--picture", picture, "draw " + subject + ": a file .png or .svg (needs gnuplot)")
+  app.add_option("--picture", picture,
+                 "draw " + subject + ": a file .png or .svg (needs gnuplot and python3)")
       ->check([](const std::string& name) {
         const std::string ending = std::filesystem::path(name).extension().string();
         return ending == ".png" || ending == ".svg"

@@ -33,7 +33,9 @@ not be written; 2: bad usage or input.
 
 Example:
   tribocheck solve reference/published/rough.toml
-The paper's scenes are in reference/published, its sweeps in reference/published/sweeps.
+Scenes to start from are in reference/scenes. The paper, whose model this is, is by D. Gasni: The
+influence of surface roughness on starvation in a point contact. Its scenes are in
+reference/published, its sweeps in reference/published/sweeps.
 See also: tribocheck solve --help)";
 
 // The column at which a line goes on: below the description of an option, else below its own start.

@@ -14,10 +14,26 @@ namespace {
 
 constexpr std::string_view published = "reference/published";
 
+// Where a scene of this name is installed, if the path itself leads to nothing.
+std::string installed_hint(const std::string& path) {
+  std::error_code ignored;
+  if (path == "-" || std::filesystem::exists(path, ignored)) return {};
+  try {
+    const report::ReportPlaces places = report::find_places({});
+    for (const auto& folder : {places.reference / "scenes", places.scenes}) {
+      const auto scene = folder / std::filesystem::path(path).filename();
+      if (std::filesystem::is_regular_file(scene, ignored)) return "; there is " + scene.string();
+    }
+  } catch (const report::ReportError&) {
+    // Nothing is installed.
+  }
+  return {};
+}
+
 void load_scene(const std::string& path, SceneUse use, const Prepare& prepare,
                 LoadedScenes& loaded) {
   SceneReading reading = read_scene(path, use);
-  for (const InputProblem& error : reading.errors) complain(error.line());
+  for (const InputProblem& error : reading.errors) complain(error.line() + installed_hint(path));
   for (const InputProblem& warning : reading.warnings) complain("warning: " + warning.line());
   loaded.is_noted = loaded.is_noted || !reading.warnings.empty();
   if (!reading.scene) {
@@ -85,7 +101,8 @@ LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
     return loaded;
   }
   for (const std::string& path : paths) load_scene(path, use, prepare, loaded);
-  loaded.warnings.tell();
+  loaded.warnings.tell(use == SceneUse::line_film ? "section 14 of model/README.md explains them"
+                                                  : "`tribocheck solve --explain` has them all");
   return loaded;
 }
 

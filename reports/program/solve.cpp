@@ -82,6 +82,7 @@ struct Fact {
   std::string_view name;
   ordered_json value;
   std::string_view unit, meaning;
+  std::string_view default_text = {};  // of an input
 };
 struct Facts {
   std::string_view part;
@@ -96,11 +97,29 @@ ordered_json pairs_text(const Oil& oil) {
                      second.viscosity);
 }
 
-// The value of a field as JSON. Of speeds, however they are given, the least and the greatest.
+// The speeds of a list; null of a long list and of a range, which are told by their ends.
+ordered_json list_text(const Speeds& speeds) {
+  constexpr std::size_t most_shown = 20;
+  if (speeds.list.empty() || speeds.list.size() > most_shown) return nullptr;
+  return fmt::format("{}", fmt::join(speeds.list, ", "));
+}
+
+// The words of `accept`; null where there are none.
+ordered_json accepted_text(const Scene& scene) {
+  if (scene.accepted.empty()) return nullptr;
+  return fmt::format("{}", fmt::join(scene.accepted, ", "));
+}
+
+// The value of a field as JSON. Of a range of speeds the least and the greatest.
 ordered_json input_of(const Scene& scene, std::size_t field) {
   const FieldInfo& info = scene_fields()[field];
-  if (info.path == "speed.from") return detail::speed_span(scene.speeds).low;
-  if (info.path == "speed.to") return detail::speed_span(scene.speeds).high;
+  if (info.type == FieldType::speeds) return list_text(scene.speeds);
+  if (info.type == FieldType::limits) return accepted_text(scene);
+  const bool has_list = !list_text(scene.speeds).is_null();
+  if (info.path == "speed.from")
+    return has_list ? nullptr : ordered_json(detail::speed_span(scene.speeds).low);
+  if (info.path == "speed.to")
+    return has_list ? nullptr : ordered_json(detail::speed_span(scene.speeds).high);
   if (info.type == FieldType::viscosities) return pairs_text(scene.lubricant.oil);
   const std::optional<double> value = scene_detail::value_in(scene, field);
   if (!value) return nullptr;
@@ -114,10 +133,10 @@ Facts inputs_of(const Scene& scene) {
   for (std::size_t field = 0; field < scene_fields().size(); ++field) {
     const FieldInfo& info = scene_fields()[field];
     if (info.type == FieldType::text || info.type == FieldType::outputs ||
-        info.type == FieldType::limits || info.type == FieldType::speeds ||
         info.path == "speed.count" || info.path == "speed.spacing")
       continue;
-    inputs.all.push_back({info.path, input_of(scene, field), info.unit, info.meaning});
+    inputs.all.push_back(
+        {info.path, input_of(scene, field), info.unit, info.meaning, info.default_text});
   }
   return inputs;
 }
@@ -152,13 +171,12 @@ Facts contact_of(const Scene& scene, const MixedContact<double>& contact) {
             "the flooded film of smooth faces grows as this power of the speed"}}};
 }
 
-// The outputs of the operating points, asked for or not, and those that no point holds where asked.
+// All outputs, asked for or not.
 Facts outputs_of(const Scene& scene) {
   Facts outputs{"outputs", {}};
   for (const OutputInfo& info : output_infos)
-    if (const bool is_asked = scene.outputs.contains(info.output);
-        is_asked || !info.is_of_smooth_contact)
-      outputs.all.push_back({info.name, is_asked, info.unit, info.meaning});
+    outputs.all.push_back(
+        {info.name, scene.outputs.contains(info.output), info.unit, info.meaning});
   return outputs;
 }
 
@@ -188,16 +206,17 @@ void append_json(Text& to, const Scene& scene, const std::vector<Facts>& parts) 
 void append_csv(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
   for (const Facts& facts : parts)
     for (const Fact& one : facts.all)
-      append(to,
-             fmt::format("{},{},{},{},{},{}\n", report::csv_text(scene.id), facts.part, one.name,
-                         text_of(one, report::exact), one.unit, report::csv_text(one.meaning)));
+      append(to, fmt::format("{},{},{},{},{},{}\n", report::csv_text(scene.id), facts.part,
+                             one.name, report::csv_text(text_of(one, report::exact)), one.unit,
+                             report::csv_text(one.meaning)));
 }
 
 // Leaves out the facts that the scene does not have.
 void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
   for (const Facts& facts : parts) {
     if (&facts != &parts.front()) to.push_back('\n');
-    append_title(to, fmt::format("{}: {}", scene.id, facts.part));
+    append_title(to, fmt::format("{}: {}{}", scene.id, facts.part,
+                                 facts.part == "work" ? ", steps that the points took" : ""));
     for (const Fact& one : facts.all) {
       if (one.value.is_null()) continue;
       if (one.value.is_boolean()) {  // an output
@@ -207,8 +226,11 @@ void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts
       }
       const std::string unit =
           one.value.is_number_float() && one.unit.empty() ? "-" : std::string(one.unit);
-      append_line(to, fmt::format("  {:<30}{}{}", one.name, text_of(one, readable),
-                                  unit.empty() ? "" : fmt::format(" [{}]", unit)));
+      const std::string value = text_of(one, readable);
+      const bool is_default = !one.default_text.empty() && value == one.default_text;
+      append_line(to, fmt::format("  {:<30}{}{}{}", one.name, value,
+                                  unit.empty() ? "" : fmt::format(" [{}]", unit),
+                                  is_default ? ", the default" : ""));
     }
   }
 }
@@ -280,7 +302,8 @@ CSV, and null in JSON, which says why under "undefined". A bad scene is reported
 still solved, and the exit code is 2.
 
 With --about a scene has one answer in place of its points: its inputs with those that follow and
-the defaults, its dry contact, the outputs that it asks for, and the work that they took.
+the defaults, its dry contact, the outputs that it asks for, and the work that they took: how many
+steps of each kind, which tells where time goes.
 
 With --explain a table follows the points: what the model assumes, its number here, the limit, and
 whether that holds. `accept = ["smooth_film_law"]` in a scene accepts a limit that it passes: no

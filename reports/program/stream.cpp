@@ -26,7 +26,7 @@ int stream(OutputStream& output) {
       if (told.insert(limit.word).second) news.push_back(limit);
     Warnings warnings;
     warnings.add(fmt::format("line {}", number), "", news);
-    warnings.tell();
+    warnings.tell("`tribocheck solve --explain` explains those of a scene in a file");
   };
   protocol::answer_lines(lines, output, warn);
   return exit_done;

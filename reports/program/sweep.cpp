@@ -63,7 +63,7 @@ std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files,
     warnings.add(file, reading.sweep->scene.id, reading.passed);
     scenes.push_back(std::move(*reading.sweep));
   }
-  if (told) warnings.tell();
+  if (told) warnings.tell("`tribocheck solve --explain` has them all");
   if (!good) return std::nullopt;
   return sweep::make_plan(std::move(scenes));
 }
@@ -331,7 +331,11 @@ int run_sweep(SweepArguments& arguments, OutputStream& output) {
   if (arguments.files.empty() || (arguments.run.result.empty() && !arguments.estimate)) {
     complain(arguments.files.empty()
                  ? "sweep: no SWEEP.toml is given (see --help)"
-                 : "sweep: -o is missing: the file for the result (see --help)");
+                 : fmt::format(
+                       "sweep: -o is missing: the file for the result; type tribocheck sweep "
+                       "{} -o {}.h5",
+                       printable(arguments.files.front()),
+                       printable(std::filesystem::path(arguments.files.front()).stem().string())));
     return exit_bad;
   }
   return told([&] {
@@ -452,8 +456,9 @@ std::string footer() {
 void add_output_options(CLI::App& app, SweepArguments& arguments) {
   app.add_option("--format", arguments.format, "of the summaries on stdout (default: table)")
       ->check(CLI::IsMember({"table", "csv", "json"}));
-  app.add_option("--pictures", arguments.pictures,
-                 "draw what there is to draw into this folder, as SVG and PNG (needs gnuplot)");
+  app.add_option(
+      "--pictures", arguments.pictures,
+      "draw what there is to draw into this folder, as SVG and PNG (needs gnuplot and python3)");
 }
 
 }  // namespace
@@ -521,8 +526,7 @@ Command add_sweep(CLI::App& program) {
       },
       [arguments]() -> std::vector<Ignored> {
         return {
-            {{"--out", "--format", "--pictures", "--shard", "--resume", "--join", "--force",
-              "--mixed-fma"},
+            {{"--format", "--pictures", "--shard", "--resume", "--join", "--force", "--mixed-fma"},
              arguments->estimate,
              "with --estimate, which writes nothing"},
             {{"--format", "--pictures"},

@@ -107,7 +107,7 @@ void Warnings::add(std::string_view source, std::string_view id,
   if (!passed.empty()) scenes_.push_back({std::string(source), std::string(id), passed});
 }
 
-void Warnings::tell() const {
+void Warnings::tell(std::string_view where) const {
   if (scenes_.empty()) return;
   std::vector<std::string_view> words;
   std::string told;
@@ -127,11 +127,10 @@ void Warnings::tell() const {
   std::string accepted;
   for (const std::string_view word : words)
     accepted += fmt::format("{}\"{}\"", accepted.empty() ? "" : ", ", word);
-  complain(
-      fmt::format("warning: {}outside of the model's limits: {}; `tribocheck solve --explain` has "
-                  "them all, and "
-                  "accept = [{}] in the scene accepts them",
-                  scenes_.size() == 1 ? scenes_.front().source + ": " : "", told, accepted));
+  complain(fmt::format(
+      "warning: {}outside of the model's limits: {}; {}, and accept = [{}] in the scene "
+      "accepts them",
+      scenes_.size() == 1 ? scenes_.front().source + ": " : "", told, where, accepted));
 }
 
 ordered_json Warnings::json() const {

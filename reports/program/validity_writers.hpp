@@ -29,7 +29,8 @@ class Warnings {
   void add(std::string_view source, std::string_view id, const std::vector<Validity>& passed);
   bool any() const { return !scenes_.empty(); }
   // Says all of them in one line on stderr; nothing where there are none.
-  void tell() const;
+  // `where` says where these limits are explained.
+  void tell(std::string_view where) const;
   // The member `warnings` of a document: an empty list where there are none.
   nlohmann::ordered_json json() const;
 

@@ -79,6 +79,7 @@ UNSEEN = {
     ("plugin-host", "--time"): "it is asked nothing; test_bench_solver has questions",
     ("solve", "--threads"): "the results are the same bits for any number",
     ("verify", "--jobs"): "the verdict is the same; test_jobs counts the processes, and has the refusals",
+    ("sweep", "--out"): "with --estimate nothing is written: the line of the run itself is estimated as it stands",
     ("sweep", "--without-fma"): "it changes last digits, and estimated times; test_sweep holds the bits",
     ("sweep merge", "--mixed-fma"): "the shards are of one processor; test_sweep_faults has others",
     ("sweep merge", "--force"): "there is no result yet; test_sweep has one",
@@ -152,7 +153,7 @@ class Ignored(unittest.TestCase):
             for option in options_of(command):
                 if option in ("--help", "--version") or option in of_form or (option == "--out" and "-o" in of_form):
                     continue
-                if (command, option) in UNSEEN and ({"--estimate", "--about"}.isdisjoint(of_form) or option == "--without-fma"):
+                if (command, option) in UNSEEN and ({"--estimate", "--about"}.isdisjoint(of_form) or option in ("--without-fma", "--out")):
                     continue
                 if "--plugin" in base and option.endswith("-timeout"):
                     continue  # the plug-in is too quick for an effect

@@ -41,6 +41,7 @@ class OnsetTest(ProgramTest):
 
     def test_the_default_departure_is_one_twentieth(self):
         self.assertEqual(self.found(scene()), self.found(scene(), "--departure", "0.05"))
+        self.assertEqual(self.found(scene()), self.found(scene(), "--departure", "5 %"))
 
     def test_the_law_of_the_inlet_is_named(self):
         for law in ("flooded_inlet", "damiens"):

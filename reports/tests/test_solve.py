@@ -131,12 +131,18 @@ class About(SolveTest):
         tree = quiet_scene(speed=[2, 0.5, 1])
         inputs = self.about(tree)["inputs"]
         given = {f"{section}.{name}": value for section, fields in tree.items() if isinstance(fields, dict)
-                 for name, value in fields.items()} | {"load": 50, "speed.from": 0.5, "speed.to": 2}
+                 for name, value in fields.items()} | {"load": 50, "speed": "2, 0.5, 1", "accept": ", ".join(tree["accept"])}
         defaults = {"surface.offset_planes": 1, "bodies.ellipticity": 1, "friction.slide_roll_ratio": 1, "friction.fluid": "eyring",
                     "friction.viscosity": "barus", "closures.asperity": "greenwood_tripp", "closures.starvation": "flooded_inlet",
                     "closures.film": "hamrock_dowson_central"}
         self.assertEqual({name: value for name, value in inputs.items() if value is not None}, given | defaults)
         self.assertIn("supply.inlet_flow", inputs)
+
+    def test_a_range_is_told_by_its_ends_and_defaults_are_marked(self):
+        told = self.about(quiet_scene(speed={"from": 0.5, "to": 2}))["inputs"]
+        self.assertEqual((told["speed"], told["speed.from"], told["speed.to"]), (None, 0.5, 2))
+        table = self.solved(quiet_scene(), "--about").out
+        self.assertIn("\n  friction.slide_roll_ratio     1 [-], the default\n", table)
 
     def test_numbers_of_bodies_and_profiles_follow_from_these(self):
         tree = scene() | dict(surface={"m0": 1e-14, "m2": 1e-3, "m4": 4e8}, bodies={
@@ -161,7 +167,8 @@ class About(SolveTest):
     def test_work_is_that_of_the_outputs_asked_for(self):
         full = self.about(quiet_scene())
         self.assertEqual((full["work"]["points"], full["work"]["moments"], full["work"]["starvation_ratios"]), (20, 40, 20))
-        self.assertTrue(all(full["outputs"].values()))
+        self.assertEqual([name for name, is_asked in full["outputs"].items() if not is_asked],
+                         ["peak_pressure", "mean_pressure", "minimum_film", "lambda_ratio"])
         film = self.about(quiet_scene(outputs=["film"]))
         self.assertEqual([name for name, is_asked in film["outputs"].items() if is_asked], ["film"])
         self.assertEqual((film["work"]["moments"], film["work"]["shares_skipped_not_asked"]), (0, 20))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // reference/scene.schema.json says what the table of fields says, no more and no less: the schema
-// is built from the table and compared with the committed file. To write the file anew:
+// is built from the table and compared with the committed file. So is the table of ranges and
+// defaults in model/README.md. To write both anew:
 //   TRIBOCHECK_UPDATE_SCHEMA=1 build/release/verification/tests/json_schema_test
 // reports/tests/test_schema.py then shows that schema and reader judge the same scenes alike.
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -308,6 +310,77 @@ TEST(JsonSchema, SaysWhatTheTableOfFieldsSays) {
                                << "TRIBOCHECK_UPDATE_SCHEMA=1 in the environment this program "
                                << "writes it anew. The difference:\n"
                                << Json::diff(committed, wanted).dump(2);
+}
+
+// --- The ranges on the page of the model.
+
+const char* const page_file = TRIBOCHECK_SOURCE_DIR "/model/README.md";
+
+std::string text_of(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+std::string allowed_on_page(const FieldInfo& field) {
+  std::string text;
+  switch (field.type) {
+    case FieldType::choice:
+      for (const std::string_view word : field.choices)
+        text += (text.empty() ? "`" : ", `") + std::string(word) + '`';
+      return text;
+    case FieldType::text:
+      return "a text";
+    case FieldType::outputs:
+    case FieldType::limits:
+      return "a list of words";
+    case FieldType::viscosities:
+      return "two pairs of numbers above 0";
+    case FieldType::speeds:
+      return "above 0, a list or a range";
+    default:
+      break;
+  }
+  if (field.is_radius_of_face) return "any but 0";
+  const std::string least = text_of(field.minimum);
+  if (field.maximum)
+    return (field.exclusive_minimum ? "above " : "") + least + " to " + text_of(*field.maximum);
+  return field.exclusive_minimum ? "above " + least : least + " or more";
+}
+
+// Beyond it a scene gets a warning; empty where that range is the allowed one.
+std::string usual_on_page(const FieldInfo& field) {
+  const bool has_least = field.plausible_minimum != 0;
+  const bool has_greatest = std::isfinite(field.plausible_maximum);
+  if (has_greatest)
+    return text_of(field.plausible_minimum) + " to " + text_of(field.plausible_maximum);
+  return has_least ? "from " + text_of(field.plausible_minimum) : "";
+}
+
+std::string ranges_on_page() {
+  std::string text = "| field | unit | allowed | usual | default |\n|---|---|---|---|---|\n";
+  for (const FieldInfo& field : scene_fields()) {
+    const std::string fallback = field.default_text.empty() ? field.required ? "required" : ""
+                                                            : std::string(field.default_text);
+    text += "| `" + std::string(field.path) + "` | " + std::string(field.unit) + " | " +
+            allowed_on_page(field) + " | " + usual_on_page(field) + " | " + fallback + " |\n";
+  }
+  return text;
+}
+
+TEST(JsonSchema, ThePageOfTheModelHasTheRangesOfTheTable) {
+  std::ostringstream page;
+  page << std::ifstream(page_file).rdbuf();
+  std::string text = page.str();
+  const std::size_t head = text.find("| field | unit | allowed | usual | default |\n");
+  ASSERT_NE(head, std::string::npos) << page_file;
+  const std::size_t length = text.find("\n\n", head) + 1 - head;
+  if (std::getenv("TRIBOCHECK_UPDATE_SCHEMA") != nullptr)
+    std::ofstream(page_file) << text.replace(head, length, ranges_on_page());
+  else
+    EXPECT_EQ(text.substr(head, length), ranges_on_page())
+        << page_file << " does not follow the table of fields; with TRIBOCHECK_UPDATE_SCHEMA=1 in "
+        << "the environment this program writes it anew.";
 }
 
 TEST(JsonSchema, CoversEveryFieldOfTheTable) {
