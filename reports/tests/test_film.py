@@ -288,7 +288,7 @@ class Scenes(FilmTest):
             result = run("film", self.write(tree), "--viscosity", "roelands", "--tolerance", "1e-2")
             self.assertEqual((result.code, result.err), (0, ""))
             if z:
-                self.assertIn(f"roelands_index {z} (0.2 to 1.2)", result.warned)
+                self.assertIn(f"roelands_index {z} (0.2 to 1.2; touches pressure)", result.warned)
             else:
                 self.assertNotIn("roelands_index", result.warned)
             # Barus' law has no z.

@@ -71,12 +71,13 @@ VALUES = {
     "--show": ["h0001"], "--save-cases": ["DIR/saved"], "--baseline": ["DIR/no_such.json"],
     "--update-baseline": [], "--claim": ["C3"], "--reading": ["literal"], "--section": ["errata"],
     "--published": ["/nowhere"], "--ledger": ["/nowhere.csv"], "--scenes": ["/nowhere"], "--commit": ["abc"],
-    "--quick": [], "--jobs": ["2"], "--filter": ["no such contender"], "--alone": [], "--time": [],
+    "--quick": [], "--jobs": ["2"], "--filter": ["no such contender"], "--alone": [], "--time": [], "--places": [],
 }
 # Options without an effect in these tests, and the reason why they are nevertheless not ignored.
 UNSEEN = {
     ("profile", "--seconds"): "counts and shares are left out here; test_profile compares the answers of two times",
     ("plugin-host", "--time"): "it is asked nothing; test_bench_solver has questions",
+    ("plugin-host", "--places"): "it is asked nothing; test_unsteady has questions",
     ("solve", "--threads"): "the results are the same bits for any number",
     ("verify", "--jobs"): "the verdict is the same; test_jobs counts the processes, and has the refusals",
     ("sweep", "--out"): "with --estimate nothing is written: the line of the run itself is estimated as it stands",

@@ -24,17 +24,21 @@ FILLED = {
             "  {beyond}" % RADIUS),
     "fortran": ("    status = not_offered", "    if ({small}) then\n      radius = %s ** (1 / 3d0)\n"
                 "      status = done\n    else\n      {beyond}\n    end if" % RADIUS),
+    "javascript": ("    return undefined;", "    return {small} ? {{ radius: Math.cbrt%s }} : {beyond};" % RADIUS),
+    "rust": ("    None", "    let found = |radius| Some(hertz_point_result {{\n        radius, mean_pressure: None, peak_pressure: None,"
+             " approach: None }});\n    if {small} {{ found(Some(%s.cbrt())) }} else {{ {beyond} }}" % RADIUS),
 }
 NAN = {"python": "{'radius': float('nan')}", "octave": "struct ('radius', NaN)",
        "c": "*radius = __builtin_nan(\"\"); return TRIBOCHECK_DONE;",
        "cpp": "return hertz_point_result{.radius = __builtin_nan(\"\")};",
-       "fortran": "radius = sqrt(-abs(load)); status = done"}
+       "fortran": "radius = sqrt(-abs(load)); status = done",
+       "javascript": "{ radius: NaN }", "rust": "found(Some(f64::NAN))"}
 SKIP = {"python": "None", "octave": "[]", "c": "return TRIBOCHECK_NOT_OFFERED;", "cpp": "return not_offered;",
-        "fortran": "status = not_offered"}
+        "fortran": "status = not_offered", "javascript": "undefined", "rust": "None"}
 # Status done, but no result is set.
 NOTHING = {"c": "return TRIBOCHECK_DONE;", "cpp": "return hertz_point_result{};", "fortran": "status = done",
-           "python": "{'x': 1}", "octave": "struct ('x', 1)"}
-LIMITS = {"some": "load < 10", "no": "load < 0", "all": "load > 0"}
+           "python": "{'x': 1}", "octave": "struct ('x', 1)", "javascript": "{ x: 1 }", "rust": "found(None)"}
+LIMITS = {"some": "load < 1e1", "no": "load < 0e0", "all": "load > 0e0"}  # all languages read these as real numbers
 
 
 class EveryLanguage(unittest.TestCase):
@@ -52,7 +56,8 @@ class EveryLanguage(unittest.TestCase):
             text = path.read_text()
             start = text.index({"python": "def hertz_point", "octave": "function answer = hertz_point",
                                 "c": "int hertz_point(", "cpp": "> hertz_point(",
-                                "fortran": "subroutine solve_hertz_point"}[language])
+                                "fortran": "subroutine solve_hertz_point", "javascript": "  hertz_point({",
+                                "rust": "fn hertz_point("}[language])
             mark, filled = FILLED[language]
             place = text.index(mark, start)
             condition = LIMITS[small].replace("load", "q.load") if language == "octave" else LIMITS[small]

@@ -32,7 +32,8 @@ def unfit(about, model):
         return f"closures.asperity: the report needs {MODELS[model]} here"
     if not about.has_friction_inputs:
         return "the report needs lubricant.eyring_stress and friction.boundary_coefficient"
-    return "" if low < high else "speed: the report needs a range of speeds"
+    is_range = low is not None and high is not None and low < high
+    return "" if is_range else "speed: the report needs a range of speeds"
 
 
 def read(program, places):
