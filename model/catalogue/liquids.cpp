@@ -60,9 +60,16 @@ constexpr std::array temperature_combinations{Combination{
     .parameter = "temperature"}};
 constexpr std::array kinematic_results{Result{"value", "ν, kinematic viscosity at T", "m²/s"}};
 
-constexpr std::array index_parameters{
-    kinematic("kinematic_viscosity_40", "ν at 40 °C: 1 mm²/s is 1e-6 m²/s"),
-    kinematic("kinematic_viscosity_100", "ν at 100 °C, 2e-6 m²/s or more")};
+constexpr std::array index_parameters{Parameter{.name = "kinematic_viscosity_40",
+                                                .meaning = "ν at 40 °C: 1 mm²/s is 1e-6 m²/s",
+                                                .unit = "m²/s",
+                                                .least = 5e-6,
+                                                .greatest = 3e-3},
+                                      Parameter{.name = "kinematic_viscosity_100",
+                                                .meaning = "ν at 100 °C, 2e-6 m²/s or more",
+                                                .unit = "m²/s",
+                                                .least = 2e-6,
+                                                .greatest = 1e-4}};
 constexpr std::array index_results{
     Result{"value", "VI, not rounded; below 0 of an oil thicker at 40 °C than one of the index 0"}};
 

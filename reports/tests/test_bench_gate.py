@@ -247,7 +247,7 @@ class Gate(unittest.TestCase):
             self.assertEqual((done.code, done.out, len(done.error_lines)), (2, "", 1), done.err)
             self.assertIn(words, done.err)
             self.assertFalse((self.folder / "asked").exists())
-            renewal = shlex.split(done.err.partition("; this makes it anew: tribocheck bench ")[2])
+            renewal = shlex.split(done.err.partition(" it anew: tribocheck bench ")[2])
             self.assertEqual(self.bench(*renewal).code, 0)
             self.assert_passes(self.gate(self.rows, "--filter", "/plugin/"))
 

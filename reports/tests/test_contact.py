@@ -126,7 +126,7 @@ class Numbers(ContactTest):
 
     def test_the_table_has_each_reason_once_below_its_few_words(self):
         for tree, brief, what, sentence, lines in (
-                (quiet_scene(), "no Rq is given", "composite roughness of both faces",
+                (quiet_scene(), "no Rq is given", "roughness of both faces together",
                  "the scene has none of surface.rms_roughness", 3),
                 (quiet_scene(**LINE), "a line has none", "approach of the bodies", "of a line it depends on the whole bodies", 1)):
             told = run("contact", self.folder.write("one.json", tree)).out

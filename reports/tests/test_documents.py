@@ -226,7 +226,8 @@ class Schemas(unittest.TestCase):
                          {name: node for name, node in {**one["properties"], **one["$defs"]}.items() if name not in ("schema", "version")})
         report = json.loads((ROOT / "reports/page/groups/report.schema.json").read_text(encoding="utf-8"))
         ledger, reproduce = report["properties"]["ledger"]["oneOf"][0]["properties"], Schema("reproduce").tree
-        self.assertEqual({**ledger, **reproduce["properties"]}, {**reproduce["properties"], "committed": ledger["committed"]})
+        self.assertEqual({**ledger, **reproduce["properties"]}, {**reproduce["properties"], "committed": ledger["committed"],
+                                                            "circular_gap": ledger["circular_gap"]})
         self.assertEqual(reproduce["$defs"], {name: report["$defs"][name] for name in reproduce["$defs"]})
 
 

@@ -328,7 +328,7 @@ class Mistakes(unittest.TestCase):
         self.assert_error(call("hertz_point", {**GOOD["hertz_point"], "laod": 1}), "laod", "load")
         twice = call("hertz_point", GOOD["hertz_point"]).replace('"load"', '"load": 1, "load"')
         self.assert_error(twice, "load", "given twice")
-        self.assert_error(call("hertz_point", GOOD["hertz_point"], identity=7), "id", identity=None)
+        self.assert_error(call("hertz_point", GOOD["hertz_point"], identity=[7]), "id", identity=None)
 
     def test_texts_of_the_input_are_shown_without_control_signs(self):
         self.assert_error(call("hertz\r\u202epoint", {}), "function", "\"hertz\\u000d\\u202epoint\"")

@@ -27,7 +27,7 @@ def stem_of(surface, model):
 
 def unfit(about, model):
     """Why the report cannot take a scene that is otherwise good; empty if the report can."""
-    low, high = about.speeds
+    low, high = about.input("speed.from"), about.input("speed.to")
     if about.input("closures.asperity") != MODELS[model]:
         return f"closures.asperity: the report needs {MODELS[model]} here"
     if not about.has_friction_inputs:

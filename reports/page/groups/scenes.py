@@ -52,7 +52,11 @@ class About(typing.NamedTuple):
     @property
     def speeds(self):
         """The least and the greatest, m/s."""
-        return self.input("speed.from"), self.input("speed.to")
+        listed = self.input("speed")
+        if listed is None:
+            return self.input("speed.from"), self.input("speed.to")
+        speeds = [float(one) for one in str(listed).split(",")]
+        return min(speeds), max(speeds)
 
     @property
     def has_friction_inputs(self):

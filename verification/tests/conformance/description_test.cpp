@@ -149,11 +149,11 @@ TEST(Place, IsABorderOfAGroupWhereNoInputHasOne) {
       "right up to W = ");
 }
 
-TEST(Place, OfOneCaseIsThatCase) {
+TEST(Place, OfOneOrTwoCasesIsThoseCases) {
   const std::string said = said_of({{"effective_modulus", noise_where("value", [](const json& in) {
                                        return in.at("first_poisson_ratio") == 0;
                                      })}});
-  expect_said(said, ", the only case where ν₁ = 0");
+  expect_said(said, ", the only cases where ν₁ = 0");
   expect_said(said, "right below and beyond", false);
 }
 
