@@ -105,7 +105,7 @@ class Readme(unittest.TestCase):
         built = f"{shlex.quote(str(BUILD))}/"  # the program is not on PATH: the line has to name it
         for row in rows:
             language, template, compiler = row.split("\t")[:3]
-            if not shutil.which(compiler):  # Rust's compiler is too large for every machine that runs this
+            if not shutil.which(compiler, path=self.environment["PATH"]):  # Rust's compiler is too large for every machine that runs this
                 continue
             for out, sh, found in ((f"my {language}", self.installed, ""), (template, self.sh, built)):
                 with self.subTest(language=language, out=out):
