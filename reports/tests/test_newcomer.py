@@ -91,6 +91,10 @@ class Silence(Trips):
         slow = self.command(each="time.sleep(0.4)", flush=False)
         self.assert_silent(slow, "it gives no answer within 2 s" + hint, "--case-timeout", "1", "--start-timeout", "2",
                            "--timeout", "60")
+        half = self.command(each="if name == 'hertz_point': print('{\"id\"', end='', flush=True); time.sleep(60)")
+        verdict = self.verdict(half, "--case-timeout", "1", "--start-timeout", "1", "--sample", "3")
+        reason = next(one["reason"] for one in verdict["quantities"] if one["quantity"] == "hertz_point.radius")
+        self.assertIn("no answer within 1 s; half a line has come: it does not flush its output after each line", reason)
 
     def test_lines_of_stderr_that_repeat_are_told_once(self):
         before = "for i in range(100): print('overflow', file=sys.stderr)\nprint('end', file=sys.stderr)\nsys.exit(3)"
