@@ -4,10 +4,10 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr const char* field = "effective_modulus";  // and the function that gives it
+constexpr const char* modulus_field = "effective_modulus";  // and the function that gives it
 
 void double_in(nlohmann::json& object) {
-  const auto found = object.find(field);
+  const auto found = object.find(modulus_field);
   if (found != object.end()) *found = 2 * found->get<double>();
 }
 
@@ -29,9 +29,10 @@ std::vector<TestCase> asked_in_twice_the_modulus(std::vector<TestCase> cases) {
 
 void halve_moduli(const std::vector<TestCase>& cases, Conversation& conversation) {
   for (std::size_t i = 0; i < cases.size(); ++i)
-    if (cases[i].function == field) halve(conversation.answers[i]);
+    if (cases[i].function == modulus_field) halve(conversation.answers[i]);
   for (std::size_t i = 0; i < conversation.again.size(); ++i)
-    if (cases[conversation.again[i]].function == field) halve(conversation.second_answers[i]);
+    if (cases[conversation.again[i]].function == modulus_field)
+      halve(conversation.second_answers[i]);
 }
 
 }  // namespace tribo::conformance
