@@ -5,6 +5,7 @@
 #include "tribo/film_regimes.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/moes_line.hpp"
+#include "tribo/similarity_numbers.hpp"
 #include "tribo/thermal_reduction.hpp"
 
 namespace tribo::catalogue {
@@ -30,76 +31,66 @@ constexpr Arguments steel_point{0.05, 0.0202, 2e-8, 50, 107.9e9, 9.5e-3, 1};
 constexpr Arguments soft_point{0.05, 0.0202, 2, 5e6, 9.5e-3, 1};
 constexpr Arguments steel_line{1, 0.0202, 2e-8, 1e5, 107.9e9, 9.5e-3};
 
-// Groups of the film laws' arguments, with E' = 2E*.
-double speed_number(double speed, double viscosity, double modulus, double radius) {
-  return viscosity * speed / (2 * modulus * radius);
+// U, G and W of the arguments of each kind of film law.
+using Groups = SimilarityNumbers<double>;
+Groups groups_of_point(const Arguments& x) {
+  return similarity_numbers(x[0], x[1], x[2], x[3], x[4], x[5]);
 }
-constexpr double point_load(double load, double modulus, double radius) {
-  return load / (2 * modulus * radius * radius);
+Groups groups_of_soft(const Arguments& x) {
+  return similarity_numbers(x[0], x[1], 0.0, x[2], x[3], x[4]);
 }
-constexpr double line_load(double load_per_length, double modulus, double radius) {
-  return load_per_length / (2 * modulus * radius);
+Groups groups_of_line(const Arguments& x) {
+  return similarity_numbers(x[0], x[1], x[2], x[3] * x[5], x[4], x[5]);
 }
-constexpr Combination point_load_number(double (*value)(const Arguments&)) {
-  return {.name = "load_number",
-          .meaning = "W = F/(2E*R²)",
-          .least = 1e-12,
-          .greatest = 100,
-          .value = value,
-          .parameter = "load"};
+MoesNumbers<double> moes_of_line(const Arguments& x) {
+  return moes_numbers(groups_of_line(x), true);
 }
-constexpr Combination line_load_number(double (*value)(const Arguments&)) {
-  return {.name = "load_number",
-          .meaning = "W = (F/L)/(2E*R)",
-          .least = 1e-13,
-          .greatest = 100,
-          .value = value,
-          .parameter = "load_per_length"};
-}
-constexpr Combination u_of(double (*value)(const Arguments&)) {
-  return {.name = "speed_number",
-          .meaning = "U = η₀u/(2E*R)",
-          .least = 1e-18,
-          .greatest = 1e-4,
-          .value = value,
-          .parameter = "speed"};
-}
-constexpr Combination material_number{.name = "material_number",
-                                      .meaning = "G = 2αE*",
-                                      .least = 1e-3,
-                                      .greatest = 1e5,
-                                      .value = [](const Arguments& x) { return 2 * x[2] * x[4]; },
-                                      .parameter = "pressure_viscosity"};
-constexpr std::array point_combinations{
-    u_of([](const Arguments& x) { return speed_number(x[0], x[1], x[4], x[5]); }), material_number,
-    point_load_number([](const Arguments& x) { return point_load(x[3], x[4], x[5]); })};
-constexpr std::array soft_combinations{
-    u_of([](const Arguments& x) { return speed_number(x[0], x[1], x[3], x[4]); }),
-    point_load_number([](const Arguments& x) { return point_load(x[2], x[3], x[4]); })};
-constexpr std::array line_combinations{
-    u_of([](const Arguments& x) { return speed_number(x[0], x[1], x[4], x[5]); }), material_number,
-    line_load_number([](const Arguments& x) { return line_load(x[3], x[4], x[5]); })};
 
-// Moes' numbers M and L of a line.
-double twice_speed(const Arguments& x) { return 2 * speed_number(x[0], x[1], x[4], x[5]); }
+template <Groups (*groups)(const Arguments&)>
+constexpr Combination speed_number{.name = "speed_number",
+                                   .meaning = "U = η₀u/(2E*R)",
+                                   .least = 1e-18,
+                                   .greatest = 1e-4,
+                                   .value = [](const Arguments& x) { return groups(x).speed; },
+                                   .parameter = "speed"};
+template <Groups (*groups)(const Arguments&)>
+constexpr Combination material_number{
+    .name = "material_number",
+    .meaning = "G = 2αE*",
+    .least = 1e-3,
+    .greatest = 1e5,
+    .value = [](const Arguments& x) { return groups(x).material; },
+    .parameter = "pressure_viscosity"};
+template <Groups (*groups)(const Arguments&)>
+constexpr Combination point_load{.name = "load_number",
+                                 .meaning = "W = F/(2E*R²)",
+                                 .least = 1e-12,
+                                 .greatest = 100,
+                                 .value = [](const Arguments& x) { return groups(x).load; },
+                                 .parameter = "load"};
+constexpr Combination line_load{.name = "load_number",
+                                .meaning = "W = (F/L)/(2E*R)",
+                                .least = 1e-13,
+                                .greatest = 100,
+                                .value = [](const Arguments& x) { return groups_of_line(x).load; },
+                                .parameter = "load_per_length"};
+constexpr std::array point_combinations{
+    speed_number<groups_of_point>, material_number<groups_of_point>, point_load<groups_of_point>};
+constexpr std::array soft_combinations{speed_number<groups_of_soft>, point_load<groups_of_soft>};
+constexpr std::array line_combinations{speed_number<groups_of_line>,
+                                       material_number<groups_of_line>, line_load};
 constexpr std::array moes_combinations{
     Combination{.name = "moes_load",
                 .meaning = "M = W(2U)^(−1/2)",
                 .least = 1e-6,
                 .greatest = 1e7,
-                .value =
-                    [](const Arguments& x) {
-                      return line_load(x[3], x[4], x[5]) / std::sqrt(twice_speed(x));
-                    },
+                .value = [](const Arguments& x) { return moes_of_line(x).load; },
                 .parameter = "load_per_length"},
     Combination{.name = "moes_material",
                 .meaning = "L = G(2U)^(1/4)",
                 .least = 1e-4,
                 .greatest = 100,
-                .value =
-                    [](const Arguments& x) {
-                      return material_number.value(x) * std::sqrt(std::sqrt(twice_speed(x)));
-                    },
+                .value = [](const Arguments& x) { return moes_of_line(x).material; },
                 .parameter = "pressure_viscosity"}};
 
 constexpr std::array regime_parameters{

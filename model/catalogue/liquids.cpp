@@ -37,12 +37,9 @@ constexpr Parameter temperature_of(std::string_view name, std::string_view meani
 }
 // Below some 4 mm²/s the further term of the standard is seen, which this law does not have.
 constexpr double least_kinematic_viscosity = 4e-6;
-constexpr Parameter kinematic(std::string_view name, std::string_view meaning) {
-  return {.name = name,
-          .meaning = meaning,
-          .unit = "m²/s",
-          .least = least_kinematic_viscosity,
-          .greatest = 1};
+constexpr Parameter kinematic(std::string_view name, std::string_view meaning,
+                              double least = least_kinematic_viscosity, double greatest = 1) {
+  return {.name = name, .meaning = meaning, .unit = "m²/s", .least = least, .greatest = greatest};
 }
 constexpr std::array temperature_parameters{
     temperature_of("first_temperature", "T₁"),
@@ -60,16 +57,9 @@ constexpr std::array temperature_combinations{Combination{
     .parameter = "temperature"}};
 constexpr std::array kinematic_results{Result{"value", "ν, kinematic viscosity at T", "m²/s"}};
 
-constexpr std::array index_parameters{Parameter{.name = "kinematic_viscosity_40",
-                                                .meaning = "ν at 40 °C: 1 mm²/s is 1e-6 m²/s",
-                                                .unit = "m²/s",
-                                                .least = 5e-6,
-                                                .greatest = 3e-3},
-                                      Parameter{.name = "kinematic_viscosity_100",
-                                                .meaning = "ν at 100 °C, 2e-6 m²/s or more",
-                                                .unit = "m²/s",
-                                                .least = 2e-6,
-                                                .greatest = 1e-4}};
+constexpr std::array index_parameters{
+    kinematic("kinematic_viscosity_40", "ν at 40 °C: 1 mm²/s is 1e-6 m²/s", 5e-6, 3e-3),
+    kinematic("kinematic_viscosity_100", "ν at 100 °C, 2e-6 m²/s or more", 2e-6, 1e-4)};
 constexpr std::array index_results{
     Result{"value", "VI, not rounded; below 0 of an oil thicker at 40 °C than one of the index 0"}};
 

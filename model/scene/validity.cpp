@@ -34,8 +34,6 @@ constexpr double but_for_rounding = 1 - 1e-9;
 constexpr double least_share = 0.01;
 // Below this λ the load share of the summits is near to A(0).
 constexpr double film_parameter_near_none = 0.5;
-// From this Λ on the faces do not touch.
-constexpr double least_full_film = 3;
 
 // A scene with the numbers that limits are computed from.
 struct State {
@@ -135,7 +133,8 @@ struct RegimeOfFilm {
 RegimeOfFilm regime_of_film(const State& state) {
   const LubricationRegime own = regime_of(film_law(state.scene.closures.film));
   RegimeOfFilm furthest{own, 1};
-  for (const double speed : {state.speeds.low, state.speeds.high}) {
+  const std::array ends{state.speeds.low, state.speeds.high};
+  for (const double speed : std::span(ends).first(ends[0] == ends[1] ? 1 : 2)) {
     const auto numbers = similarity_of(state.shape, state.numbers, speed);
     const LubricationRegime regime = regime_of(state.shape, state.numbers, numbers);
     const double factor = factor_between(regime, own, state.shape, state.numbers, numbers);
@@ -171,7 +170,7 @@ struct Row {
   // NaN: the scene does not make this assumption.
   double (*value)(const State&);
   std::string_view touches = "everything";  // "friction": of a solved film the pressure
-  // What passing it means, and what to do.
+  // The meaning of passing it, and the remedy.
   std::string_view (*advice)(const State&) = nullptr;
   bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
 };
@@ -251,8 +250,8 @@ constexpr Row rows[] = {
            "at low speed friction comes out below the boundary coefficient, as the summits carry "
            "no more than this part of the load even with no film");
      }},
-    {"rough_as_smooth", "Faces without summits do not touch: Λ is 3 or more.", "", least_full_film,
-     unbounded, "common practice: a full film from Λ = 3 on",
+    {"rough_as_smooth", "Faces without summits do not touch: Λ is 3 or more.", "",
+     least_full_film_lambda_ratio, unbounded, "common practice: a full film from Λ = 3 on",
      [](const State& state) { return state.lambda_ratio; }, "shares, friction",
      [](const State&) {
        return std::string_view(
@@ -353,7 +352,7 @@ bool accepts(const Scene& scene, std::string_view word) {
   return std::find(scene.accepted.begin(), scene.accepted.end(), word) != scene.accepted.end();
 }
 
-// What the limits on points are computed from.
+// The outputs that limits on points are computed from.
 OutputSet validity_outputs() {
   OutputSet outputs;
   for (const Output output :

@@ -194,9 +194,8 @@ Facts lubricant_of(const Asked& asked) {
 
 // The word for Λ that is common practice.
 std::string_view word_of_lambda(double ratio) {
-  return ratio < 1   ? "boundary or mixed lubrication"
-         : ratio < 3 ? "mixed lubrication"
-                     : "full film";
+  if (ratio < least_mixed_lambda_ratio) return "boundary or mixed lubrication";
+  return ratio < least_full_film_lambda_ratio ? "mixed lubrication" : "full film";
 }
 
 // Why the contact is not in the range of a film law; empty where it is.

@@ -52,7 +52,7 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
                           protocol::needed_for(scene.outputs), add);
   std::vector<double> speeds = scene.speeds.list;
   std::sort(speeds.begin(), speeds.end());
-  for (const double speed : speeds) add(contact.solve(speed));
+  for (const double speed : speeds) add(contact.solve(speed, protocol::needed_for(scene.outputs)));
 }
 
 void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,

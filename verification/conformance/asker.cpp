@@ -125,6 +125,7 @@ void Patience::note_failure(const Questions& questions, std::size_t question,
   end_ = end;
 }
 
+// A hint on what may be wrong stands behind a semicolon of the end.
 std::string Patience::reason() const {
   const std::size_t hint = std::min(end_.find(';'), end_.size());
   return fmt::format("it {} {} times in a row without an answer{}", end_.substr(0, hint), in_a_row_,

@@ -16,7 +16,7 @@
 namespace tribo::conformance {
 namespace {
 
-// Of the change, to which a slip is known by its formula, and by factors between cases.
+// A slip is known to this part of its change: by its formula, and by factors between cases.
 constexpr double closeness_of_formula = 1e-4, closeness_of_curve = 2e-2;
 constexpr double nearly_all = 0.97;  // of the wrong answers of a function
 
@@ -29,15 +29,6 @@ double half_order_of(Order order) { return static_cast<int>(order) / 2.0; }
 void add_moments(std::vector<Question>& inner, AsperityModel model, double argument) {
   for (const Order order : {load_order(model), area_order(model), count_order(model)})
     inner.push_back(asked_of("gaussian_moment", {half_order_of(order), argument}));
-}
-
-Question film_question(const Scene& scene) {
-  const auto word = film_formula_words[static_cast<std::size_t>(scene.closures.film)];
-  Question question = asked_of(word, {});
-  const auto& parameters = question.function->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    question.arguments[i] = number_of_film(scene, parameters[i].name);
-  return question;
 }
 
 // The factor of each wrong result, of one branch.

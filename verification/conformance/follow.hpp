@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows from what: the questions to single functions that a question is computed from, and
-// what becomes of a point where one of these functions is wrong.
+// The questions to single functions that a question is computed from, and what becomes of a point
+// where one of these functions is wrong.
 #pragma once
 
 #include <map>
@@ -38,7 +38,7 @@ class WrongFunction {
   double closeness() const { return closeness_; }
 
  private:
-  // Of one branch. Empty: wrong everywhere, or nobody knows where.
+  // One branch, with the place where it is wrong. Empty: wrong everywhere, or nobody knows where.
   struct Branch {
     std::optional<WrongPlace> place;
   };

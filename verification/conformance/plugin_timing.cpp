@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <chrono>
 #include <csignal>
 #include <exception>
@@ -140,13 +141,8 @@ double new_over_asked(Block& block, const std::vector<Question>& questions) {
   std::vector<double*> changed;
   for (tribocheck_scene& scene : block.scenes) changed.push_back(&scene.load);
   if (const auto* call = std::get_if<FunctionCall>(&questions[0])) {
-    const auto& parameters = call->function->parameters;
-    const auto found = std::find_if(parameters.begin(), parameters.end(), [](const auto& of) {
-      return of.words.empty() && of.range == catalogue::Range::above_zero;
-    });
-    const std::size_t place =
-        static_cast<std::size_t>(found - parameters.begin()) - (found == parameters.end() ? 1 : 0);
-    for (double& number : block.arguments[place]) changed.push_back(&number);
+    for (double& number : block.arguments[varied_parameter(*call->function)])
+      changed.push_back(&number);
   }
   std::vector<double> ratios;
   double spent = 0;
@@ -156,9 +152,7 @@ double new_over_asked(Block& block, const std::vector<Question>& questions) {
     ratios.push_back(fresh / std::max(asked, 1e-9));
     spent += fresh + asked;
   }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return boost::math::statistics::median(ratios);
 }
 
 std::string answer_to(const PluginFunctions& functions, std::vector<Question> questions) {

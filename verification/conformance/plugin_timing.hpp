@@ -2,7 +2,11 @@
 // The time of a plug-in's calls, in a process that answers to a block of questions with one line.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+
+#include "catalogue/catalogue.hpp"
 
 namespace tribo::conformance {
 
@@ -10,12 +14,24 @@ namespace tribo::conformance {
 // a block are of one function. The plug-in is called with the whole block as arrays, again and
 // again for some milliseconds, and one line answers:
 //
-//   {"answered": 32, "seconds": 1.9e-8, "wall": 1.9e-8, "control": 2.3e-9}
+//   {"answered": 32, "seconds": 1.9e-8, "wall": 1.9e-8, "control": 2.3e-9, "new_over_asked": 1.01}
 //
 // `answered`: the questions for which it has a result, or says that there is none; they alone are
 // timed. `seconds`: CPU time for one of them; `wall`: the same by the clock; `control`: CPU time of
-// the control (cpu_time.hpp), before and after. {"error": …}: the block cannot be asked. Throws
-// PluginRefused. Returns an exit code.
+// the control (cpu_time.hpp), before and after; `new_over_asked`: the time of new cases over that
+// of the same asked again, far above 1 where the plug-in keeps answers. {"error": …}: the block
+// cannot be asked. Throws PluginRefused. Returns an exit code.
 int time_plugin(const std::string& path);
+
+// The place of the argument by which a new case differs from an asked one: the first number that
+// may be any above zero, or else the last argument.
+inline std::size_t varied_parameter(const catalogue::Function& function) {
+  const auto& parameters = function.parameters;
+  const auto found = std::find_if(parameters.begin(), parameters.end(), [](const auto& one) {
+    return one.words.empty() && one.range == catalogue::Range::above_zero;
+  });
+  const auto place = static_cast<std::size_t>(found - parameters.begin());
+  return std::min(place, parameters.size() - 1);
+}
 
 }  // namespace tribo::conformance

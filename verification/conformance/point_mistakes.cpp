@@ -315,11 +315,8 @@ Mistake with_film(const std::vector<Mistake>& laws) {
       return one.function == film_formula_words[static_cast<std::size_t>(scene.closures.film)];
     });
     if (law == laws.end()) return;
-    catalogue::Arguments arguments{};
-    const auto& parameters = catalogue::function_named(law->function)->parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-      arguments[i] = number_of_film(scene, parameters[i].name);
-    if (const auto film = value_with(*law, arguments)) scale_film(scene, *film / right_film(scene));
+    if (const auto film = value_with(*law, film_question(scene).arguments))
+      scale_film(scene, *film / right_film(scene));
   });
 }
 

@@ -64,7 +64,7 @@ Real log_pole() {
 Real term(Real viscosity) {
   return std::exp(-(Real(147) + viscosity * (Real(184) + Real(51) * viscosity)) / 100);
 }
-// Of Z − 0.7, the printed inverse, which meets the former one to some 1e-3 of ν.
+// ν of Z − 0.7 by the printed inverse, which meets the former term to some 1e-3 of ν.
 Real printed_viscosity(Real z) {
   const Real power = -7487 + z * (-32950 + z * (6119 - z * 3193));
   return z - std::exp(power / 10000);
@@ -132,7 +132,7 @@ Expected* expected_of(TestCase& one, std::string_view field) {
   return nullptr;
 }
 
-// What is expected by a reading: the same where it says nothing else.
+// The answer that a reading expects: the certified one where it says nothing else.
 Expected read_as(const Reading& reading, const TestCase& one, Expected expected) {
   const std::optional<Real> value = reading.value(question_of(one));
   if (!value || !std::isfinite(static_cast<double>(*value))) return expected;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/statistics/bivariate_statistics.hpp>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -42,11 +44,7 @@ double correlation(const std::vector<Error>& errors) {
     size.push_back(std::abs(one.relative));
   }
   const std::vector<double> of_x = ranks_in_order(x), of_size = ranks_in_order(size);
-  double sum = 0;
-  for (std::size_t i = 0; i < of_x.size(); ++i)
-    sum += (of_x[i] - of_size[i]) * (of_x[i] - of_size[i]);
-  const auto n = static_cast<double>(of_x.size());
-  return 1 - 6 * sum / (n * (n * n - 1));
+  return boost::math::statistics::correlation_coefficient(of_x, of_size);
 }
 
 double share_of_changes(const std::vector<Error>& errors) {
@@ -81,8 +79,7 @@ bool has_both_signs(const std::vector<Error>& errors) {
 double middle_size(const std::vector<Error>& errors, std::size_t first, std::size_t last) {
   std::vector<double> sizes;
   for (std::size_t i = first; i < last; ++i) sizes.push_back(std::abs(errors[i].relative));
-  std::sort(sizes.begin(), sizes.end());
-  return sizes[sizes.size() / 2];
+  return boost::math::statistics::median(sizes);
 }
 
 }  // namespace

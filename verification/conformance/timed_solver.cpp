@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <system_error>
 
 #include "conformance/conversation.hpp"
+#include "conformance/plugin_timing.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -24,18 +26,13 @@ constexpr int exit_failed = 1, exit_bad = 2;
 constexpr std::size_t least_pairs = 5, most_pairs = 15;
 constexpr double longest_pass = 2e-2;  // s, where new cases are compared with asked ones
 
-// The case with another number in place of one that may be any above zero, or else of any one.
+// The case with another number in place of the one that new cases have changed.
 json changed_inputs(const TestCase& one, std::size_t change) {
   json inputs = one.inputs;
   if (change == 0) return inputs;
   std::string name = "load";  // of a scene
-  if (one.in_catalogue != nullptr) {
-    const auto& parameters = one.in_catalogue->parameters;
-    const auto found = std::find_if(parameters.begin(), parameters.end(), [](const auto& of) {
-      return of.words.empty() && of.range == catalogue::Range::above_zero;
-    });
-    name = found != parameters.end() ? found->name : parameters.back().name;
-  }
+  if (one.in_catalogue != nullptr)
+    name = one.in_catalogue->parameters[varied_parameter(*one.in_catalogue)].name;
   json& number = inputs[name];
   if (number.is_number()) number = number.get<double>() * (1 + 1e-9 * static_cast<double>(change));
   return inputs;
@@ -186,9 +183,7 @@ void TimedSolver::compare_new_with_asked(TimedFunction& function, double seconds
     const double fresh = cpu_seconds_of(some, change), asked = cpu_seconds_of(some, change);
     ratios.push_back(fresh / std::max(asked, 1e-9));
   }
-  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(pairs / 2),
-                   ratios.end());
-  function.new_over_asked = ratios[pairs / 2];
+  function.new_over_asked = boost::math::statistics::median(ratios);
 }
 
 void TimedSolver::warm_up(TimedFunction& function, bool is_first) {

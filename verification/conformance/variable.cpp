@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "scene/schema.hpp"
@@ -16,94 +15,58 @@
 namespace tribo::conformance {
 namespace {
 
-// A number of the function or of the scene by its parameter's name; the radius of a film law is "R"
-// by any name. NaN: there is none.
-double number_named(const Question& question, std::string_view name) {
-  if (question.function == nullptr) {
-    const bool is_of_film = name != "pressure" && name != "temperature_viscosity" &&
-                            name != "thermal_conductivity" && name != "peak_pressure";
-    const bool is_line = question.scene && question.scene->bodies.shape() == ContactShape::line;
-    if (!question.scene || !is_of_film || (name == "load" && is_line) ||
-        (name == "load_per_length" && !is_line))
-      return unsaid;
-    return number_of_film(*question.scene, name);
-  }
-  const auto& parameters = question.function->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (parameters[i].name == name || (name == "R" && (parameters[i].name == "reduced_radius" ||
-                                                       parameters[i].name == "radius_x")))
-      return question.arguments[i];
-  return unsaid;
+// A number of a scene that is this parameter of a film law.
+double number_of_film(const Scene& scene, std::string_view parameter) {
+  const auto numbers = detail::numbers_of<double>(scene);
+  if (parameter == "speed") return scene.speeds[0];
+  if (parameter == "viscosity") return numbers.viscosity;
+  if (parameter == "pressure_viscosity") return numbers.pressure_viscosity;
+  if (parameter == "load") return numbers.load;
+  if (parameter == "load_per_length") return numbers.load / numbers.across;
+  if (parameter == "effective_modulus") return numbers.effective_modulus;
+  if (parameter == "ellipticity") return numbers.ellipticity;
+  return numbers.radius_x;
 }
 
-// A group, of a function that has these parameters.
-struct Group {
-  std::string_view symbol;
-  std::vector<std::string_view> parameters;
-  double (*value)(std::span<const double> x);
-};
-
-double speed_group(double viscosity, double speed, double modulus, double radius) {
-  return viscosity * speed / (2 * modulus * radius);
+const catalogue::Function& film_function(const Scene& scene) {
+  return *catalogue::function_named(
+      film_formula_words[static_cast<std::size_t>(scene.closures.film)]);
 }
 
-const std::vector<Group>& groups() {
-  using Values = std::span<const double>;
-  static const std::vector<Group> all{
-      {"U",
-       {"viscosity", "speed", "effective_modulus", "R"},
-       [](Values x) { return speed_group(x[0], x[1], x[2], x[3]); }},
-      {"G", {"pressure_viscosity", "effective_modulus"}, [](Values x) { return 2 * x[0] * x[1]; }},
-      {"W",
-       {"load", "effective_modulus", "R"},
-       [](Values x) { return x[0] / (2 * x[1] * x[2] * x[2]); }},
-      {"W",
-       {"load_per_length", "effective_modulus", "R"},
-       [](Values x) { return x[0] / (2 * x[1] * x[2]); }},
-      {"M",
-       {"load", "effective_modulus", "R", "viscosity", "speed"},
-       [](Values x) {
-         return x[0] / (2 * x[1] * x[2] * x[2]) *
-                std::pow(2 * speed_group(x[3], x[4], x[1], x[2]), -0.75);
-       }},
-      {"M",
-       {"load_per_length", "effective_modulus", "R", "viscosity", "speed"},
-       [](Values x) {
-         return x[0] / (2 * x[1] * x[2]) / std::sqrt(2 * speed_group(x[3], x[4], x[1], x[2]));
-       }},
-      {"L",
-       {"pressure_viscosity", "effective_modulus", "R", "viscosity", "speed"},
-       [](Values x) {
-         return 2 * x[0] * x[1] * std::pow(2 * speed_group(x[3], x[4], x[1], x[2]), 0.25);
-       }},
-      {"L",
-       {"temperature_viscosity", "viscosity", "speed", "thermal_conductivity"},
-       [](Values x) { return x[0] * x[1] * x[2] * x[2] / x[3]; }},
-      {"αp", {"pressure_viscosity", "pressure"}, [](Values x) { return x[0] * x[1]; }}};
-  return all;
-}
-
-double value_of(const Group& group, const Question& question) {
-  std::vector<double> values;
-  for (const std::string_view one : group.parameters) values.push_back(number_named(question, one));
-  return group.value(values);
-}
-
-bool has_all(const catalogue::Function& function, const Group& group) {
-  return std::all_of(group.parameters.begin(), group.parameters.end(), [&](std::string_view name) {
-    return std::any_of(function.parameters.begin(), function.parameters.end(), [&](const auto& p) {
-      return p.name == name ||
-             (name == "R" && (p.name == "reduced_radius" || p.name == "radius_x"));
-    });
-  });
-}
-
-void add_groups(const catalogue::Function* function, std::vector<Variable>& variables) {
-  for (const Group& group : groups())
-    if (function == nullptr || has_all(*function, group))
-      variables.push_back({std::string(group.symbol), false, [&group](const Question& question) {
-                             return value_of(group, question);
+// The groups of the function, and of others that have the same arguments, as laws of lines do.
+void add_groups(const catalogue::Function& function, std::vector<Variable>& variables) {
+  const auto is_same = [](const auto& a, const auto& b) { return a.name == b.name; };
+  for (const catalogue::Function& other : catalogue::functions()) {
+    if (!std::ranges::equal(other.parameters, function.parameters, is_same)) continue;
+    for (const catalogue::Combination& group : other.combinations) {
+      const std::string symbol = symbol_of(group.meaning);
+      const auto is_there = [&](const Variable& one) { return one.symbol == symbol; };
+      if (std::any_of(variables.begin(), variables.end(), is_there)) continue;
+      variables.push_back({symbol, false, [&group](const Question& question) {
+                             return group.value(question.arguments);
                            }});
+    }
+  }
+}
+
+// U, G and W of a point: the groups that its film law is written in.
+void add_groups_of_points(std::vector<Variable>& variables) {
+  for (const std::string_view name : {"speed_number", "material_number", "load_number"}) {
+    const auto group_of = [name](const catalogue::Function& law) {
+      return std::find_if(law.combinations.begin(), law.combinations.end(),
+                          [&](const catalogue::Combination& one) { return one.name == name; });
+    };
+    const auto value = [group_of](const Question& question) {
+      if (!question.scene) return unsaid;
+      const catalogue::Function& law = film_function(*question.scene);
+      const auto group = group_of(law);
+      return group == law.combinations.end()
+                 ? unsaid
+                 : group->value(film_question(*question.scene).arguments);
+    };
+    const auto& usual = *catalogue::function_named("hamrock_dowson_central");
+    variables.push_back({symbol_of(group_of(usual)->meaning), false, value});
+  }
 }
 
 bool is_number(const catalogue::Parameter& parameter) {
@@ -123,7 +86,7 @@ std::vector<Variable> variables_of_function(const catalogue::Function& function)
     if (is_number(parameters[i]))
       all.push_back({symbol_of(parameters[i].meaning), true,
                      [i](const Question& question) { return question.arguments[i]; }});
-  add_groups(&function, all);
+  add_groups(function, all);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (!is_number(parameters[i])) continue;
     if (parameters[i].range == catalogue::Range::any)
@@ -197,7 +160,7 @@ std::vector<Variable> variables_of_points() {
                                 : unsaid;
                    }});
   }
-  add_groups(nullptr, all);
+  add_groups_of_points(all);
   const auto memory = std::make_shared<PointMemory>();
   for (std::size_t i = 0; i < point_symbols.size(); ++i)
     all.push_back({point_symbols[i], false, [memory, i](const Question& question) {
@@ -212,16 +175,12 @@ std::string symbol_of(std::string_view meaning) {
   return std::string(meaning.substr(0, meaning.find_first_of(",; ")));
 }
 
-double number_of_film(const Scene& scene, std::string_view parameter) {
-  const auto numbers = detail::numbers_of<double>(scene);
-  if (parameter == "speed") return scene.speeds[0];
-  if (parameter == "viscosity") return numbers.viscosity;
-  if (parameter == "pressure_viscosity") return numbers.pressure_viscosity;
-  if (parameter == "load") return numbers.load;
-  if (parameter == "load_per_length") return numbers.load / numbers.across;
-  if (parameter == "effective_modulus") return numbers.effective_modulus;
-  if (parameter == "ellipticity") return numbers.ellipticity;
-  return numbers.radius_x;
+Question film_question(const Scene& scene) {
+  Question question{nullptr, &film_function(scene), {}};
+  const auto& parameters = question.function->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    question.arguments[i] = number_of_film(scene, parameters[i].name);
+  return question;
 }
 
 std::vector<Variable> variables_of(const catalogue::Function* function) {

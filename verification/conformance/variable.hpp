@@ -21,10 +21,11 @@ struct Variable {
 // "F" of "F, of both bodies": the symbol at the beginning of a meaning.
 std::string symbol_of(std::string_view meaning);
 
-// Of the function; null: of operating points. Inputs come first, then groups, then results.
+// The variables of the function, or, where it is null, of operating points. Inputs come first, then
+// groups, then results.
 std::vector<Variable> variables_of(const catalogue::Function* function);
 
-// The number of a scene that is this parameter of a film law.
-double number_of_film(const Scene& scene, std::string_view parameter);
+// The question to the film law of a scene, at its numbers and its first speed.
+Question film_question(const Scene& scene);
 
 }  // namespace tribo::conformance

@@ -129,7 +129,7 @@ bool is_sure(const Item& item, const Observed& observed);
 // reported. The other rules have one, and NaN; both are NaN where there is no number above 0.
 std::array<double, 2> threshold_margins(const Item& item, const Observed& observed);
 
-// Of rule number: the number nearest to the value that prints as reported.
+// For the rule `number`: the number nearest to the value that prints as reported.
 double nearest_as_printed(const Item& item, double value);
 
 // Reads claims.tsv. Throws std::runtime_error with one line.

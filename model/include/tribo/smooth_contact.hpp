@@ -35,6 +35,10 @@ T smooth_film(const FilmLaw& law, ContactShape shape, const detail::SceneNumbers
                         scene.ellipticity);
 }
 
+// Λ by common practice: below the first mixed or boundary lubrication, from the second on a full
+// film.
+inline constexpr double least_mixed_lambda_ratio = 1, least_full_film_lambda_ratio = 3;
+
 // The least film follows from the film h* as it is solved, with load sharing, heat and supply: it
 // is h* times the part that the law of the least film is of the scene's law, both of the smooth,
 // flooded contact at the same speed. Where the scene's law is one of the least film, this is h*.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of wrong answers that no known mistake gives: where they are wrong, what the error
+// The words for wrong answers that no known mistake gives: where they are wrong, what the error
 // depends on, and what follows from another function.
 #include <gtest/gtest.h>
 

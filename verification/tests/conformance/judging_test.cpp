@@ -209,7 +209,8 @@ TEST(Cases, ShowASolverThatForgetsOneInput) {
             << function << " without " << input << (forgets_soon ? ", from the case before" : "");
 }
 
-// What is left out has its default: a solver with another one is shown by a case without it.
+// An input that is left out has its default: a solver with another one is shown by a case without
+// it.
 TEST(Cases, LeaveOutEachDefault) {
   for (const catalogue::Function& function : catalogue::functions())
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -229,7 +230,7 @@ TEST(Cases, LeaveOutEachDefault) {
       }
       EXPECT_GE(shown, 1U) << function.name << ' ' << parameter.name;
     }
-  // Of scenes: each field that a point of the kind may leave out.
+  // For scenes: each field that a point of the kind may leave out.
   std::map<std::string, std::map<std::string, std::set<bool>>> given;
   for (const TestCase& one : all_cases())
     if (is_operating_point(one.function))

@@ -177,7 +177,7 @@ TEST(Reach, OfEachNumberAndCombinationIsAskedToItsEnds) {
   }
 }
 
-// Of points: the exponent αp, and η₀γ̇/τ₀ under ambient pressure, each cut off by a tenth below what
+// Points: the exponent αp, and η₀γ̇/τ₀ under ambient pressure, each cut off by a tenth below what
 // the catalogue of a contact's numbers knows.
 TEST(Reach, OfFrictionIsAskedToAnExponentOf70AndAShearNumberOf10000) {
   constexpr double exponent_cut = 63, shear_cut = 9e3;
