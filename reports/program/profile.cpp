@@ -37,7 +37,7 @@ using conformance::TestCase;
 using nlohmann::ordered_json;
 
 struct ProfileArguments {
-  std::string plugin, command;
+  std::string plugin, command, tool;
   std::vector<std::string> functions;  // empty: all that it offers
   std::string format = "table";
   std::string out;  // the folder for the tool's file; empty: the file is not kept
@@ -161,8 +161,10 @@ struct Profile {
   double total = 0;  // cost of all lines
   std::vector<HotLine> lines;
   std::string raw_file;  // empty: it was not kept
+  Profiler::Tool kind;
 
-  bool counts_instructions() const { return unit == "instructions"; }
+  bool counts_instructions() const { return kind == Profiler::Tool::callgrind; }
+  bool counts_calls() const { return kind != Profiler::Tool::perf; }
 };
 
 std::string file_text(const HotLine& line) {
@@ -200,8 +202,8 @@ report::TextTable table_of(const Profile& profile, std::size_t shown) {
     table.rows.push_back({fmt::format("{:.1f} %", 100 * line.cost / profile.total),
                           counts ? report::grouped(static_cast<std::uint64_t>(line.cost))
                                  : fmt::format("{:.3f}", line.cost),
-                          report::grouped(line.calls), place_text(line), line.function,
-                          source_of(line)});
+                          profile.counts_calls() ? report::grouped(line.calls) : "",
+                          place_text(line), line.function, source_of(line)});
   }
   return table;
 }
@@ -228,10 +230,12 @@ void append_table(Text& to, const Profile& profile, std::size_t most) {
   if (profile.lines.size() > shown) note(left_out(profile, shown));
   note(fmt::format("measured by {} in {} answers of {}", profile.tool,
                    report::grouped(profile.answers), fmt::join(profile.functions, ", ")));
-  if (profile.counts_instructions()) {
-    note(
-        "the instructions of libraries belong to the line that calls them; those of tribocheck are "
-        "left out");
+  if (profile.kind != Profiler::Tool::cprofile) {
+    note(fmt::format(
+        "the {} of libraries belong{} to the line that calls them; {} of tribocheck {} left out",
+        profile.counts_instructions() ? "instructions" : "time",
+        profile.counts_instructions() ? "" : "s", profile.counts_instructions() ? "those" : "that",
+        profile.counts_instructions() ? "are" : "is"));
     if (profile.lines.front().line == 0)
       note("it has no line numbers: build it with -g, and optimized as before");
   } else {
@@ -244,7 +248,8 @@ void append_table(Text& to, const Profile& profile, std::size_t most) {
            ? "--out FOLDER keeps the file of the tool"
            : fmt::format("{}: for {}", profile.raw_file,
                          profile.counts_instructions() ? "callgrind_annotate or kcachegrind"
-                                                       : "python3 -m pstats"));
+                         : profile.kind == Profiler::Tool::perf ? "perf report -i"
+                                                                : "python3 -m pstats"));
 }
 
 std::string json_text(const Profile& profile, std::size_t most) {
@@ -263,7 +268,7 @@ std::string json_text(const Profile& profile, std::size_t most) {
         {{"file", line.file.empty() ? line.object : line.file},
          {"line", line.line == 0 ? ordered_json(nullptr) : ordered_json(line.line)},
          {"function", line.function},
-         {"calls", line.calls},
+         {"calls", profile.counts_calls() ? ordered_json(line.calls) : ordered_json(nullptr)},
          {"cost", line.cost},
          {"share", line.cost / profile.total}});
   }
@@ -283,7 +288,7 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
   cases = conformance::cases_for(std::move(cases), conformance::engineering_tolerance());
   check_names(arguments.functions, cases);
   if (!arguments.functions.empty()) cases = cases_of(arguments.functions, std::move(cases));
-  const Profiler profiler(arguments.plugin, arguments.command);
+  const Profiler profiler(arguments.plugin, arguments.command, arguments.tool);
   const Offered offered = offered_by(profiler, arguments, cases);
 
   watch_for_stop();
@@ -310,7 +315,8 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
                   run.answers,
                   0,
                   conformance::hot_lines(profiler.measured(folder.path())),
-                  folder.is_kept() ? profiler.raw_file(folder.path()).string() : std::string()};
+                  folder.is_kept() ? profiler.raw_file(folder.path()).string() : std::string(),
+                  profiler.tool()};
   for (const HotLine& line : profile.lines) profile.total += line.cost;
   if (profile.lines.empty())
     throw std::runtime_error(profile.tool + " saw no work of the solver's own");
@@ -328,7 +334,8 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
 constexpr const char* profile_footer =
     R"(The solver answers certified cases of each function for about a second (--seconds). What is compiled is measured by
 callgrind of valgrind, which counts the instructions of each line (build with -g, and optimized as you ship
-it); Python by cProfile, which takes the time of each function. Work in libraries, such as exp(), belongs to
+it), or with --tool perf by that, which takes the time of each line; Python by cProfile, which takes the time
+of each function. Work in libraries, such as exp(), belongs to
 the line that calls it; that of tribocheck is left out.
 Exit code 0: done; 1: the solver failed under the tool, or the picture
 is missing; 2: bad usage, or it cannot be started or measured.
@@ -336,6 +343,7 @@ is missing; 2: bad usage, or it cannot be started or measured.
 Example:
   tribocheck profile --plugin ./libmine.so
   tribocheck profile --subject 'python3 my_solver.py' --function gaussian_moment
+  tribocheck profile --plugin ./libmine.so --tool perf --seconds 5
   tribocheck profile --plugin ./libmine.so --out profile && kcachegrind profile/callgrind.out)";
 
 }  // namespace
@@ -352,6 +360,11 @@ Command add_profile(CLI::App& program) {
   app->add_option("--function", arguments->functions,
                   "measure this function; may be repeated (default: all that it offers)")
       ->allow_extra_args(false);
+  app->add_option(
+         "--tool", arguments->tool,
+         "what measures a compiled solver (default: callgrind; perf where callgrind alone is "
+         "missing)")
+      ->check(CLI::IsMember({"callgrind", "perf"}));
   app->add_option("--most", arguments->most, "show so many lines, the worst (default: 20)")
       ->check(CLI::Range(1, 100'000));
   app->add_option("--format", arguments->format, "how to write them (default: table)")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -14,6 +15,7 @@
 
 #include "conformance/callgrind_file.hpp"
 #include "conformance/child_process.hpp"
+#include "conformance/perf_script.hpp"
 #include "page/project_files.hpp"
 #include "shell.hpp"
 
@@ -65,26 +67,39 @@ constexpr const char* measurable =
 
 // Libraries that the system has, in contrast to those that come with a solver.
 bool is_of_system(const std::string& object) {
-  return object.empty() || object == "???" || object.starts_with("/usr/lib") ||
-         object.starts_with("/lib") || object.starts_with("/usr/local/lib/valgrind");
+  return object.empty() || object == "???" || object.starts_with('[') ||
+         object.starts_with("/usr/lib") || object.starts_with("/lib") ||
+         object.starts_with("/usr/local/lib/valgrind");
 }
 
-void check_valgrind() {
-  if (found_by_shell("valgrind").empty())
-    throw std::invalid_argument(
-        "valgrind is not installed, which counts the instructions of each line; apt-get install "
-        "valgrind");
+// The lines of addresses in a program or library, "FILE:NUMBER" each; "??:0" where it has none.
+std::vector<CallGraph::Line> lines_of(const std::string& object,
+                                      const std::vector<std::uint64_t>& addresses) {
+  std::vector<std::string> command{"addr2line", "-e", object};
+  for (const std::uint64_t address : addresses) command.push_back(fmt::format("{:x}", address));
+  std::istringstream text(conformance::run_child(std::move(command)).text);
+  std::vector<CallGraph::Line> lines;
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t colon = line.rfind(':');
+    std::uint64_t number = 0;  // stays so of "?"; " (discriminator 3)" may follow it
+    if (colon != line.npos)
+      std::from_chars(line.data() + colon + 1, line.data() + line.size(), number);
+    lines.emplace_back(number == 0 ? std::string() : line.substr(0, colon), number);
+  }
+  if (lines.size() != addresses.size())
+    throw std::runtime_error("addr2line of binutils cannot read " + object);
+  return lines;
 }
 
 }  // namespace
 
-Profiler::Profiler(const std::string& plugin, const std::string& command) {
+Profiler::Profiler(const std::string& plugin, const std::string& command, const std::string& tool) {
   check_solver(plugin, command);
   if (!plugin.empty()) {
     words_ = plugin_host(plugin);
     own_object_ = without_links(plugin);
     plain_ = plugin_host_command(plugin);
-    check_valgrind();
+    choose_tool(tool);
     return;
   }
   const std::optional<std::vector<std::string>> words = words_of(command);
@@ -92,7 +107,27 @@ Profiler::Profiler(const std::string& plugin, const std::string& command) {
     refuse("only the shell can read this; give a program and its arguments alone");
   plain_ = command;
   take_program(*words);
-  if (tool_ == Tool::callgrind) check_valgrind();
+  if (tool_ != Tool::cprofile)
+    choose_tool(tool);
+  else if (!tool.empty())
+    throw std::invalid_argument(
+        fmt::format("--tool: {} measures what is compiled; Python is measured by cProfile, leave "
+                    "--tool out",
+                    tool));
+}
+
+void Profiler::choose_tool(const std::string& tool) {
+  const bool has_callgrind = !found_by_shell("valgrind").empty();
+  const bool has_perf = !found_by_shell("perf").empty();
+  tool_ =
+      tool == "perf" || (tool.empty() && !has_callgrind && has_perf) ? Tool::perf : Tool::callgrind;
+  if (tool_ == Tool::callgrind && !has_callgrind)
+    throw std::invalid_argument(
+        "valgrind is not installed, which counts the instructions of each line; apt-get install "
+        "valgrind");
+  if (tool_ == Tool::perf && !has_perf)
+    throw std::invalid_argument(
+        "perf is not installed, which takes the time of each line; apt-get install linux-perf");
 }
 
 // Finds the program among the words: behind `exec` and variables of the environment, which `env`
@@ -138,13 +173,18 @@ void Profiler::take_python(std::size_t at) {
 
 std::string Profiler::tool_name() const {
   if (tool_ == Tool::cprofile) return "cProfile";
-  const std::string version = conformance::run_child({"valgrind", "--version"}).text;
-  const std::size_t start = version.find('-') + 1;
-  return "callgrind " + version.substr(start, version.find('\n') - start);
+  const bool is_perf = tool_ == Tool::perf;
+  // "valgrind-3.19.0", "perf version 6.1.187"
+  const std::string version =
+      conformance::run_child({is_perf ? "perf" : "valgrind", "--version"}).text;
+  const std::string text = version.substr(0, version.find('\n'));
+  return (is_perf ? "perf " : "callgrind ") + text.substr(text.find_last_of("- ") + 1);
 }
 
 fs::path Profiler::raw_file(const fs::path& folder) const {
-  return folder / (tool_ == Tool::callgrind ? "callgrind.out" : "profile.pstats");
+  return folder / (tool_ == Tool::callgrind ? "callgrind.out"
+                   : tool_ == Tool::perf    ? "perf.data"
+                                            : "profile.pstats");
 }
 
 std::vector<std::string> Profiler::command(const fs::path& folder) const {
@@ -154,6 +194,11 @@ std::vector<std::string> Profiler::command(const fs::path& folder) const {
     for (std::size_t at = 0; (at = raw.find('%', at)) != raw.npos; at += 2)
       raw.insert(at, 1, '%');  // valgrind replaces %p and the like
     tool = {"valgrind", "-q", "--tool=callgrind", "--callgrind-out-file=" + raw};
+  } else if (tool_ == Tool::perf) {
+    // The clock of the processor, which no machine lacks, and the stack, which tells the caller of
+    // a library.
+    tool = {"perf", "record",       "-q",         "-e", "cpu-clock:u", "-F",
+            "997",  "--call-graph", "dwarf,4096", "-o", raw,           "--"};
   } else {
     tool = {"-m", "cProfile", "-o", raw};
   }
@@ -165,7 +210,9 @@ std::vector<std::string> Profiler::command(const fs::path& folder) const {
 CallGraph Profiler::measured(const fs::path& folder) const {
   const fs::path raw = raw_file(folder);
   try {
-    return tool_ == Tool::callgrind ? measured_instructions(raw) : measured_calls(raw);
+    return tool_ == Tool::callgrind ? measured_instructions(raw)
+           : tool_ == Tool::perf    ? measured_samples(raw)
+                                    : measured_calls(raw);
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(raw.string() + ": " + error.what());
   } catch (const std::runtime_error& error) {
@@ -173,15 +220,29 @@ CallGraph Profiler::measured(const fs::path& folder) const {
   }
 }
 
+CallGraph::Kind Profiler::kind_of(const std::string& object) const {
+  if (object == own_object_) return CallGraph::Kind::own;
+  if (object == without_links(this_program())) return CallGraph::Kind::apart;
+  return is_of_system(object) ? CallGraph::Kind::library : CallGraph::Kind::own;
+}
+
 CallGraph Profiler::measured_instructions(const fs::path& raw) const {
   std::ifstream text(raw);
   if (!text) throw std::runtime_error("valgrind left no such file");
-  const std::string host = without_links(this_program());
-  return conformance::read_callgrind(text, [&](const std::string& object) {
-    if (object == own_object_) return CallGraph::Kind::own;
-    if (object == host) return CallGraph::Kind::apart;
-    return is_of_system(object) ? CallGraph::Kind::library : CallGraph::Kind::own;
-  });
+  return conformance::read_callgrind(text,
+                                     [this](const std::string& object) { return kind_of(object); });
+}
+
+CallGraph Profiler::measured_samples(const fs::path& raw) const {
+  if (!fs::exists(raw)) throw std::runtime_error("perf left no such file");
+  std::vector<std::string> command{"perf", "script", "-i", raw.string()};
+  command.insert(command.end(), conformance::perf_script_options.begin(),
+                 conformance::perf_script_options.end());
+  const conformance::ChildEnd end = conformance::run_child(std::move(command));
+  if (!end.succeeded()) throw std::runtime_error("perf cannot read it: see above");
+  std::istringstream text(end.text);
+  return conformance::read_perf_script(
+      text, [this](const std::string& object) { return kind_of(object); }, lines_of);
 }
 
 CallGraph Profiler::measured_calls(const fs::path& raw) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way to measure a solver: callgrind for what is compiled, cProfile for Python.
+// The way to measure a solver: callgrind or perf for what is compiled, cProfile for Python.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,17 @@ namespace tribo::cli {
 
 class Profiler {
  public:
-  enum class Tool : std::uint8_t { callgrind, cprofile };
+  enum class Tool : std::uint8_t { callgrind, perf, cprofile };
 
-  // One of --plugin and --subject is given, the other one is empty. Throws std::invalid_argument
-  // with one line where it cannot be measured: it is not there, it is an interpreter of another
-  // language, only the shell can read its command line, or the tool is not installed.
-  Profiler(const std::string& plugin, const std::string& command);
+  // One of --plugin and --subject is given, the other one is empty. `tool`, of what is compiled:
+  // callgrind or perf; empty: callgrind, or perf where callgrind alone is missing. Throws
+  // std::invalid_argument with one line where it cannot be measured: it is not there, it is an
+  // interpreter of another language, only the shell can read its command line, or the tool is not
+  // installed.
+  Profiler(const std::string& plugin, const std::string& command, const std::string& tool);
 
   Tool tool() const { return tool_; }
-  // "callgrind 3.19.0"; of cProfile the version of Python follows from measured().
+  // "callgrind 3.19.0", "perf 6.1.187"; of cProfile the version of Python follows from measured().
   std::string tool_name() const;
   std::string unit() const { return tool_ == Tool::callgrind ? "instructions" : "s"; }
   const std::string& plain_command() const { return plain_; }  // of the shell, without the tool
@@ -33,10 +35,13 @@ class Profiler {
   conformance::CallGraph measured(const std::filesystem::path& folder) const;
 
  private:
+  void choose_tool(const std::string& tool);
+  conformance::CallGraph::Kind kind_of(const std::string& object) const;
   void take_program(std::vector<std::string> words);
   void take_python(std::size_t at);
   conformance::CallGraph measured_calls(const std::filesystem::path& raw) const;
   conformance::CallGraph measured_instructions(const std::filesystem::path& raw) const;
+  conformance::CallGraph measured_samples(const std::filesystem::path& raw) const;
 
   Tool tool_ = Tool::callgrind;
   std::string plain_;

@@ -99,6 +99,20 @@ for line in sys.stdin:
     print(json.dumps(answer), flush=True)
 """
 
+# Stands in for perf, which few systems let everybody use: it runs the command, and has four samples: in the solver's function
+# slow; in the C library, called by it; in tribocheck, called by the solver; and in a library that the solver did not call.
+PERF = """#!/bin/sh
+case "$1" in
+--version) echo 'perf version 6.1.187';;
+record) while [ "$1" != -o ]; do shift; done; echo recorded > "$2"; shift 3; exec "$@";;
+script) [ "$(cat "$3")" = recorded ] || exit 1
+  printf ' %s \\n\\t %s slow (%s)\\n\\t 12 main (%s)\\n\\n' 1000000 ADDRESS SOLVER HOST
+  printf ' %s \\n\\t 6ec exp@@GLIBC_2.29 (/usr/lib/x86_64-linux-gnu/libm.so.6)\\n\\t %s slow (%s)\\n\\n' 2000000 ADDRESS SOLVER
+  printf ' %s \\n\\t 12 read(a (b)) (%s)\\n\\t %s slow (%s)\\n\\n' 4000000 HOST ADDRESS SOLVER
+  printf ' %s \\n\\t 12 [unknown] ([unknown])\\n\\n' 8000000;;
+esac
+"""
+
 
 def line_of(text, part):
     return 1 + next(i for i, line in enumerate(text.splitlines()) if part in line)
@@ -250,7 +264,49 @@ class Profile(ProgramTest):
 
     def test_a_missing_valgrind_is_one_line(self):
         library = self.plugin("-g")
-        self.refused("--plugin", library, environment={"PATH": self.folder.name}, said="apt-get install valgrind")
+        nothing = {"PATH": self.folder.name}
+        self.refused("--plugin", library, environment=nothing, said="apt-get install valgrind")
+        self.refused("--plugin", library, "--tool", "perf", environment=nothing, said="apt-get install linux-perf")
+        self.refused("--subject", self.python(), "--tool", "perf", said="--tool: perf measures what is compiled")
+        self.refused("--plugin", library, "--tool", "gprof", said="--tool")
+
+    def with_perf(self, library, text=PERF):
+        """The path with a perf that has samples of the library's function slow, and no valgrind."""
+        symbols = subprocess.run(["nm", library], capture_output=True, text=True, check=True).stdout
+        address = next(line.split()[0] for line in symbols.splitlines() if line.endswith(" slow"))
+        for old, new in (("ADDRESS", address), ("SOLVER", library), ("HOST", os.path.realpath(PROGRAM))):
+            text = text.replace(old, new)
+        folder = pathlib.Path(self.folder.path("tools"))
+        folder.mkdir(exist_ok=True)
+        (folder / "perf").write_text(text, encoding="utf-8")
+        (folder / "perf").chmod(0o755)
+        for tool in ("cat", "addr2line"):
+            if not (folder / tool).exists():
+                (folder / tool).symlink_to(shutil.which(tool))
+        return {"PATH": str(folder)}
+
+    def test_perf_has_the_time_of_lines_with_that_of_the_libraries_which_they_call(self):
+        library = self.plugin("-g", "-fno-inline")
+        place = self.with_perf(library)
+        for words in ([], ["--tool", "perf"]):  # where valgrind alone is missing, and where it is asked for
+            environment = place if not words else {"PATH": place["PATH"] + ":" + os.environ["PATH"]}
+            one = self.document("--plugin", library, *words, environment=environment)
+            self.assertEqual((one["tool"], one["unit"]), ("perf 6.1.187", "s"))
+            line, = one["lines"]
+            self.assertEqual((line["file"], line["function"], line["line"]), (self.source, "slow", line_of(C_PLUGIN, "double slow")))
+            self.assertEqual(line["calls"], None)
+            self.assertAlmostEqual(line["cost"], 0.003, delta=1e-12)
+        out = self.profile("--plugin", library, "--tool", "perf", "--out", self.folder.path("kept"), environment=environment).out
+        self.assertIn("the time of libraries belongs to the line that calls them", out)
+        self.assertIn("perf.data: for perf report -i", out)
+
+    def test_a_recording_that_perf_cannot_read_is_told(self):
+        library = self.plugin("-g", "-fno-inline")
+        for text, said in ((PERF.replace("recorded ]", "else ]"), "perf cannot read it"),
+                           (PERF.replace("printf", ": printf"), "it has no samples of perf"),
+                           (PERF.replace("1000000 ADDRESS SOLVER", "1000000 ADDRESS /no/solver"), "cannot read /no/solver")):
+            done = self.profile("--plugin", library, "--tool", "perf", code=2, environment=self.with_perf(library, text))
+            self.assertEqual((done.out, done.error_lines[-1].count(said)), ("", 1), done.err)
 
     def test_a_solver_that_fails_is_told_with_its_last_words(self):
         text = PYTHON.replace("    print(", "    if 'count' not in globals(): count = 0\n    count += 1\n    if count > 50: raise SystemError('no more')\n    print(")
