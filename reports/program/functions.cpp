@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck functions: the functions that `stream` and other people's solvers are asked.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 
 #include "build_info.hpp"
 #include "catalogue/catalogue.hpp"
+#include "catalogue/ways_to_ask.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "protocol/answers.hpp"
@@ -20,6 +22,7 @@ namespace {
 using catalogue::Combination;
 using catalogue::Function;
 using catalogue::Parameter;
+using catalogue::WayToAsk;
 using nlohmann::ordered_json;
 
 struct FunctionsArguments {
@@ -62,6 +65,12 @@ std::string contract_text(const Contract& contract) {
   return text;
 }
 
+std::vector<std::string_view> names_of(std::span<const Parameter> parameters) {
+  std::vector<std::string_view> names;
+  for (const Parameter& one : parameters) names.push_back(one.name);
+  return names;
+}
+
 void describe(const Function& function, OutputStream& output) {
   std::string text =
       fmt::format("{}: {}\n  {}\n\n", function.name, function.meaning, function.equation);
@@ -76,6 +85,10 @@ void describe(const Function& function, OutputStream& output) {
       text += fmt::format("  {:<24}{:<8}of contacts on earth: {}\n", "", "",
                           range_text(parameter.least, parameter.greatest));
   }
+  for (const WayToAsk& way : catalogue::ways_to_ask())
+    if (has_way(function, way))
+      text += fmt::format("  in place of {}: {} (verify: {})\n", fmt::join(way.in_place_of, ", "),
+                          fmt::join(names_of(way.given), ", "), way.name);
   if (!function.combinations.empty()) text += "\nCombinations of them, of contacts on earth:\n";
   for (const Combination& one : function.combinations)
     text += fmt::format("  {:<24}{:<8}{}: {}\n", one.name, unit_text(one.unit), one.meaning,
@@ -116,6 +129,11 @@ ordered_json json_of(const Function& function) {
                             {"meaning", one.meaning},
                             {"unit", one.unit},
                             {"physical", {one.least, one.greatest}}});
+  ordered_json ways = ordered_json::array();
+  for (const WayToAsk& way : catalogue::ways_to_ask())
+    if (has_way(function, way))
+      ways.push_back(
+          {{"name", way.name}, {"in_place_of", way.in_place_of}, {"given", names_of(way.given)}});
   for (const catalogue::Result& result : function.results)
     results.push_back({{"name", result.name}, {"meaning", result.meaning}, {"unit", result.unit}});
   return {{"name", function.name},
@@ -123,6 +141,7 @@ ordered_json json_of(const Function& function) {
           {"equation", function.equation},
           {"source", function.source},
           {"parameters", parameters},
+          {"ways_to_ask", ways},
           {"combinations", combinations},
           {"results", results},
           {"contract",

@@ -126,7 +126,7 @@ std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
   const bool shows = !asked.shown.empty(), saves = !asked.saved_cases.empty();
   const bool judges_own = !has_subject && !shows && !saves;
   const std::string no_subject = "without --subject or --plugin";
-  return {{{"--tolerance", "--modulus", "--sample"}, judges_own, no_subject},
+  return {{{"--tolerance", "--modulus", "--ellipticity", "--sample"}, judges_own, no_subject},
           {{"--jobs", "--case-timeout", "--start-timeout", "--timeout", "--require", "--baseline",
             "--update-baseline", "--force"},
            !has_subject,
@@ -186,9 +186,14 @@ Command add_verify(CLI::App& program) {
   app->add_option("--tolerance", subject.tolerance,
                   "strict (the certified contracts), engineering (1e-6 of the value, times its "
                   "condition; the default), or a file of lines QUANTITY RELATIVE");
-  app->add_option("--modulus", subject.modulus,
-                  "what it takes and gives as effective_modulus: E* (the default), or E' = 2E*")
-      ->check(CLI::IsMember({"E*", "E'"}));
+  app->add_option("--modulus", subject.ways.modulus,
+                  "what it takes for effective_modulus: E* (the default), E' = 2E*, or bodies: "
+                  "first_modulus, first_poisson_ratio, second_modulus, second_poisson_ratio")
+      ->check(CLI::IsMember({"E*", "E'", "bodies"}));
+  app->add_option(
+         "--ellipticity", subject.ways.ellipticity,
+         "what films take for ellipticity: k (the default), or radii: radius_x and radius_y")
+      ->check(CLI::IsMember({"k", "radii"}));
   app->add_option("--sample", subject.sample, "at most so many cases of each function")
       ->check(CLI::PositiveNumber);
   app->add_option(

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "build_info.hpp"
-#include "conformance/modulus.hpp"
 #include "conformance/readings.hpp"
 #include "junit.hpp"
 #include "messages.hpp"
@@ -31,7 +30,7 @@ struct Subject {
   std::string name;     // as it was given
   std::string command;  // of the shell
   Limits limits;
-  bool has_twice_the_modulus = false;  // it takes and gives E' = 2E*
+  AskedWays ways;
 
   bool is_plugin() const { return limits.flushes; }
 };
@@ -42,11 +41,15 @@ std::optional<Subject> subject_of(const SubjectArguments& given) {
   if (!given.has_subject()) return std::nullopt;
   check_solver(given.plugin, given.command);
   const bool is_plugin = !given.plugin.empty();
+  if (is_plugin && given.ways.has_other_arguments())
+    throw std::invalid_argument(fmt::format(
+        "--{} is for --subject: the arrays of a plug-in are effective_modulus and ellipticity",
+        given.ways.has_radii() ? "ellipticity radii" : "modulus bodies"));
   return Subject{is_plugin ? given.plugin : given.command,
                  is_plugin ? plugin_host_command(given.plugin, "--places") : given.command,
                  {milliseconds(given.case_timeout), milliseconds(given.start_timeout),
                   milliseconds(given.timeout), is_plugin},
-                 given.has_twice_the_modulus()};
+                 given.ways};
 }
 
 // Checked after the run: only the shell (exit codes 126 and 127) or the process that loads the
@@ -60,18 +63,13 @@ void check_started(const Subject& subject, const Conversation& conversation) {
                   last_line(conversation.last_errors)));
 }
 
-// The cases in the modulus that the subject takes.
-std::vector<TestCase> as_asked(std::vector<TestCase> cases, bool has_twice_the_modulus) {
-  return has_twice_the_modulus ? asked_in_twice_the_modulus(std::move(cases)) : std::move(cases);
-}
-
 Conversation conversation_with(const Subject& subject, const std::vector<TestCase>& cases,
                                const std::function<void(std::size_t)>& progress,
                                const Manner& manner) {
-  Conversation conversation = ask(subject.command, as_asked(cases, subject.has_twice_the_modulus),
-                                  subject.limits, progress, manner);
+  Conversation conversation =
+      ask(subject.command, asked_by(subject.ways, cases), subject.limits, progress, manner);
   check_started(subject, conversation);
-  if (subject.has_twice_the_modulus) halve_moduli(cases, conversation);
+  put_back(subject.ways, cases, conversation);
   return conversation;
 }
 
@@ -86,7 +84,11 @@ std::string same_question(const SubjectArguments& arguments) {
                                    : option_text("--plugin", arguments.plugin);
   if (!arguments.exact.empty()) line += option_text("--reference", arguments.exact);
   if (arguments.tolerance != "engineering") line += option_text("--tolerance", arguments.tolerance);
-  if (arguments.has_twice_the_modulus()) line += option_text("--modulus", arguments.modulus);
+  const AskedWays usual;
+  if (arguments.ways.modulus != usual.modulus)
+    line += option_text("--modulus", arguments.ways.modulus);
+  if (arguments.ways.ellipticity != usual.ellipticity)
+    line += option_text("--ellipticity", arguments.ways.ellipticity);
   return line;
 }
 
@@ -165,9 +167,7 @@ std::vector<TestCase> shown_of(const std::vector<std::string>& ids,
 // Each case is asked and judged alone, as a quantity's verdict is one on all of its cases.
 int show(const std::optional<Subject>& subject, const SubjectArguments& arguments,
          const std::vector<TestCase>& cases, const Tolerance& tolerance, OutputStream& output) {
-  const auto asked = [&](const TestCase& one) {
-    return as_asked({one}, arguments.has_twice_the_modulus()).front();
-  };
+  const auto asked = [&](const TestCase& one) { return asked_by(arguments.ways, {one}).front(); };
   bool any_failed = false;
   for (const TestCase& one : shown_of(arguments.shown, cases)) {
     if (!subject) {
@@ -176,7 +176,7 @@ int show(const std::optional<Subject>& subject, const SubjectArguments& argument
     }
     std::vector<TestCase> alone{one};
     Conversation conversation = conversation_with(*subject, alone, [](std::size_t) {}, {});
-    take_readings(alone, conversation, tolerance);
+    take_readings(alone, conversation, tolerance, arguments.ways);
     const ConformanceResult result =
         judge(subject->name, alone, std::move(conversation), tolerance);
     any_failed |= result.overall == Overall::failed;
@@ -225,7 +225,7 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   if (!arguments.shown.empty()) return show(subject, arguments, cases, tolerance, output);
   cases = cases_for(std::move(cases), tolerance, arguments.sample);
   if (!arguments.saved_cases.empty())
-    save_cases(arguments.saved_cases, as_asked(cases, arguments.has_twice_the_modulus()), output);
+    save_cases(arguments.saved_cases, asked_by(arguments.ways, cases), output);
   if (!subject) return exit_done;
   if (const std::optional<std::string> unknown = unknown_of(arguments.required, cases))
     throw std::invalid_argument(fmt::format("--require: {} is no quantity of the table", *unknown));
@@ -250,7 +250,8 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
           arguments,
           fmt::format("{} never answered: {}", subject->name, conversation.never_answered),
           conversation.error_lines, output);
-    std::vector<std::string> readings = take_readings(cases, conversation, tolerance);
+    std::vector<std::string> readings =
+        take_readings(cases, conversation, tolerance, arguments.ways);
     verdict.result = judge(subject->name, cases, std::move(conversation), tolerance);
     verdict.result.sample = arguments.sample;
     std::vector<std::string>& notes = verdict.result.notes;

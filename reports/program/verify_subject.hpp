@@ -10,6 +10,7 @@
 #include "conformance/conformance.hpp"
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/diagnosis.hpp"
+#include "conformance/ways.hpp"
 #include "messages.hpp"
 
 namespace tribo::cli {
@@ -21,7 +22,7 @@ struct SubjectArguments {
   std::string plugin;   // value of --plugin
   std::string exact;    // empty: reference/exact of the project
   std::string tolerance = "engineering";
-  std::string modulus = "E*";  // that the subject takes and gives: E* or E'
+  conformance::AskedWays ways;  // the numbers that the subject takes
   std::string format = "table";
   std::string junit;  // empty: none
   conformance::BaselineUse baseline;
@@ -32,7 +33,6 @@ struct SubjectArguments {
   std::vector<std::string> shown;  // the cases to show; empty: all cases are judged
   std::string saved_cases;         // the file of --save-cases; empty: none, "-": stdout
 
-  bool has_twice_the_modulus() const { return modulus == "E'"; }
   bool has_subject() const { return !command.empty() || !plugin.empty(); }
 };
 

@@ -66,7 +66,7 @@ VALUES = {
     "--out": ["DIR/other"],
     "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
-    "--seconds": ["0.3"], "--function": ["hertz_line"], "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--modulus": ["E'"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
+    "--seconds": ["0.3"], "--function": ["hertz_line"], "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--modulus": ["E'"], "--ellipticity": ["radii"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
     "--start-timeout": ["0.01", "--case-timeout", "0.01"], "--timeout": ["0.01"], "--require": ["operating_point"],
     "--show": ["h0001"], "--save-cases": ["DIR/saved"], "--baseline": ["DIR/no_such.json"],
     "--update-baseline": [], "--claim": ["C3"], "--reading": ["literal"], "--section": ["errata"],

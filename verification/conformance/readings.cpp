@@ -10,7 +10,9 @@
 #include <set>
 #include <string_view>
 
+#include "catalogue/ways_to_ask.hpp"
 #include "conformance/question.hpp"
+#include "tribo/hertz_ellipse.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::conformance {
@@ -91,10 +93,30 @@ std::optional<Real> full_astm_d341(const Question& question, Real (*viscosity_of
   return viscosity_of(z) / 1000000;
 }
 
+// --- Films of a solver that is given both radii, with the ellipticity k by the fits that the
+// films' own authors use: B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of
+// point contacts, part I. J. Lubr. Technol. 98 (1976) 223, k = 1.03 (R_y/R_x)^0.64; B. J. Hamrock,
+// D. E. Brewe: Simplified solution for stresses and deformations. J. Lubr. Technol. 105 (1983) 171,
+// k = 1.0339 (R_y/R_x)^0.636.
+
+std::optional<Real> film_with(const Question& question, double factor, double exponent) {
+  const auto parameters = question.function->parameters;
+  const std::size_t place = place_in(parameters, "ellipticity");
+  if (place == parameters.size()) return std::nullopt;
+  catalogue::Arguments arguments = question.arguments;
+  arguments[place] = factor * std::pow(radius_ratio_of(arguments[place]), exponent);
+  catalogue::Results film{};
+  question.function->value(arguments, film);
+  return film[0];
+}
+
 // --- The readings.
 
+constexpr std::string_view film_of_radii = "film of radii";
+
 struct Reading {
-  std::string_view function;  // or "operating_point" for each kind of points
+  // Or "operating_point" for each kind of points, film_of_radii for each film that is asked so.
+  std::string_view function;
   std::string_view field;
   std::string_view text;
   std::optional<Real> (*value)(const Question&);  // none: as the certified reading has it
@@ -118,9 +140,21 @@ constexpr std::array readings{
             [](const Question& asked) { return full_astm_d341(asked, printed_viscosity); }},
     Reading{"astm_d341_viscosity", "value",
             "the exponential term that the standard prints for thin liquids, solved for ν",
-            [](const Question& asked) { return full_astm_d341(asked, solved_viscosity); }}};
+            [](const Question& asked) { return full_astm_d341(asked, solved_viscosity); }},
+    Reading{film_of_radii, "value", "the fit k = 1.03 (R_y/R_x)^0.64 for the ellipse of contact",
+            [](const Question& asked) { return film_with(asked, 1.03, 0.64); }},
+    Reading{film_of_radii, "value", "the fit k = 1.0339 (R_y/R_x)^0.636 for the ellipse of contact",
+            [](const Question& asked) { return film_with(asked, 1.0339, 0.636); }}};
 
-bool is_of(const Reading& reading, const std::string& function) {
+bool is_of(const Reading& reading, const std::string& function, const AskedWays& ways) {
+  if (reading.function == film_of_radii) {
+    const catalogue::Function* const known = catalogue::function_named(function);
+    return ways.has_radii() && known != nullptr &&
+           std::any_of(catalogue::ways_to_ask().begin(), catalogue::ways_to_ask().end(),
+                       [&](const catalogue::WayToAsk& way) {
+                         return way.name == ways.ellipticity && has_way(*known, way);
+                       });
+  }
   return reading.function == function ||
          (is_operating_point(reading.function) && is_operating_point(function));
 }
@@ -182,8 +216,8 @@ std::size_t count_met(const std::vector<Judged>& answers, const std::vector<Expe
 }  // namespace
 
 std::vector<std::string> take_readings(std::vector<TestCase>& cases,
-                                       const Conversation& conversation,
-                                       const Tolerance& tolerance) {
+                                       const Conversation& conversation, const Tolerance& tolerance,
+                                       const AskedWays& ways) {
   std::set<std::string> functions;
   for (const TestCase& one : cases) functions.insert(one.function);
   std::vector<std::string> notes;
@@ -194,7 +228,7 @@ std::vector<std::string> take_readings(std::vector<TestCase>& cases,
     std::size_t most = 0;  // answers that are met
     std::vector<Expected> best_expected;
     for (const Reading& reading : readings) {
-      if (!is_of(reading, function)) continue;
+      if (!is_of(reading, function, ways)) continue;
       if (answers.empty()) {
         answers = judged_of(cases, conversation, function, reading.field);
         most = count_met(answers, certified_of(answers), tolerance);

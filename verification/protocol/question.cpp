@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 
+#include "catalogue/ways_to_ask.hpp"
 #include "protocol/ordinary_scene.hpp"
 
 namespace tribo::protocol {
 namespace {
 
 using catalogue::Parameter;
+using catalogue::place_in;
+using catalogue::WayToAsk;
 using Members = std::span<const scene_detail::Entry>;
 using scene_detail::Entry;
 using scene_detail::NumberFault;
@@ -82,33 +86,88 @@ std::string parameter_names(const catalogue::Function& function) {
   return text;
 }
 
-bool is_known(const catalogue::Function& function, std::string_view name) {
-  if (name == "id" || name == "function") return true;
-  for (const Parameter& parameter : function.parameters)
-    if (parameter.name == name) return true;
-  return false;
+bool has(std::span<const Parameter> parameters, std::string_view name) {
+  return place_in(parameters, name) < parameters.size();
+}
+
+// The way to ask that has this name, which is none of the function's own arguments; null: there is
+// none.
+const WayToAsk* way_with(const catalogue::Function& function, std::string_view name) {
+  for (const WayToAsk& way : catalogue::ways_to_ask())
+    if (has_way(function, way) && has(way.given, name)) return &way;
+  return nullptr;
+}
+
+// The way by which the line gives an argument that it does not have; null: it does not give it.
+const WayToAsk* way_to(const catalogue::Function& function, std::string_view argument,
+                       Members members) {
+  for (const WayToAsk& way : catalogue::ways_to_ask()) {
+    if (!has_way(function, way) || std::find(way.in_place_of.begin(), way.in_place_of.end(),
+                                             argument) == way.in_place_of.end())
+      continue;
+    for (const Parameter& given : way.given)
+      if (!has(function.parameters, given.name) && find(members, given.name) != nullptr)
+        return &way;
+  }
+  return nullptr;
 }
 
 std::optional<CallFault> fault_in_names(const catalogue::Function& function, Members members) {
   for (const Entry& member : members) {
-    if (!is_known(function, member.path))
-      return CallFault{printable(name_of(member)),
-                       "unknown argument; known: " + parameter_names(function)};
-    if (find(members, member.path) != &member) return CallFault{member.path, "given twice"};
+    const std::string& name = member.path;
+    if (name != "id" && name != "function" && !has(function.parameters, name)) {
+      const WayToAsk* const way = way_with(function, name);
+      if (way == nullptr)
+        return CallFault{printable(name_of(member)),
+                         "unknown argument; known: " + parameter_names(function)};
+      for (const std::string_view own : way->in_place_of)
+        if (!has(way->given, own) && find(members, own) != nullptr)
+          return CallFault{name, fmt::format("it stands for {}, which is given, too; leave one of "
+                                             "them out",
+                                             own)};
+    }
+    if (find(members, name) != &member) return CallFault{name, "given twice"};
   }
   return std::nullopt;
 }
 
-std::optional<CallFault> read_arguments(const catalogue::Function& function, Members members,
-                                        catalogue::Arguments& arguments) {
+// The numbers of a list that stand in the line; the first one that cannot be read is the fault.
+std::optional<CallFault> read_list(std::span<const Parameter> list, Members members,
+                                   catalogue::Arguments& arguments) {
   std::size_t place = 0;
-  for (const Parameter& parameter : function.parameters) {
+  for (const Parameter& parameter : list) {
     std::string complaint;
     const std::optional<double> value = argument(parameter, members, complaint);
     if (!value)
       return CallFault{std::string(parameter.name),
                        complaint + "; allowed: " + allowed_with_unit(parameter)};
     arguments[place++] = *value;
+  }
+  return std::nullopt;
+}
+
+// The arguments of a function of which some may be given in another way.
+std::optional<CallFault> read_arguments(const catalogue::Function& function, Members members,
+                                        catalogue::Arguments& arguments) {
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const Parameter& parameter = function.parameters[i];
+    const WayToAsk* const way = find(members, parameter.name) == nullptr
+                                    ? way_to(function, parameter.name, members)
+                                    : nullptr;
+    catalogue::Arguments numbers{};
+    if (auto fault = way == nullptr ? read_list({&parameter, 1}, members, numbers)
+                                    : read_list(way->given, members, numbers))
+      return fault;
+    if (way == nullptr) {
+      arguments[i] = numbers[0];
+      continue;
+    }
+    const auto place = std::find(way->in_place_of.begin(), way->in_place_of.end(), parameter.name);
+    arguments[i] = way->value(numbers, static_cast<std::size_t>(place - way->in_place_of.begin()));
+    if (!catalogue::is_in_range(arguments[i], parameter.range) || !is_finite(arguments[i]))
+      return CallFault{std::string(way->given[0].name),
+                       fmt::format("with the others it gives {} = {}; allowed: {}", parameter.name,
+                                   arguments[i], allowed_with_unit(parameter))};
   }
   return std::nullopt;
 }

@@ -109,6 +109,15 @@ EllipseShape<T> ellipse_shape(const T& radius_ratio) {
   return {T(shape.ellipticity), T(shape.first_integral), T(shape.second_integral)};
 }
 
+// The radius ratio α = R_y/R_x of the gap whose ellipse of contact has the ellipticity k = a_y/a_x
+// > 0, below 1 too. Error: some ulp.
+template <class T>
+T radius_ratio_of(const T& ellipticity) {
+  if (!(ellipticity >= 1)) return 1 / radius_ratio_of(T(1 / ellipticity));
+  const auto [b, d] = detail::associated_integrals(ellipticity);
+  return ellipticity * (b / d) * ellipticity;
+}
+
 // An ellipse of contact over a circle of contact: that of two balls with the ellipse's R_x in both
 // directions, under the same load. It follows from R_x and R_y alone.
 template <class T>

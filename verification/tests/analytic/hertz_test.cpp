@@ -230,6 +230,15 @@ TEST(HertzEllipse, SolvesItsEquationInFiftyDigits) {
   }
 }
 
+TEST(HertzEllipse, FollowsFromTheRadiiThatItsEllipticityGives) {
+  for (double k = 1e-8; k < 1e8; k *= 1.7) {
+    const double ratio = radius_ratio_of(k);
+    EXPECT_TRUE(is_within(ellipse_of_circle(1.0, ratio).axes_ratio, k, 4 * ulp * k)) << k;
+    EXPECT_TRUE(is_within(radius_ratio_of(1 / k) * ratio, 1, 8 * ulp)) << k;
+  }
+  EXPECT_EQ(radius_ratio_of(1.0), 1);
+}
+
 // The middle of a long ellipse is a line contact under the load that a metre of it carries there,
 // p₀a_xπ/2. The two differ by 1/√B − 1 = (2 ln(4k) − 3)/(8k²) + O(ln²k/k⁴).
 TEST(HertzEllipse, MiddleOfALongOneIsALine) {

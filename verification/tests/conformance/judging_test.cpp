@@ -306,7 +306,7 @@ TEST(Readings, OfOneLawAreEachHeldWhereAllAnswersFollowThem) {
     for (const Tolerance& tolerance : {engineering_tolerance(), strict_tolerance()}) {
       std::vector<TestCase> cases = cases_for(cases_of(function), tolerance);
       Conversation conversation = answered_by(cases, value);
-      const std::vector<std::string> notes = take_readings(cases, conversation, tolerance);
+      const std::vector<std::string> notes = take_readings(cases, conversation, tolerance, {});
       const bool has_note = *note != '\0' && (is_seen || tolerance.is_strict);
       EXPECT_TRUE(notes.empty() != has_note || !is_right) << function << ' ' << note;
       for (const std::string& one : notes)
