@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "conformance/dependence.hpp"
+#include "conformance/misread.hpp"
 #include "conformance/place.hpp"
 #include "conformance/scatter.hpp"
 #include "conformance/variable.hpp"
@@ -468,10 +469,10 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   std::string text = pattern(part);
   std::function<bool(const Question&)> is_in_place;
   if (const std::string kept = kept_answers(part); !kept.empty())
-    return {text + ". " + kept, true, {}};
+    return {text + ". " + kept, true, {}, {}};
   if (2 * part.wrong.size() < part.all.size())
     if (const std::string kept = kept_from_before(part); !kept.empty())
-      return {text + ". " + kept, false, {}};
+      return {text + ". " + kept, false, {}, {}};
   if (part.wrong.size() < part.all.size())
     if (const std::optional<WrongPlace> place = place_of_wrong(part)) {
       text += ": " + place->text;
@@ -479,18 +480,24 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
     }
   text += '.';
   const std::string factor = constant_factor(part);
-  if (!factor.empty()) return {text + ' ' + factor, true, is_in_place};
+  if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};
+  if (const std::string misread = misread_input(part); !misread.empty())
+    return {fmt::format("{} The answers are the right ones with {} ({} of {} wrong answers).", text,
+                        misread, part.wrong.size(), part.wrong.size()),
+            true, misread, is_in_place};
+  if (const std::string other = other_value(part); !other.empty())
+    return {text + ' ' + other, true, {}, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);
-  if (!powers.empty()) return {text + powers, true, is_in_place};
+  if (!powers.empty()) return {text + powers, true, {}, is_in_place};
   if (std::string manner = manner_of_errors(part); !manner.empty()) {
     manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
-    return {text + ' ' + manner + '.', false, is_in_place};
+    return {text + ' ' + manner + '.', false, {}, is_in_place};
   }
   if (const std::optional<Dependence> depends = dependence_of(part))
-    return {text + ' ' + depends->text, false, is_in_place};
+    return {text + ' ' + depends->text, false, {}, is_in_place};
   if (const std::string scatter = scatter_of(part); !scatter.empty())
-    return {text + ' ' + scatter, false, is_in_place};
-  return {text, false, is_in_place};
+    return {text + ' ' + scatter, false, {}, is_in_place};
+  return {text, false, {}, is_in_place};
 }
 
 }  // namespace tribo::conformance

@@ -18,7 +18,8 @@ std::string pattern(const Part& part);
 
 struct Description {
   std::string text;
-  bool is_cause;  // it says what the numbers are, not only where and how far they are off
+  bool is_cause;           // it says what the numbers are, not only where and how far they are off
+  std::string cause = {};  // what other functions may have, too; empty: nothing of this kind
   // For questions in the place where answers are wrong; empty: no place is told.
   std::function<bool(const Question&)> is_in_place = {};
 };

@@ -349,14 +349,17 @@ class Diagnoser {
   // Branches that are off in the same way are told at once.
   std::string described_by_branch(const std::string& quantity, std::size_t place,
                                   const std::vector<Part>& parts,
-                                  std::function<bool(const Question&)>& is_in_place) const {
+                                  std::function<bool(const Question&)>& is_in_place,
+                                  std::string& cause) const {
     std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
-    bool has_causes = true;
+    bool has_causes = true, is_one_cause = true;
     for (const Part& part : parts) {
       if (part.place != place) continue;
       const Description description = described(part, mistakes_);
       has_causes = has_causes && description.is_cause;
       is_in_place = description.is_in_place;
+      is_one_cause = is_one_cause && (told.empty() || description.cause == cause);
+      cause = is_one_cause ? description.cause : "";
       const auto same = std::find_if(told.begin(), told.end(), [&](const auto& sentence) {
         return sentence.first == description.text;
       });
@@ -426,7 +429,8 @@ class Diagnoser {
     Diagnosis one{part.quantity(), {function_}, {}, 0, wrong_, {}};
     one.text = precision_text(one.quantity, part);
     std::function<bool(const Question&)> is_in_place;
-    if (one.text.empty()) one.text = described_by_branch(one.quantity, place, parts, is_in_place);
+    if (one.text.empty())
+      one.text = described_by_branch(one.quantity, place, parts, is_in_place, one.cause);
     found_.push_back(std::move(one));
     return is_in_place;
   }

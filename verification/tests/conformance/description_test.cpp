@@ -335,5 +335,96 @@ TEST(Cache, InsideOfAPointIsSaidWithTheInputThatItDoesNotLookAt) {
               "as a cache does", false);
 }
 
+// The right answer of the function to a question with other arguments.
+Slip asked_as(std::function<void(Question&)> misread) {
+  return [=](const TestCase& asked, json& fields) {
+    Question question = question_of(asked);
+    misread(question);
+    const Numbers numbers = right_numbers(question);
+    for (const Expected& one : asked.expected)
+      if (one.place && fields[one.field].is_number()) fields[one.field] = numbers[*one.place];
+  };
+}
+Slip scaled(std::size_t argument, double factor) {
+  return asked_as([=](Question& question) { question.arguments[argument] *= factor; });
+}
+
+TEST(Misread, IsTheInputWithWhichTheRightFormulaGivesAllAnswers) {
+  const auto expect = [](const char* function, Slip slip, const std::string& words) {
+    expect_said(said_of({{function, std::move(slip)}}), "are the right ones with " + words);
+  };
+  expect("moes_line", scaled(2, 0.5), "α/2 in place of α (");
+  expect("moes_line", scaled(3, std::sqrt(2)), "√2 F/L in place of F/L (");
+  expect("dowson_higginson_density", scaled(0, 1e-6), "p/10⁶ in place of p (");
+  expect("gupta_thermal_reduction", scaled(2, 1.25), "1.25 S in place of S (");
+  expect("barus_viscosity",
+         asked_as([](Question& one) { one.arguments[2] = std::min(one.arguments[2], 1e8); }),
+         "p = 1e+08 wherever it is greater: it is cut off there (");
+  expect("barus_viscosity", asked_as([](Question& one) {
+           one.arguments[2] = std::min(one.arguments[2], 20 / one.arguments[1]);
+         }),
+         "αp = 20 wherever it is greater: it is cut off there (");
+  expect("roelands_viscosity", asked_as([](Question& one) { one.arguments[1] = 2.2e-8; }),
+         "α = 2.2e-08 always, whatever it is given as (");
+  expect("effective_modulus", asked_as([](Question& one) { one.arguments[3] = one.arguments[1]; }),
+         "ν₁ in place of ν₂ (");
+  expect("hertz_ellipse", asked_as([](Question& one) { one.arguments[3] = one.arguments[2]; }),
+         "R_x in place of R_y (");
+  expect("astm_d341_viscosity", asked_as([](Question& one) {
+           for (const std::size_t at : {0U, 2U, 4U}) one.arguments[at] += 273.15;
+         }),
+         "each of T₁, T₂, T + 273.15 in place of each of T₁, T₂, T (");
+  expect(
+      "hamrock_dowson_central",
+      [](const TestCase& asked, json& fields) {
+        if (asked.inputs.contains("ellipticity")) return;
+        asked_as([](Question& one) { one.arguments[6] = 1.03; })(asked, fields);
+      },
+      "k = 1.03 where it is left out (");
+  expect("operating_point", asked_as([](Question& one) {
+           if (one.scene->supply.kind == SupplyKind::inlet_flow) one.scene->supply.value /= 2;
+         }),
+         "`supply.inlet_flow`/2 in place of `supply.inlet_flow` (");
+}
+
+TEST(Misread, IsNotSaidOfAnotherFormulaOrOfNoise) {
+  const auto expect_not = [](const char* function, Slip slip) {
+    expect_said(said_of({{function, std::move(slip)}}), "the right ones with", false);
+  };
+  const auto times = [](std::function<double(const json&)> factor) {
+    return [=](const TestCase& asked, json& fields) {
+      multiply(fields["value"], factor(asked.inputs));
+    };
+  };
+  expect_not("moes_line", noise_where("value", [](const json&) { return true; }));
+  expect_not("barus_viscosity",
+             noise_where("value", [](const json& in) { return number(in, "pressure") > 1e8; }));
+  // A factor that any input of a power law may have.
+  expect_not("hamrock_dowson_soft_central", times([](const json&) { return 1.17; }));
+  expect_not("moes_line", times([](const json& in) { return 1 + 1e7 * number(in, "viscosity"); }));
+  expect_not("roelands_viscosity", times([](const json& in) {
+               return std::exp(-1e-18 * number(in, "pressure") * number(in, "pressure"));
+             }));
+}
+
+TEST(OtherValue, IsAFloorOrAnInputOrAnotherResult) {
+  const auto floor = [](const TestCase&, json& fields) {
+    fields["value"] = std::max(fields["value"].get<double>(), 1e-9);
+  };
+  expect_said(said_of({{"hamrock_dowson_minimum", floor}}), "wrong answers are 1e-09: a floor");
+  const auto early = [](const TestCase& asked, json& fields) {
+    const double flooded = number(asked.inputs, "flooded_film_parameter");
+    if (flooded > 3) fields["value"] = flooded;
+  };
+  expect_said(said_of({{"load_sharing", early}}), "wrong answers are λ₀ itself");
+  const auto other_axis = [](const TestCase&, json& fields) {
+    fields["semi_axis_x"] = fields["semi_axis_y"];
+  };
+  expect_said(said_of({{"hertz_ellipse", other_axis}}),
+              "wrong answers are the right semi_axis_y of their cases");
+  const auto noise = noise_where("value", [](const json&) { return true; });
+  expect_said(said_of({{"hamrock_dowson_minimum", noise}}), "wrong answers are", false);
+}
+
 }  // namespace
 }  // namespace tribo::conformance

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/misread.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "catalogue/ways_to_ask.hpp"
+#include "conformance/variable.hpp"
+#include "scene/schema.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+constexpr std::size_t fewest_wrong = 3, fewest_cut = 2;  // answers that decide
+constexpr double of_change = 1e-4;  // of what the misreading changes: how closely it has to be met
+constexpr double same = 1e-9;       // of values that are one and the same
+constexpr double missed = 0.02;     // of the answers
+
+double answer_to(const Question& question, std::size_t place) {
+  return right_numbers(question)[place];
+}
+
+// --- Inputs
+
+enum class Kind : std::uint8_t {
+  single,      // an input that is a number
+  group,       // a number that several inputs make together, as αp: it may be cut off
+  each_times,  // the first of several inputs of one unit, which are all multiplied by one number
+  each_plus,   // … to which one number is added
+};
+
+struct Input {
+  std::string symbol;
+  // Inputs of one unit may be taken for each other; the name is of a single one in the question.
+  std::string_view unit, name;
+  std::function<double(const Question&)> get;  // NaN: this question has none
+  std::function<void(Question&, double)> set;
+  Kind kind = Kind::single;
+};
+
+void add_groups(const catalogue::Function& function, std::vector<Input>& all) {
+  for (const catalogue::Combination& group : function.combinations) {
+    const std::size_t place = catalogue::place_in(function.parameters, group.parameter);
+    all.push_back({symbol_of(group.meaning),
+                   group.unit,
+                   {},
+                   [&group](const Question& asked) { return group.value(asked.arguments); },
+                   [&group, place](Question& asked, double value) {
+                     // A group is a power of its input.
+                     const double now = group.value(asked.arguments);
+                     catalogue::Arguments twice = asked.arguments;
+                     twice[place] *= 2;
+                     const double power = std::log2(group.value(twice) / now);
+                     asked.arguments[place] *= std::pow(value / now, 1 / power);
+                   },
+                   Kind::group});
+  }
+}
+
+// The inputs of one unit together: temperatures, viscosities, moduli.
+void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
+  const std::size_t singles = all.size();
+  for (std::size_t i = 0; i < singles; ++i) {
+    std::vector<std::size_t> alike;
+    std::vector<std::string> symbols;
+    for (std::size_t k = 0; k < singles; ++k)
+      if (all[k].unit == all[i].unit) {
+        alike.push_back(catalogue::place_in(function.parameters, all[k].name));
+        symbols.push_back(all[k].symbol);
+      }
+    if (all[i].unit.empty() || alike.size() < 2 || symbols.front() != all[i].symbol) continue;
+    const auto first = all[i].get;
+    const std::string names = fmt::format("each of {}", fmt::join(symbols, ", "));
+    all.push_back({names,
+                   {},
+                   {},
+                   first,
+                   [alike, first](Question& asked, double value) {
+                     const double factor = value / first(asked);
+                     for (const std::size_t place : alike) asked.arguments[place] *= factor;
+                   },
+                   Kind::each_times});
+    all.push_back({names,
+                   {},
+                   {},
+                   first,
+                   [alike, first](Question& asked, double value) {
+                     const double more = value - first(asked);
+                     for (const std::size_t place : alike) asked.arguments[place] += more;
+                   },
+                   Kind::each_plus});
+  }
+}
+
+std::vector<Input> inputs_of(const catalogue::Function* function) {
+  std::vector<Input> all;
+  if (function == nullptr) {
+    for (std::size_t i = 0; i < scene_fields().size(); ++i) {
+      const FieldInfo& field = scene_fields()[i];
+      if (field.type != FieldType::number && field.type != FieldType::speeds) continue;
+      all.push_back({'`' + std::string(field.path) + '`', field.unit, field.path,
+                     [i](const Question& asked) {
+                       return scene_detail::value_in(*asked.scene, i).value_or(unsaid);
+                     },
+                     [store = scene_detail::store_of(i)](Question& asked, double value) {
+                       store(*asked.scene, value);
+                     }});
+    }
+    return all;
+  }
+  for (std::size_t i = 0; i < function->parameters.size(); ++i) {
+    const catalogue::Parameter& one = function->parameters[i];
+    if (!one.words.empty() || one.range == catalogue::Range::half_order) continue;
+    const bool is_ratio = one.range == catalogue::Range::poisson_ratio;
+    all.push_back({symbol_of(one.meaning), is_ratio ? "of Poisson" : one.unit, one.name,
+                   [i](const Question& asked) { return asked.arguments[i]; },
+                   [i](Question& asked, double value) { asked.arguments[i] = value; }});
+  }
+  add_alike(*function, all);
+  add_groups(*function, all);
+  return all;
+}
+
+// The value of the input with which the right formula gives the answer, nearest to its own on a
+// logarithmic scale; empty: there is none within some orders.
+std::optional<double> solved(const Part::Number& number, const Input& input, std::size_t place) {
+  Question question = number.of->question;
+  const double own = input.get(question), got = number.answered->got;
+  if (!std::isfinite(own) || own == 0) return std::nullopt;
+  const auto off = [&](double logarithm) {
+    input.set(question, own * std::exp(logarithm));
+    return answer_to(question, place) - got;
+  };
+  const double start = off(0);
+  if (!std::isfinite(start)) return std::nullopt;
+  constexpr double first_step = 0.1, farthest = 17;  // 1e7 times as much, or as little
+  std::array before{0.0, 0.0}, off_before{start, start};
+  std::array ended{false, false};
+  for (double step = first_step; step < 2 * farthest; step *= 2)
+    for (const std::size_t side : {0U, 1U}) {
+      if (ended[side]) continue;
+      const double at = std::min(step, farthest) * (side == 0 ? 1 : -1), value = off(at);
+      if (!std::isfinite(value)) {
+        ended[side] = true;
+        continue;
+      }
+      if (value == 0) return own * std::exp(at);
+      if ((value < 0) != (off_before[side] < 0)) {
+        std::uintmax_t steps = 60;
+        const bool is_up = side == 0;
+        const auto [low, high] = boost::math::tools::toms748_solve(
+            off, is_up ? before[side] : at, is_up ? at : before[side],
+            is_up ? off_before[side] : value, is_up ? value : off_before[side],
+            boost::math::tools::eps_tolerance<double>(48), steps);
+        return own * std::exp((low + high) / 2);
+      }
+      before[side] = at;
+      off_before[side] = value;
+    }
+  return std::nullopt;
+}
+
+// --- Misreadings
+
+struct Misreading {
+  int rank;  // the simplest is the least
+  std::string text;
+  std::function<void(Question&)> read;
+  bool cuts = false;        // the input at a border: other questions are not touched
+  bool is_default = false;  // the input where it is left out
+};
+
+// A number as people write it, where that is within 1e-6 of it.
+double round_number(double value) {
+  for (int digits = 1; digits <= 6; ++digits) {
+    const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
+    if (std::abs(rounded - value) <= 1e-6 * std::abs(value)) return rounded;
+  }
+  return value;
+}
+
+// The factors that people lose or gain, and their names.
+struct FamiliarFactor {
+  double value;
+  const char* name;
+};
+constexpr std::array familiar_factors{FamiliarFactor{2, "2"},
+                                      FamiliarFactor{3.141592653589793, "π"},
+                                      FamiliarFactor{1.4142135623730951, "√2"},
+                                      FamiliarFactor{1e3, "1000"},
+                                      FamiliarFactor{1e6, "10⁶"},
+                                      FamiliarFactor{1e9, "10⁹"},
+                                      FamiliarFactor{4, "4"},
+                                      FamiliarFactor{6.283185307179586, "2π"},
+                                      FamiliarFactor{3, "3"},
+                                      FamiliarFactor{1.772453850905516, "√π"},
+                                      FamiliarFactor{2.5066282746310002, "√(2π)"},
+                                      FamiliarFactor{1.7320508075688772, "√3"},
+                                      FamiliarFactor{8, "8"},
+                                      FamiliarFactor{100, "100"},
+                                      FamiliarFactor{1.5, "(3/2)"},
+                                      FamiliarFactor{1.3333333333333333, "(4/3)"}};
+
+std::optional<std::string> familiar_times(double factor, const std::string& symbol) {
+  const auto is = [](double a, double b) { return std::abs(a / b - 1) < 1e-5; };
+  if (is(factor, 1)) return symbol;
+  if (is(factor, -1)) return "−" + symbol;
+  for (const auto& [value, name] : familiar_factors) {
+    if (is(factor, value)) return fmt::format("{} {}", name, symbol);
+    if (is(factor, 1 / value)) return fmt::format("{}/{}", symbol, name);
+  }
+  return std::nullopt;
+}
+
+// Whether the question leaves the input out, which has a default then.
+bool is_left_out(const Input& input, const Question& question) {
+  std::string pointer = '/' + std::string(input.name);
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  return !input.name.empty() &&
+         !question.asked->inputs.contains(nlohmann::json::json_pointer(pointer));
+}
+
+// What the input may have been taken for, from one answer and the value that gives it.
+void add_misreadings(const std::vector<Input>& inputs, const Input& input, const Question& asked,
+                     double value, std::vector<Misreading>& found) {
+  const double own = input.get(asked);
+  const auto add = [&](int rank, std::string text, std::function<double(const Question&)> taken,
+                       bool cuts = false, bool is_default = false) {
+    found.push_back({rank, std::move(text),
+                     [taken = std::move(taken), &input](Question& question) {
+                       const double read = taken(question);
+                       if (std::isfinite(read) && read != input.get(question))
+                         input.set(question, read);
+                     },
+                     cuts, is_default});
+  };
+  const double number = round_number(value), more = round_number(value - own);
+  const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
+  if (input.kind == Kind::single || input.kind == Kind::each_times) {
+    const double factor = value / own;
+    add(familiar_times(factor, input.symbol) ? 1 : 5,
+        fmt::format("{} in place of {}", times_in_words(factor, input.symbol), input.symbol),
+        [factor, &input](const Question& question) { return factor * input.get(question); });
+  }
+  if (input.kind == Kind::single || input.kind == Kind::each_plus)
+    add(4,
+        fmt::format("{} {} {:.6g} in place of {}", input.symbol, more < 0 ? "−" : "+",
+                    std::abs(more), input.symbol),
+        [more, &input](const Question& question) { return more + input.get(question); });
+  if (input.kind == Kind::single || input.kind == Kind::group) {
+    add(
+        3, is_number + " wherever it is greater: it is cut off there",
+        [number, &input](const Question& question) {
+          return std::min(number, input.get(question));
+        },
+        true);
+    add(
+        3, is_number + " wherever it is less: it is cut off there",
+        [number, &input](const Question& question) {
+          return std::max(number, input.get(question));
+        },
+        true);
+  }
+  if (input.kind != Kind::single) return;
+  if (is_left_out(input, asked))
+    add(
+        1, fmt::format("{} = {:.6g} where it is left out", input.symbol, number),
+        [number, &input](const Question& question) {
+          return is_left_out(input, question) ? number : unsaid;
+        },
+        true, true);
+  add(3, is_number + " always, whatever it is given as",
+      [number, &input](const Question& question) {
+        return std::isfinite(input.get(question)) ? number : unsaid;
+      });
+  for (const Input& other : inputs) {
+    if (&other == &input || other.unit != input.unit || other.unit.empty()) continue;
+    const double ratio = value / other.get(asked);
+    if (const auto words = familiar_times(ratio, other.symbol))
+      add(*words == other.symbol ? 0 : 2, fmt::format("{} in place of {}", *words, input.symbol),
+          [ratio, &other, &input](const Question& question) {
+            return std::isfinite(input.get(question)) ? ratio * other.get(question) : unsaid;
+          });
+  }
+}
+
+// Does the misreading give all wrong answers, and leave the right ones as they are? A few may be
+// otherwise, near a border.
+bool gives(const Misreading& one, const Part& part) {
+  std::size_t met = 0, off = 0, changed = 0;
+  const auto most = static_cast<std::size_t>(missed * static_cast<double>(part.all.size()));
+  for (const Part::Number& number : part.all) {
+    const AnsweredNumber& answered = *number.answered;
+    if (answered.is_explained) continue;
+    Question question = number.of->question;
+    one.read(question);
+    const double given = answer_to(question, part.place);
+    const double change = std::abs(given - answered.expected->high);
+    const double allowed = std::max(answered.allowed, of_change * change);
+    if (!std::isfinite(given) || std::abs(answered.got - given) > allowed) {
+      if (++off > most || answered.is_wrong) return false;
+      continue;
+    }
+    met += answered.is_wrong ? 1 : 0;
+    changed += change > answered.allowed ? 1 : 0;
+  }
+  return met >= (one.cuts ? fewest_cut : fewest_wrong) && changed >= met;
+}
+
+// Wrong answers that are not all off by one factor: such a factor any input may have.
+bool vary(const Part& part) {
+  double least = INFINITY, greatest = -INFINITY;
+  for (const AnsweredNumber* const one : part.wrong) {
+    const double ratio = one->got / one->expected->high;
+    if (!std::isfinite(ratio)) continue;
+    least = std::min(least, ratio);
+    greatest = std::max(greatest, ratio);
+  }
+  return greatest - least > 1e-5;
+}
+
+std::vector<Part::Number> wrong_of(const Part& part) {
+  std::vector<Part::Number> wrong;
+  for (const Part::Number& one : part.all)
+    if (one.answered->is_left()) wrong.push_back(one);
+  return wrong;
+}
+
+bool is_same(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
+
+bool all_of(const std::vector<Part::Number>& numbers,
+            const std::function<bool(const Part::Number&)>& holds) {
+  return std::all_of(numbers.begin(), numbers.end(), holds);
+}
+
+}  // namespace
+
+std::string times_in_words(double factor, const std::string& symbol) {
+  return familiar_times(factor, symbol).value_or(fmt::format("{:.6g} {}", factor, symbol));
+}
+
+namespace {
+
+// "k = 1.03 where it is left out": the wrong answers are those to questions that leave this out.
+std::string other_default(const Part& part, const std::vector<Part::Number>& wrong,
+                          const std::vector<Input>& inputs) {
+  for (const Input& input : inputs) {
+    const bool is_where =
+        std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+          return one.answered->is_explained ||
+                 is_left_out(input, one.of->question) >= one.answered->is_wrong;
+        });
+    if (input.name.empty() || !is_where) continue;
+    const auto value = solved(wrong.front(), input, part.place);
+    std::vector<Misreading> all;
+    if (value) add_misreadings(inputs, input, wrong.front().of->question, *value, all);
+    for (const Misreading& one : all)
+      if (one.is_default && gives(one, part)) return one.text;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string misread_input(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  if (wrong.size() < fewest_cut) return {};
+  const std::vector<Input> inputs = inputs_of(part.function());
+  if (std::string text = other_default(part, wrong, inputs); !text.empty()) return text;
+  if (!vary(part)) return {};
+  // The answers that are farthest off on both sides decide the value best.
+  const auto log_off = [](const Part::Number& one) {
+    return one.answered->got / one.answered->expected->high;
+  };
+  const auto [least, greatest] =
+      std::minmax_element(wrong.begin(), wrong.end(),
+                          [&](const auto& a, const auto& b) { return log_off(a) < log_off(b); });
+  std::vector<const Misreading*> best;
+  std::vector<Misreading> all;
+  for (const Input& input : inputs)
+    for (const auto& from : {least, greatest, wrong.begin() + std::ssize(wrong) / 2}) {
+      const auto value = solved(*from, input, part.place);
+      if (value) add_misreadings(inputs, input, from->of->question, *value, all);
+    }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
+  std::vector<std::string> texts;
+  int rank = 0;
+  for (const Misreading& one : all) {
+    if (!texts.empty() && (one.rank > rank || texts.size() == 3)) break;
+    if (std::find(texts.begin(), texts.end(), one.text) != texts.end() || !gives(one, part))
+      continue;
+    rank = one.rank;
+    texts.push_back(one.text);
+  }
+  if (texts.empty()) return {};
+  return fmt::format("{}", fmt::join(texts, "; or with "));
+}
+
+std::string other_value(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  if (wrong.size() < fewest_cut || !vary(part)) return {};
+  const auto got = [](const Part::Number& one) { return one.answered->got; };
+  const double first = got(wrong.front());
+  const bool is_zero = all_of(wrong, [&](const auto& one) { return got(one) == 0; });
+  if (is_zero || all_of(wrong, [&](const auto& one) { return is_same(got(one), first); }))
+    return fmt::format(
+        "All {} wrong answers are {:.7g}: a floor, a cap, a guard or a default gives them.",
+        wrong.size(), first + 0.0);
+  if (wrong.size() < fewest_wrong) return {};
+  for (const Input& input : inputs_of(part.function())) {
+    const auto by = [&](const Part::Number& one) { return got(one) / input.get(one.of->question); };
+    const double factor = by(wrong.front());
+    if (!std::isfinite(factor) ||
+        !all_of(wrong, [&](const auto& one) { return is_same(by(one), factor); }))
+      continue;
+    const std::string words = times_in_words(factor, input.symbol);
+    if (words == input.symbol)
+      return fmt::format("All {} wrong answers are {} itself: an early return or a guard gives it.",
+                         wrong.size(), words);
+    return fmt::format(
+        "All {} wrong answers are {}: what {} is multiplied by is cut off, or constant.",
+        wrong.size(), words, input.symbol);
+  }
+  std::vector<Numbers> right;
+  for (const Part::Number& one : wrong) right.push_back(right_numbers(one.of->question));
+  const std::vector<ResultName> names = results_of(part.function());
+  for (std::size_t place = 0; place < names.size(); ++place) {
+    if (place == part.place) continue;
+    bool is_other = true;
+    for (std::size_t i = 0; i < wrong.size() && is_other; ++i)
+      is_other = std::isfinite(right[i][place]) &&
+                 std::abs(got(wrong[i]) - right[i][place]) <= 1e-6 * std::abs(right[i][place]);
+    if (is_other)
+      return fmt::format("All {} wrong answers are the right {} of their cases.", wrong.size(),
+                         names[place].name);
+  }
+  return {};
+}
+
+}  // namespace tribo::conformance
