@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "catalogue/ways_to_ask.hpp"
+#include "conformance/mistake_entry.hpp"
 #include "conformance/variable.hpp"
 #include "scene/schema.hpp"
 
@@ -26,10 +27,6 @@ constexpr double of_change = 1e-4;  // of what the misreading changes: how close
 constexpr double same = 1e-9;       // of values that are one and the same
 constexpr double missed = 0.02;     // of the answers
 
-double answer_to(const Question& question, std::size_t place) {
-  return right_numbers(question)[place];
-}
-
 // --- Inputs
 
 enum class Kind : std::uint8_t {
@@ -37,6 +34,7 @@ enum class Kind : std::uint8_t {
   group,       // a number that several inputs make together, as αp: it may be cut off
   each_times,  // the first of several inputs of one unit, which are all multiplied by one number
   each_plus,   // … to which one number is added
+  constant,    // a number of the law, and not of the question
 };
 
 struct Input {
@@ -46,7 +44,32 @@ struct Input {
   std::function<double(const Question&)> get;  // NaN: this question has none
   std::function<void(Question&, double)> set;
   Kind kind = Kind::single;
+  // The right answer with another value, where it is not that of another question.
+  std::function<double(const Question&, double, std::size_t)> answer = {};
+
+  double answer_with(Question& asked, double value, std::size_t place) const {
+    if (answer) return answer(asked, value, place);
+    set(asked, value);
+    return right_numbers(asked)[place];
+  }
 };
+
+void add_constants(const catalogue::Function& function, std::vector<Input>& all) {
+  for (const LawOfNumbers& law : laws_of_numbers(function.name))
+    for (std::size_t i = 0; i < law.right.size(); ++i)
+      all.push_back({fmt::format("{:g}", law.right[i]),
+                     {},
+                     {},
+                     [law, i](const Question&) { return law.right[i]; },
+                     {},
+                     Kind::constant,
+                     [law, i](const Question& asked, double value, std::size_t place) {
+                       std::vector<double> numbers(law.right.begin(), law.right.end());
+                       numbers[i] = value;
+                       const auto given = law.formula(asked.arguments, numbers);
+                       return given ? (*given)[place] : unsaid;
+                     }});
+}
 
 void add_groups(const catalogue::Function& function, std::vector<Input>& all) {
   for (const catalogue::Combination& group : function.combinations) {
@@ -128,6 +151,7 @@ std::vector<Input> inputs_of(const catalogue::Function* function) {
   }
   add_alike(*function, all);
   add_groups(*function, all);
+  add_constants(*function, all);
   return all;
 }
 
@@ -138,8 +162,7 @@ std::optional<double> solved(const Part::Number& number, const Input& input, std
   const double own = input.get(question), got = number.answered->got;
   if (!std::isfinite(own) || own == 0) return std::nullopt;
   const auto off = [&](double logarithm) {
-    input.set(question, own * std::exp(logarithm));
-    return answer_to(question, place) - got;
+    return input.answer_with(question, own * std::exp(logarithm), place) - got;
   };
   const double start = off(0);
   if (!std::isfinite(start)) return std::nullopt;
@@ -175,14 +198,14 @@ std::optional<double> solved(const Part::Number& number, const Input& input, std
 struct Misreading {
   int rank;  // the simplest is the least
   std::string text;
-  std::function<void(Question&)> read;
+  std::function<double(Question, std::size_t place)> answer;
   bool cuts = false;        // the input at a border: other questions are not touched
   bool is_default = false;  // the input where it is left out
 };
 
-// A number as people write it, where that is within 1e-6 of it.
-double round_number(double value) {
-  for (int digits = 1; digits <= 6; ++digits) {
+// A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
+double round_number(double value, int most_digits = 6) {
+  for (int digits = 1; digits <= most_digits; ++digits) {
     const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
     if (std::abs(rounded - value) <= 1e-6 * std::abs(value)) return rounded;
   }
@@ -237,15 +260,20 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   const auto add = [&](int rank, std::string text, std::function<double(const Question&)> taken,
                        bool cuts = false, bool is_default = false) {
     found.push_back({rank, std::move(text),
-                     [taken = std::move(taken), &input](Question& question) {
+                     [taken = std::move(taken), &input](Question question, std::size_t place) {
                        const double read = taken(question);
-                       if (std::isfinite(read) && read != input.get(question))
-                         input.set(question, read);
+                       return std::isfinite(read) && read != input.get(question)
+                                  ? input.answer_with(question, read, place)
+                                  : right_numbers(question)[place];
                      },
                      cuts, is_default});
   };
   const double number = round_number(value), more = round_number(value - own);
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
+  if (input.kind == Kind::constant)
+    add(round_number(value, 4) == value ? 6 : 2,
+        fmt::format("{:g} in place of {}", number, input.symbol),
+        [number](const Question&) { return number; });
   if (input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;
     add(familiar_times(factor, input.symbol) ? 1 : 5,
@@ -302,9 +330,7 @@ bool gives(const Misreading& one, const Part& part) {
   for (const Part::Number& number : part.all) {
     const AnsweredNumber& answered = *number.answered;
     if (answered.is_explained) continue;
-    Question question = number.of->question;
-    one.read(question);
-    const double given = answer_to(question, part.place);
+    const double given = one.answer(number.of->question, part.place);
     const double change = std::abs(given - answered.expected->high);
     const double allowed = std::max(answered.allowed, of_change * change);
     if (!std::isfinite(given) || std::abs(answered.got - given) > allowed) {

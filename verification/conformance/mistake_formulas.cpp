@@ -146,9 +146,9 @@ double right_regime(const Arguments& a) {
 // --- Heated inlet: arguments p₀, E*, S, β, η₀, u and k_f
 
 double heating(const Arguments& a, double speeds) { return a[3] * a[4] * speeds / a[6]; }
-double thermal(const Arguments& a, double l, double above, double below) {
-  return (1 - 6.6 * a[0] / a[1] * std::pow(l, above)) /
-         (1 + 0.213 * (1 + 2.23 * std::pow(a[2], 0.83)) * std::pow(l, below));
+double thermal(const Arguments& a, double l, Constants n) {
+  return (1 - n[0] * a[0] / (2 * a[1]) * std::pow(l, n[1])) /
+         (1 + n[2] * (1 + n[3] * std::pow(a[2], n[4])) * std::pow(l, n[5]));
 }
 
 // --- D341: arguments T₁, ν₁, T₂, ν₂ and T
@@ -193,16 +193,26 @@ struct NamedFormula {
   // `made_as` is a lambda that gives all results, the only one, or nothing.
   template <class Lambda>
   constexpr NamedFormula(std::string_view of, std::string_view called, std::size_t count,
-                         Lambda /*made_as*/)
+                         Lambda /*made_as*/, std::span<const double> of_law = {})
       : function(of),
         name(called),
         numbers(count),
+        right(of_law),
         formula([](const Arguments& a, Constants c) { return results_of(Lambda{}(a, c)); }) {}
 
   std::string_view function, name;
   std::size_t numbers;
+  std::span<const double> right;  // with these the formula is the law; empty: it is never
   FunctionFormula formula;
 };
+
+// The numbers of laws, as their sources print them, in the order of the formulas below.
+constexpr std::array<double, 6> gupta{13.2, 0.42, 0.213, 2.23, 0.83, 0.64};
+constexpr std::array<double, 6> regime{0.131, 1.683, 0.68, 0.0387, 0.85, 0.31};
+constexpr std::array<double, 2> dowson_higginson{5.9e8, 1.34};
+constexpr std::array<double, 4> roelands{1.96e8, 1, 1, 9.67};
+constexpr std::array<double, 1> walther{0.7};
+constexpr std::array<double, 3> index_above_100{10, 100, 0.00715};
 
 constexpr NamedFormula formulas[] = {
     // E₁, ν₁, E₂ and ν₂
@@ -389,17 +399,35 @@ constexpr NamedFormula formulas[] = {
        const double ratio = (1 + 2 / (3 * a[3])) / (1 + 2 * a[3] / 3);
        return right_regime(a) * ratio * ratio;
      }},
-    {"regime_film", "regime_with_side", 1,
-     [](const Arguments& a, Constants decay) {
-       return right_regime(a) * std::expm1(-decay[0] * a[4]) / std::expm1(-0.68 * a[4]);
-     }},
+    // Numbers: of the rigid, isoviscous law, and of the ellipse in the others.
+    {"regime_film", "regime_of_numbers", regime.size(),
+     [](const Arguments& a, Constants n) {
+       const auto side = [&](double weight, double decay, double of) {
+         return 1 - weight * std::exp(-decay * of);
+       };
+       switch (static_cast<FilmRegime>(static_cast<int>(a[0]))) {
+         case FilmRegime::isoviscous_rigid: {
+           const auto root = [&](Constants of) { return of[0] * std::atan(a[3] / 2) + of[1]; };
+           const double ratio = root(n) / root(tribo::conformance::regime);
+           return right_regime(a) * ratio * ratio;
+         }
+         case FilmRegime::viscous_rigid_roelands:
+           return right_regime(a) * side(1, n[3], a[3]) / side(1, 0.0387, a[3]);
+         case FilmRegime::isoviscous_elastic:
+           return right_regime(a) * side(n[4], n[5], a[4]) / side(0.85, 0.31, a[4]);
+         default:
+           return right_regime(a) * side(1, n[2], a[4]) / side(1, 0.68, a[4]);
+       }
+     },
+     regime},
 
     {"gupta_thermal_reduction", "thermal_with_speed_once", 0,
-     [](const Arguments& a, Constants) { return thermal(a, heating(a, a[5]), 0.42, 0.64); }},
-    {"gupta_thermal_reduction", "thermal_with_exponents", 2,
+     [](const Arguments& a, Constants) { return thermal(a, heating(a, a[5]), gupta); }},
+    {"gupta_thermal_reduction", "thermal_of_numbers", gupta.size(),
      [](const Arguments& a, Constants numbers) {
-       return thermal(a, heating(a, a[5] * a[5]), numbers[0], numbers[1]);
-     }},
+       return thermal(a, heating(a, a[5] * a[5]), numbers);
+     },
+     gupta},
     {"gupta_thermal_reduction", "thermal_of_murch_and_wilson", 0,
      [](const Arguments& a, Constants) {
        const double l = heating(a, a[5] * a[5]);
@@ -410,15 +438,19 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants numbers) {
        return 1 + numbers[0] * a[0] / (1 + numbers[1] * a[0]);
      }},
+    {"dowson_higginson_density", "density_of_ratio", 2,
+     [](const Arguments& a, Constants n) { return (n[0] + n[1] * a[0]) / (n[0] + a[0]); },
+     dowson_higginson},
     {"barus_viscosity", "barus_linear", 0,
      [](const Arguments& a, Constants) { return a[0] * (1 + a[1] * a[2]); }},
-    // Numbers: p_R, what ln η₀ is multiplied by, and z over αp_R/(ln η₀ + 9.67).
-    {"roelands_viscosity", "roelands_of_numbers", 3,
+    // Numbers: p_R, what ln η₀ is multiplied by, z over αp_R/(ln η₀ + 9.67), and this 9.67.
+    {"roelands_viscosity", "roelands_of_numbers", roelands.size(),
      [](const Arguments& a, Constants numbers) {
-       const double scale = std::log(a[0]) * numbers[1] + 9.67;
+       const double scale = std::log(a[0]) * numbers[1] + numbers[3];
        const double z = numbers[2] * a[1] * numbers[0] / scale;
        return a[0] * std::exp(scale * (std::pow(1 + a[2] / numbers[0], z) - 1));
-     }},
+     },
+     roelands},
     {"roelands_viscosity", "roelands_in_millipascal", 0,
      [](const Arguments& a, Constants) {
        return viscosity_at(ViscosityLaw::roelands, 1e3 * a[0], a[1], a[2]) / 1e3;
@@ -432,7 +464,8 @@ constexpr NamedFormula formulas[] = {
        return d341(
            a, [&](double viscosity) { return std::log(std::log(viscosity + offset[0])); },
            natural_log, [&](double y) { return std::exp(std::exp(y)) - offset[0]; });
-     }},
+     },
+     walther},
     {"astm_d341_viscosity", "d341_with_sum", 0,
      [](const Arguments& a, Constants) {
        return d341(a, log_log, natural_log, [](double y) { return std::exp(std::exp(y)); });
@@ -459,14 +492,15 @@ constexpr NamedFormula formulas[] = {
        const auto oils = detail::index_oils(a[1]);
        return 100 * (oils.zero - 1e6 * a[0]) / (oils.zero - oils.hundred);
      }},
-    // Numbers: what is raised to the power N, and what is added.
-    {"viscosity_index", "index_of_power", 2,
+    // Numbers: what is raised to the power N, what is added, and what it is divided by.
+    {"viscosity_index", "index_of_power", index_above_100.size(),
      [](const Arguments& a, Constants numbers) {
        return index_of(a, [&](double ratio, double y) {
          const double power = std::log(ratio) / std::log(y);
-         return (std::pow(numbers[0], power) - 1) / 0.00715 + numbers[1];
+         return (std::pow(numbers[0], power) - 1) / numbers[2] + numbers[1];
        });
-     }},
+     },
+     index_above_100},
 
     // Numbers: of which moments the root is taken.
     {"summits_from_spectral_moments", "summits_of_roots", 3,
@@ -489,6 +523,13 @@ constexpr NamedFormula formulas[] = {
 };
 
 }  // namespace
+
+std::vector<LawOfNumbers> laws_of_numbers(std::string_view function) {
+  std::vector<LawOfNumbers> laws;
+  for (const NamedFormula& one : formulas)
+    if (one.function == function && !one.right.empty()) laws.push_back({one.formula, one.right});
+  return laws;
+}
 
 FunctionFormula find_formula(std::string_view function, std::string_view name,
                              std::size_t numbers) {

@@ -11,7 +11,9 @@
 #include <set>
 
 #include "conformance/diagnosis.hpp"
+#include "conformance/mistake_entry.hpp"
 #include "conformance/question.hpp"
+#include "support/judge.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::conformance {
@@ -381,10 +383,42 @@ TEST(Misread, IsTheInputWithWhichTheRightFormulaGivesAllAnswers) {
         asked_as([](Question& one) { one.arguments[6] = 1.03; })(asked, fields);
       },
       "k = 1.03 where it is left out (");
+  const auto with_numbers = [](const char* function, std::size_t at, double number) {
+    return [=](const TestCase& asked, json& fields) {
+      const LawOfNumbers law = laws_of_numbers(function).front();
+      std::vector<double> numbers(law.right.begin(), law.right.end());
+      numbers[at] = number;
+      fields["value"] = (*law.formula(question_of(asked).arguments, numbers))[0];
+    };
+  };
+  expect("gupta_thermal_reduction", with_numbers("gupta_thermal_reduction", 2, 0.231),
+         "0.231 in place of 0.213 (");
+  expect("roelands_viscosity", with_numbers("roelands_viscosity", 3, 9.76),
+         "9.76 in place of 9.67 (");
+  expect("dowson_higginson_density", with_numbers("dowson_higginson_density", 1, 1.43),
+         "1.43 in place of 1.34 (");
   expect("operating_point", asked_as([](Question& one) {
            if (one.scene->supply.kind == SupplyKind::inlet_flow) one.scene->supply.value /= 2;
          }),
          "`supply.inlet_flow`/2 in place of `supply.inlet_flow` (");
+}
+
+TEST(Misread, LawsOfNumbersAreTheLawsWithTheRightNumbers) {
+  std::size_t laws = 0;
+  for (const TestCase& one : all_cases()) {
+    const Question question = question_of(one);
+    if (question.function == nullptr) continue;
+    for (const LawOfNumbers& law : laws_of_numbers(question.function->name)) {
+      const auto given = law.formula(question.arguments, law.right);
+      if (!given) continue;
+      ++laws;
+      EXPECT_TRUE(verification::is_within(
+          (*given)[0], one.expected[0].high,
+          1e-11 * one.expected[0].condition * std::abs(one.expected[0].high)))
+          << one.line();
+    }
+  }
+  EXPECT_GT(laws, 300U);
 }
 
 TEST(Misread, IsNotSaidOfAnotherFormulaOrOfNoise) {
