@@ -143,8 +143,9 @@ line names the columns with their units, separated by commas, semicolons or tabs
   0.1,,0.046
 Columns beside the speed are those `outputs` of the scene that are numbers, in units as a scene takes
 them: nm, GPa, and so on; numbers without a unit also in %. A unit stands in [ ], in ( ) or behind
-a /. Usual names will do as well: rolling, entrainment or mean speed; film thickness; CoF, μ, mu,
-friction or traction coefficient. Other columns are named in one line and not read. An empty cell
+a /. Usual names will do as well: rolling, entrainment or mean speed or velocity, u, ue; film
+thickness, h; CoF, μ, mu, friction or traction coefficient; and a name with its symbol, as "Rolling
+Speed U". Other columns are named in one line and not read. An empty cell
 was not measured, a line that begins with # is not read. Between semicolons or tabs a number may
 have a decimal comma. In place of the curve each number is printed with the model's at that speed,
 and with their deviation, (computed − measured)/measured, where more than 0 was measured; a speed
