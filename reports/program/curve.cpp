@@ -49,10 +49,10 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   };
   if (scene.speeds.list.empty())
     return stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
-                          protocol::needed_for(scene.outputs), add);
+                          protocol::needed_for(scene), add);
   std::vector<double> speeds = scene.speeds.list;
   std::sort(speeds.begin(), speeds.end());
-  for (const double speed : speeds) add(contact.solve(speed, protocol::needed_for(scene.outputs)));
+  for (const double speed : speeds) add(contact.solve(speed, protocol::needed_for(scene)));
 }
 
 void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
@@ -74,7 +74,8 @@ std::vector<Comparison> compared(const Scene& scene,
   const detail::SpeedSpan span = detail::speed_span(scene.speeds);
   std::vector<Comparison> comparisons;
   for (const MeasuredNumber& one : measurements) {
-    const protocol::OutputValue computed = value_at(contact.solve(one.speed), smooth, one.output);
+    const protocol::OutputValue computed =
+        protocol::value_of(contact.solve(one.speed), &smooth, one.output);
     const bool has_both = computed.undefined.empty() && one.value > 0;
     comparisons.push_back({one, computed,
                            has_both ? 100 * (computed.number / one.value - 1)
