@@ -288,13 +288,13 @@ TEST(Validity, AGrooveThatIsConvexIsTold) {
     text.set("bodies.first_radius_y", first).set("bodies.second_radius_y", second);
     return passes(text, "groove");
   };
-  EXPECT_TRUE(is_passed("0.004", "0.00416"));
-  EXPECT_TRUE(is_passed("0.00416", "0.004"));
-  EXPECT_TRUE(is_passed("0.004", "0.00479"));
-  EXPECT_FALSE(is_passed("0.004", "0.00481"));
-  EXPECT_FALSE(is_passed("0.004", "-0.00416"));
-  EXPECT_FALSE(is_passed("0.004", "0.004"));
-  EXPECT_FALSE(is_passed("0.004", "inf"));
+  EXPECT_EQ(is_passed("0.004", "0.00416"), true);
+  EXPECT_EQ(is_passed("0.00416", "0.004"), true);
+  EXPECT_EQ(is_passed("0.004", "0.00479"), true);
+  EXPECT_EQ(is_passed("0.004", "0.00481"), false);
+  EXPECT_EQ(is_passed("0.004", "-0.00416"), false);
+  EXPECT_EQ(is_passed("0.004", "0.004"), false);
+  EXPECT_EQ(is_passed("0.004", "inf"), false);
 }
 
 // Radii of faces in mm, along the motion; one that was meant to be flat is no slip.
