@@ -72,6 +72,7 @@ class SceneBinder {
     const auto numbers = check_contact(scene_, use_, is_given_[named().film], problems_);
     if (!numbers) return;
     complete(*numbers);
+    note_heat();
     reading_.scene = std::move(scene_);
   }
 
@@ -516,6 +517,23 @@ class SceneBinder {
   bool has_section(std::string_view name) const {
     const auto end = sections_.begin() + static_cast<std::ptrdiff_t>(section_count_);
     return std::find(sections_.begin(), end, name) != end;
+  }
+
+  // A heated inlet takes the sliding of friction, whose default is the paper's, not that of a
+  // bearing.
+  void note_heat() {
+    if (scene_.lubricant.thermal == ThermalInlet::none) return;
+    if (is_of_line_film())
+      problems_.warning("lubricant.thermal",
+                        {.what = "not used: the solved film is that of an isothermal inlet"});
+    else if (!is_given("friction.slide_roll_ratio"))
+      problems_.warning(
+          "friction.slide_roll_ratio",
+          {Fault::presence, "",
+           ", and the heated inlet of lubricant.thermal depends on it: the default of " +
+               number_text(scene_.friction.slide_roll_ratio) +
+               " is taken, as much sliding as rolling",
+           "0 of pure rolling, 0.01 to 0.05 of a rolling bearing, 0 to 0.5 of gears"});
   }
 
   void check_roelands() {

@@ -151,12 +151,17 @@ constexpr Row roughness_row(std::string_view path, std::string_view meaning, Acc
   row.info.takes_both_faces = true;
   return row;
 }
-constexpr Row face_row(std::string_view path, std::string_view meaning, Access access) {
+// The faces of crowned rollers are nearly flat across the motion.
+constexpr Usual along{-5, 5, "mm"}, across{-1e4, std::numeric_limits<double>::infinity()};
+constexpr Row face_row(std::string_view path, Usual usual, std::string_view meaning,
+                       Access access) {
   return {{.path = path,
            .unit = "m",
            .minimum = -std::numeric_limits<double>::max(),
            .is_radius_of_face = true,
-           .plausible_minimum = -1e4,
+           .plausible_minimum = usual.least,
+           .plausible_maximum = usual.greatest,
+           .likely_unit = usual.likely_unit,
            .meaning = meaning},
           access};
 }
@@ -220,7 +225,7 @@ constexpr auto rows = std::to_array<Row>({
       .default_text = "1",
       .meaning = "k; enters the constant of the film formula alone, Hertz stays circular"},
      at_ellipticity},
-    number_row("bodies.radius_x", "m", {1e-6, 10, "mm"},
+    number_row("bodies.radius_x", "m", {1e-6, 5, "mm"},
                "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
                "1/R₂x",
                at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::radius_x>),
@@ -235,15 +240,15 @@ constexpr auto rows = std::to_array<Row>({
     number_row("bodies.second_modulus", "Pa", {1e3, 2e12, "GPa"},
                "E₂, Young's modulus of the second body", at_body<1, &Body::modulus>),
     ratio_row("bodies.second_poisson_ratio", "ν₂", at_body<1, &Body::poisson_ratio>),
-    face_row("bodies.first_radius_x",
+    face_row("bodies.first_radius_x", along,
              "R₁x of the first body's face, along the direction of entrainment: above 0 convex, "
              "below 0 concave, 1e30 (in TOML also inf) flat",
              at_body<0, &Body::radius_x>),
-    face_row("bodies.second_radius_x", "R₂x of the second body's face, likewise",
+    face_row("bodies.second_radius_x", along, "R₂x of the second body's face, likewise",
              at_body<1, &Body::radius_x>),
-    face_row("bodies.first_radius_y", "R₁y of the first body's face, across that direction",
+    face_row("bodies.first_radius_y", across, "R₁y of the first body's face, across that direction",
              at_body<0, &Body::radius_y>),
-    face_row("bodies.second_radius_y", "R₂y of the second body's face, likewise",
+    face_row("bodies.second_radius_y", across, "R₂y of the second body's face, likewise",
              at_body<1, &Body::radius_y>),
 
     number_row("lubricant.viscosity", "Pa·s", {1e-5, 10, "mPa·s"},

@@ -17,6 +17,7 @@
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/smooth_contact.hpp"
+#include "tribo/thermal_reduction.hpp"
 
 namespace tribo {
 namespace {
@@ -28,6 +29,14 @@ constexpr double not_assumed = std::numeric_limits<double>::quiet_NaN();
 constexpr double steel_hardness = 7e9;
 // k_f of mineral oil in W/(m K).
 constexpr double oil_conductivity = 0.14;
+// β of an oil in 1/K, by common practice.
+constexpr double oil_temperature_coefficient = 0.04;
+// σ_s/Rq of an isotropic Gaussian face with m₀m₄/m₂² = 1.5; it rises to 1 with that number.
+constexpr double least_height_ratio = 0.63414;
+// A face of this radius in m is taken for one that was meant to be flat.
+constexpr double flat_radius = 1e3;
+// A groove that holds a ball has a radius of 1.03 to 1.1 times the ball's in bearings.
+constexpr double greatest_groove_ratio = 1.2;
 // A ratio of two computed numbers may be this much below the bound that it is to meet.
 constexpr double but_for_rounding = 1 - 1e-9;
 // Where summits carry less of the load than this, their pressure does not matter.
@@ -143,7 +152,32 @@ RegimeOfFilm regime_of_film(const State& state) {
   return furthest;
 }
 
-std::string_view advice_on_law(const State& state) {
+// The larger radius across the motion over the smaller one, of two convex faces that would be a
+// ball in its groove if one of them were concave.
+double groove_ratio(const State& state) {
+  const auto& [first, second] = state.scene.bodies.bodies;
+  const double least = std::min(first.radius_y, second.radius_y);
+  const double greatest = std::max(first.radius_y, second.radius_y);
+  if (!(least > 0 && greatest < flat_radius)) return not_assumed;
+  return greatest <= greatest_groove_ratio * least ? greatest / least : not_assumed;
+}
+
+std::string advice_on_heating(const State& state) {
+  const double given = state.scene.lubricant.conductivity;
+  const double factor = gupta_thermal_reduction(
+      state.hertz.peak_pressure, state.numbers.effective_modulus, 0.0, oil_temperature_coefficient,
+      state.numbers.viscosity, state.speeds.high, given > 0 ? given : oil_conductivity);
+  const std::string part =
+      factor > 0 ? "by some " + scene_detail::number_text(std::round(100 * (1 - factor))) + " %"
+                 : "by more than Gupta's factor can tell";
+  return "at the fastest speed heat makes the film thinner " + part +
+         " with β = " + scene_detail::number_text(oil_temperature_coefficient) +
+         "/K and no sliding, and by more with sliding; " +
+         (state.solves_film() ? "the solved film leaves heat out"
+                              : "lubricant.thermal = \"gupta\" computes it");
+}
+
+std::string advice_on_law(const State& state) {
   constexpr std::array of_points{
       std::string_view("the contact is isoviscous_rigid, and scenes have no law of rigid bodies"),
       std::string_view("the contact is piezoviscous_rigid, and scenes have no law of rigid bodies"),
@@ -155,7 +189,7 @@ std::string_view advice_on_law(const State& state) {
       std::string_view("the contact is isoviscous_elastic: `tribocheck film` solves it"),
       std::string_view()};
   const auto regime = static_cast<std::size_t>(regime_of_film(state).regime);
-  return state.shape == ContactShape::line ? of_lines[regime] : of_points[regime];
+  return std::string(state.shape == ContactShape::line ? of_lines[regime] : of_points[regime]);
 }
 
 double summit_roughness(const State& state) {
@@ -171,7 +205,7 @@ struct Row {
   double (*value)(const State&);
   std::string_view touches = "everything";  // "friction": of a solved film the pressure
   // The meaning of passing it, and the remedy.
-  std::string_view (*advice)(const State&) = nullptr;
+  std::string (*advice)(const State&) = nullptr;
   bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
 };
 
@@ -183,6 +217,14 @@ constexpr Row rows[] = {
      "Johnson, Contact Mechanics (1985), chapter 4: Hertz takes each body for a half-space; the "
      "bound is common practice",
      slope_at_edge},
+    {"groove", "Two convex faces that are nearly alike are no ball in its groove.", "", 0, 1,
+     "common practice: a groove's radius is 1.03 to 1.1 times that of its ball", groove_ratio,
+     "everything",
+     [](const State&) {
+       return std::string(
+           "this is the larger radius across the motion over the smaller one, and both are convex: "
+           "the radius of a groove is below 0; if they are convex indeed, accept this");
+     }},
     {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
      "model/README.md, section 1; give radius_x and radius_y for an ellipse",
      [](const State& state) {
@@ -246,7 +288,7 @@ constexpr Row rows[] = {
      unbounded, "model/README.md, section 6: as λ goes to 0 their share goes to A(0)",
      [](const State& state) { return state.share_without_film; }, "shares, friction",
      [](const State&) {
-       return std::string_view(
+       return std::string(
            "at low speed friction comes out below the boundary coefficient, as the summits carry "
            "no more than this part of the load even with no film");
      }},
@@ -254,9 +296,9 @@ constexpr Row rows[] = {
      least_full_film_lambda_ratio, unbounded, "common practice: a full film from Λ = 3 on",
      [](const State& state) { return state.lambda_ratio; }, "shares, friction",
      [](const State&) {
-       return std::string_view(
-           "this is Λ: the faces touch, and are computed as smooth, because Rq alone does not say "
-           "what the summits carry; give summits or spectral moments");
+       return std::string(
+           "this is Λ: the faces touch, and Rq alone does not say what the summits carry: shares, "
+           "friction and regime are undefined there; give summits or spectral moments");
      }},
     {"gaussian_profile", "The face is isotropic and Gaussian: m₀m₄/m₂² is 1.5 or more.", "",
      least_isotropic_bandwidth* but_for_rounding, unbounded,
@@ -266,6 +308,23 @@ constexpr Row rows[] = {
        return m0 > 0 && !state.solves_film() ? m0 / m2 * (m4 / m2) : not_assumed;
      },
      "shares, friction"},
+    {"summit_heights", "The heights of the summits vary a little less than the faces: σ_s/Rq.", "",
+     0.9 * least_height_ratio, 1.1,
+     "model/README.md, section 12: √(1 − 0.8968/α), which is 0.634 to 1 of an isotropic Gaussian "
+     "face; 10 % of room",
+     [](const State& state) {
+       const bool are_given = state.has_summits() && !state.scene.surface.has_moments() &&
+                              state.numbers.rms_roughness > 0;
+       return are_given && !state.solves_film()
+                  ? state.numbers.summit_height_sd / state.numbers.rms_roughness
+                  : not_assumed;
+     },
+     "shares, friction",
+     [](const State&) {
+       return std::string(
+           "surface.summit_height_sd and the roughness contradict each other; both are of the two "
+           "faces together, √(x₁² + x₂²)");
+     }},
     {"summit_offset", "(D_d/σ_s) nβσ_s is that of an isotropic Gaussian face.", "",
      0.9 * offset_times_roughness, 1.1 * offset_times_roughness,
      "model/README.md, section 12: 1/(4π√3) whatever the moments; give m0, m2 and m4",
@@ -297,11 +356,12 @@ constexpr Row rows[] = {
      "0.4; mineral oil has 0.14 W/(m K)",
      [](const State& state) {
        const double speed = state.speeds.high;
-       if (!(speed > 0) || state.scene.lubricant.thermal != ThermalInlet::none) return not_assumed;
+       const bool is_heated = state.scene.lubricant.thermal != ThermalInlet::none;
+       if (!(speed > 0) || (is_heated && !state.solves_film())) return not_assumed;
        const double given = state.scene.lubricant.conductivity;
        return state.numbers.viscosity * speed * speed / (given > 0 ? given : oil_conductivity);
      },
-     "film"},
+     "film", advice_on_heating},
 };
 
 // --- The ranges of fields.
@@ -399,7 +459,7 @@ void take_assumptions(const State& state, Which which, const Take& take) {
         .unit = row.unit,
         .source = row.source,
         .touches = state.solves_film() && row.touches == "friction" ? "pressure" : row.touches,
-        .advice = holds || row.advice == nullptr ? std::string_view() : row.advice(state),
+        .advice = holds || row.advice == nullptr ? std::string() : row.advice(state),
         .is_accepted = accepts(state.scene, row.word)});
   }
 }
@@ -409,6 +469,7 @@ template <class Take>
 void take_range(const Scene& scene, const FieldInfo& field, std::string_view word, double value,
                 const Take& take) {
   if (value >= field.plausible_minimum && value <= field.plausible_maximum) return;
+  if (field.is_radius_of_face && value >= flat_radius) return;
   const bool follows = follows_from_others(scene, field.path);
   take(Validity{.word = word,
                 .assumption = field.meaning,

@@ -41,7 +41,8 @@ CaseSolver::CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped)
   scene_.speeds.fill(0, speeds_);
   for (const OutputInfo& info : output_infos)
     if (sweep.outputs.contains(info.output)) asked_.push_back(info.output);
-  solved_ = solved_outputs(sweep.outputs);
+  has_rq_alone_ = scene_.surface.has_rq_alone() && sweep.outputs.contains_any(summit_outputs());
+  solved_ = solved_outputs(sweep.outputs, has_rq_alone_);
   point_width_ = asked_.size() * speeds_.size();
   if (sweep.variables.size() == 1 && speed_variable_ == 0 && sweep.criteria.empty() &&
       !sweep.solves_film)
@@ -176,11 +177,21 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases,
         results[i * width + column + j] = value_at(i * speeds + j);
     column += speeds;
   };
+  std::vector<bool> are_unknown(has_rq_alone_ ? points_.size() : 0);  // the summits of a point
+  for (std::size_t i = 0; i < are_unknown.size(); ++i)
+    are_unknown[i] =
+        SmoothContact(contact_at(i)).has_unknown_summits(points_.speed[i], points_.film[i]);
   for_each_number(points_, [&](Output output, const std::vector<double>& numbers) {
-    if (sweep_.outputs.contains(output)) put([&](std::size_t i) { return numbers[i]; });
+    if (!sweep_.outputs.contains(output)) return;
+    const bool is_of_summits = has_rq_alone_ && summit_outputs().contains(output);
+    put([&](std::size_t i) { return is_of_summits && are_unknown[i] ? undefined : numbers[i]; });
   });
   if (sweep_.outputs.contains(Output::regime))
-    put([&](std::size_t i) { return static_cast<double>(points_.regime[i]); });
+    put([&](std::size_t i) {
+      const bool is_unknown =
+          has_rq_alone_ && are_unknown[i] && points_.regime[i] != Regime::collapsed;
+      return is_unknown ? 0.0 : static_cast<double>(points_.regime[i]);
+    });
   if (!points_.inlet.empty())
     put([&](std::size_t i) { return static_cast<double>(points_.inlet[i]); });
   for (const Output output : asked_)

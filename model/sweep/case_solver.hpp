@@ -64,6 +64,7 @@ class CaseSolver {
   std::optional<InletLaw<double>> inlet_law_;
   std::vector<double> speeds_;
   std::vector<Output> asked_;
+  bool has_rq_alone_ = false;    // and outputs that say what summits do
   OutputSet solved_;             // what points must have for them
   std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow
   OperatingPoints points_;

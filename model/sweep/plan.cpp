@@ -57,13 +57,17 @@ namespace {
 
 std::vector<Column> columns_of(const SceneSweep& sweep) {
   std::vector<Column> columns;
-  for (const OutputInfo& info : output_infos)
-    if (sweep.outputs.contains(info.output))
-      columns.push_back({std::string(info.name),
-                         std::string(info.unit),
-                         {info.words.begin(), info.words.end()},
-                         sweep.scene.speeds.size(),
-                         std::string(info.meaning)});
+  for (const OutputInfo& info : output_infos) {
+    if (!sweep.outputs.contains(info.output)) continue;
+    columns.push_back({std::string(info.name),
+                       std::string(info.unit),
+                       {info.words.begin(), info.words.end()},
+                       sweep.scene.speeds.size(),
+                       std::string(info.meaning)});
+    // Summits that are not known; bodies without summits have no boundary lubrication.
+    if (info.output == Output::regime && sweep.scene.surface.has_rq_alone())
+      columns.back().words.front() = "undefined";
+  }
   for (const OnsetCriterion criterion : sweep.criteria) {
     const std::string prefix = "onset." + std::string(name(criterion)) + '.';
     const std::string at = " at the onset by " + std::string(name(criterion)) +

@@ -337,6 +337,10 @@ class SweepBinder {
     for (const Setting& one : settings) set(*one.varied, one.value);
     const SceneReading scene = bound(entries_);
     for (const Setting& one : settings) set(*one.varied, one.varied->variable.nominal);
+    for (const InputProblem& warning : scene.warnings)
+      if (std::ranges::find(reading_.warnings, warning.line(), &InputProblem::line) ==
+          reading_.warnings.end())
+        reading_.warnings.push_back(warning);
     // The ends of a distribution are far beyond nearly all of its draws.
     if (scene.scene && settings.size() == 1 && !settings.front().varied->variable.is_drawn())
       note_limits(*scene.scene);

@@ -71,7 +71,7 @@ Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::Res
                               const std::string& folder) {
   try {
     make_folder(folder);
-    ordered_json json = sweep_json(result);
+    ordered_json json = sweep_json(result, std::vector<SweepCells>(result.scenes.size()));
     for (std::size_t i = 0; i < result.scenes.size(); ++i)
       if (is_grid(result.scenes[i]))
         json["scenes"][i]["grid"] = grid_json(result.scenes[i], source);

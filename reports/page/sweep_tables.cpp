@@ -83,7 +83,7 @@ std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
 }
 
 // A grid has no mean: its values were chosen, not drawn.
-TextTable number_table(const SceneResult& scene) {
+TextTable number_table(const SceneResult& scene, const SweepCells& cells) {
   const bool with_speed = has_speeds(scene);
   const bool is_grid = scene.design == "factorial";
   TextTable table{fmt::format("{}: {} cases, {} points{}", scene.id, grouped(scene.cases),
@@ -97,9 +97,8 @@ TextTable number_table(const SceneResult& scene) {
               : std::vector<std::string>{"mean", "sd", "2.5 %", "50 %", "97.5 %"};
   table.headings.insert(table.headings.end(), statistics.begin(), statistics.end());
   table.is_number.resize(table.headings.size(), true);
-  for (const ColumnResult& column : scene.columns) {
-    if (!column.words.empty()) continue;
-    const ReadableUnit unit = unit_of(column);
+  const auto add_rows = [&](const std::string& where, const ColumnResult& column,
+                            const ReadableUnit& unit) {
     for (const std::size_t i : chosen(column.values.size())) {
       const ColumnResult::Value& value = column.values[i];
       std::vector<std::string> row{column.name, unit.name.empty() ? "–" : unit.name,
@@ -110,12 +109,26 @@ TextTable number_table(const SceneResult& scene) {
                   : std::vector<double>{value.mean, value.sd, quantile(value, 0.025).value,
                                         quantile(value, 0.5).value, quantile(value, 0.975).value};
       for (const double one : numbers) row.push_back(number(one, unit.factor));
+      if (cells.count > 1) row.insert(row.begin() + 1, where);
       table.rows.push_back(std::move(row));
     }
+  };
+  for (std::size_t c = 0; c < scene.columns.size(); ++c) {
+    const ColumnResult& column = scene.columns[c];
+    if (!column.words.empty()) continue;
+    const ReadableUnit unit = unit_of(column);
+    add_rows(fmt::format("all {}", cells.count), column, unit);
+    for (const SweepCell& cell : cells.cells) add_rows(cell.where, cell.columns[c], unit);
   }
   if (is_grid && scene.has_points) table.caption += "; sweep show --cases has each";
+  if (cells.count > 1) {
+    table.headings.insert(table.headings.begin() + 1, "grid values");
+    table.is_number.insert(table.is_number.begin() + 1, false);
+    if (cells.cells.empty())
+      table.caption += fmt::format("; over all {} sets of grid values", grouped(cells.count));
+  }
   if (!with_speed) {
-    constexpr std::ptrdiff_t at = 2;
+    const std::ptrdiff_t at = cells.count > 1 ? 3 : 2;
     table.headings.erase(table.headings.begin() + at);
     table.is_number.erase(table.is_number.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);
@@ -123,7 +136,8 @@ TextTable number_table(const SceneResult& scene) {
   return table;
 }
 
-TextTable word_table(const SceneResult& scene, const ColumnResult& column) {
+TextTable word_table(const SceneResult& scene, std::size_t column_place, const SweepCells& cells) {
+  const ColumnResult& column = scene.columns[column_place];
   const bool with_speed = column.values.size() > 1;
   TextTable table{fmt::format("{}: {}, part of the cases in per cent{}", scene.id, column.name,
                               chosen_speeds(scene, with_speed)),
@@ -131,21 +145,29 @@ TextTable word_table(const SceneResult& scene, const ColumnResult& column) {
                   {},
                   {},
                   ""};
+  if (cells.count > 1) table.headings.emplace_back("grid values");
   if (with_speed) table.headings.emplace_back("speed, m/s");
   table.headings.emplace_back("cases");
   for (const std::string& word : column.words) table.headings.push_back(word + ", %");
   table.is_number.assign(table.headings.size(), true);
-  for (const std::size_t i : chosen(column.values.size())) {
-    const ColumnResult::Value& value = column.values[i];
-    std::vector<std::string> row;
-    if (with_speed) row.push_back(speed_text(scene, column, i));
-    row.push_back(grouped(value.count));
-    for (const std::uint64_t count : word_counts(value, column.words.size()))
-      row.push_back(value.count == 0 ? "–"
-                                     : fmt::format("{:.2f}", 100 * static_cast<double>(count) /
-                                                                 static_cast<double>(value.count)));
-    table.rows.push_back(std::move(row));
-  }
+  if (cells.count > 1) table.is_number.front() = false;
+  const auto add_rows = [&](const std::string& where, const ColumnResult& of_cases) {
+    for (const std::size_t i : chosen(of_cases.values.size())) {
+      const ColumnResult::Value& value = of_cases.values[i];
+      std::vector<std::string> row;
+      if (cells.count > 1) row.push_back(where);
+      if (with_speed) row.push_back(speed_text(scene, of_cases, i));
+      row.push_back(grouped(value.count));
+      for (const std::uint64_t count : word_counts(value, column.words.size()))
+        row.push_back(value.count == 0
+                          ? "–"
+                          : fmt::format("{:.2f}", 100 * static_cast<double>(count) /
+                                                      static_cast<double>(value.count)));
+      table.rows.push_back(std::move(row));
+    }
+  };
+  add_rows(fmt::format("all {}", cells.count), column);
+  for (const SweepCell& cell : cells.cells) add_rows(cell.where, cell.columns[column_place]);
   return table;
 }
 
@@ -227,13 +249,15 @@ ReadableUnit readable_unit(const std::string& unit, double greatest) {
   return greatest < 1e-5 ? ReadableUnit{"nm", 1e9} : ReadableUnit{"µm", 1e6};
 }
 
-std::vector<TextTable> sweep_tables(const SweepResult& result) {
+std::vector<TextTable> sweep_tables(const SweepResult& result,
+                                    const std::vector<SweepCells>& cells) {
   std::vector<TextTable> tables;
-  for (const SceneResult& scene : result.scenes) {
-    if (TextTable numbers = number_table(scene); !numbers.rows.empty())
+  for (std::size_t s = 0; s < result.scenes.size(); ++s) {
+    const SceneResult& scene = result.scenes[s];
+    if (TextTable numbers = number_table(scene, cells[s]); !numbers.rows.empty())
       tables.push_back(std::move(numbers));
-    for (const ColumnResult& column : scene.columns)
-      if (!column.words.empty()) tables.push_back(word_table(scene, column));
+    for (std::size_t c = 0; c < scene.columns.size(); ++c)
+      if (!scene.columns[c].words.empty()) tables.push_back(word_table(scene, c, cells[s]));
     for (const Columns& columns : in_tables(scene)) tables.push_back(index_table(scene, columns));
   }
   return tables;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "page/rendering.hpp"
+#include "page/sweep_cells.hpp"
 #include "page/text_table.hpp"
 #include "sweep/result_file.hpp"
 
@@ -23,14 +24,18 @@ struct ReadableUnit {
 };
 ReadableUnit readable_unit(const std::string& unit, double greatest);
 
-// The numbers, the words and the Sobol indices of each scene.
-std::vector<TextTable> sweep_tables(const sweep::SweepResult& result);
+// The numbers, the words and the Sobol indices of each scene; of grids crossed with distributions a
+// row for each set of grid values. `cells`: of each scene.
+std::vector<TextTable> sweep_tables(const sweep::SweepResult& result,
+                                    const std::vector<SweepCells>& cells);
 
-// A row for each scene, column and speed; what is undefined is empty.
-std::string sweep_csv(const sweep::SweepResult& result);
+// A row for each scene, column and speed, and below them those of each set of grid values; what is
+// undefined is empty.
+std::string sweep_csv(const sweep::SweepResult& result, const std::vector<SweepCells>& cells);
 
 // All there is but the cases themselves; what is undefined, and an unbounded end, is null.
-nlohmann::ordered_json sweep_json(const sweep::SweepResult& result);
+nlohmann::ordered_json sweep_json(const sweep::SweepResult& result,
+                                  const std::vector<SweepCells>& cells);
 
 // The p-quantile, of one of sweep::quantile_levels.
 const sweep::Bounded& quantile(const sweep::ColumnResult::Value& value, double level);

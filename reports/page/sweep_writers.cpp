@@ -43,10 +43,12 @@ struct CsvColumns {
         text += csv_cells({fmt::format("{}:{}", kind, variable),
                            fmt::format("{}_low:{}", kind, variable),
                            fmt::format("{}_high:{}", kind, variable)});
-    return text + '\n';
+    return text + ",grid_values\n";
   }
 
-  std::string row(const SceneResult& scene, const ColumnResult& column, std::size_t i) const {
+  // `where`: the grid values; empty: all.
+  std::string row(const SceneResult& scene, const ColumnResult& column, std::size_t i,
+                  const std::string& where) const {
     const ColumnResult::Value& value = column.values[i];
     const bool at_speed = column.values.size() > 1 && i < scene.speeds.size();
     std::string text =
@@ -75,7 +77,7 @@ struct CsvColumns {
                                  csv_number((*list)[place].high)})
                     : ",,,";
     }
-    return text + '\n';
+    return text + csv_cells({where}) + '\n';
   }
 
  private:
@@ -135,7 +137,19 @@ ordered_json value_json(const SceneResult& scene, const ColumnResult& column, st
   return object;
 }
 
-ordered_json scene_json(const SceneResult& scene) {
+ordered_json columns_json(const SceneResult& scene, const std::vector<ColumnResult>& columns) {
+  ordered_json list = ordered_json::array();
+  for (const ColumnResult& column : columns) {
+    ordered_json one{
+        {"name", column.name}, {"unit", column.unit}, {"values", ordered_json::array()}};
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+      one["values"].push_back(value_json(scene, column, i));
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+ordered_json scene_json(const SceneResult& scene, const SweepCells& cells) {
   ordered_json object{{"id", scene.id},
                       {"file", scene.file},
                       {"design", scene.design},
@@ -144,19 +158,16 @@ ordered_json scene_json(const SceneResult& scene) {
                       {"cases", scene.cases},
                       {"points", scene.points},
                       {"inputs", ordered_json::array()},
-                      {"columns", ordered_json::array()}};
+                      {"columns", columns_json(scene, scene.columns)},
+                      {"cells", ordered_json::array()}};
   for (const sweep::InputResult& input : scene.inputs)
     object["inputs"].push_back({{"path", input.path},
                                 {"unit", input.unit},
                                 {"meaning", input.meaning},
                                 {"varies", input.varies}});
-  for (const ColumnResult& column : scene.columns) {
-    ordered_json one{
-        {"name", column.name}, {"unit", column.unit}, {"values", ordered_json::array()}};
-    for (std::size_t i = 0; i < column.values.size(); ++i)
-      one["values"].push_back(value_json(scene, column, i));
-    object["columns"].push_back(std::move(one));
-  }
+  for (const SweepCell& cell : cells.cells)
+    object["cells"].push_back(
+        {{"values", cell.where}, {"columns", columns_json(scene, cell.columns)}});
   return object;
 }
 
@@ -192,21 +203,29 @@ std::vector<std::uint64_t> word_counts(const ColumnResult::Value& value, std::si
   return counts;
 }
 
-std::string sweep_csv(const SweepResult& result) {
+std::string sweep_csv(const SweepResult& result, const std::vector<SweepCells>& cells) {
   const CsvColumns columns(result);
   std::string text = columns.head();
-  for (const SceneResult& scene : result.scenes)
-    for (const ColumnResult& column : scene.columns)
-      for (std::size_t i = 0; i < column.values.size(); ++i) text += columns.row(scene, column, i);
+  for (std::size_t s = 0; s < result.scenes.size(); ++s) {
+    const SceneResult& scene = result.scenes[s];
+    const auto add_rows = [&](const std::vector<ColumnResult>& all, const std::string& where) {
+      for (const ColumnResult& column : all)
+        for (std::size_t i = 0; i < column.values.size(); ++i)
+          text += columns.row(scene, column, i, where);
+    };
+    add_rows(scene.columns, "");
+    for (const SweepCell& cell : cells[s].cells) add_rows(cell.columns, cell.where);
+  }
   return text;
 }
 
-nlohmann::ordered_json sweep_json(const SweepResult& result) {
+nlohmann::ordered_json sweep_json(const SweepResult& result, const std::vector<SweepCells>& cells) {
   ordered_json object{{"tribocheck_version", result.identity.version},
                       {"sweep_digest", result.identity.digest},
                       {"arithmetic", result.identity.arithmetic},
                       {"scenes", ordered_json::array()}};
-  for (const SceneResult& scene : result.scenes) object["scenes"].push_back(scene_json(scene));
+  for (std::size_t s = 0; s < result.scenes.size(); ++s)
+    object["scenes"].push_back(scene_json(result.scenes[s], cells[s]));
   return object;
 }
 

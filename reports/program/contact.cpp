@@ -58,6 +58,7 @@ struct LawFilm {
   bool is_minimum;     // else the central film
   double film;         // m
   std::string beyond;  // why the contact is not in the range of the law; empty where it is
+  bool is_known;       // is it known whether the contact is in that range?
   bool is_of_scene;    // is it closures.film?
   std::string_view source;
 };
@@ -189,6 +190,9 @@ Facts lubricant_of(const Asked& asked) {
       number("viscosity", "η₀", "viscosity at ambient pressure", scene.viscosity, "Pa·s"));
   facts.push_back(number("pressure_viscosity", "α", "how pressure thickens the oil",
                          scene.pressure_viscosity, "1/Pa"));
+  if (asked.scene.lubricant.thermal != ThermalInlet::none)
+    facts.push_back(number("slide_roll_ratio", "S", "sliding over speed, which heats the inlet",
+                           scene.slide_roll_ratio));
   return facts;
 }
 
@@ -198,13 +202,21 @@ std::string_view word_of_lambda(double ratio) {
   return ratio < least_full_film_lambda_ratio ? "mixed lubrication" : "full film";
 }
 
-// Why the contact is not in the range of a film law; empty where it is.
+// Is it known which ellipticities a film law was fitted to? A circle any law of points was.
+bool is_range_known(const FilmLaw& law, double ellipticity) {
+  return ellipticity == 1 || law.least_ellipticity > 0;
+}
+
+// Why the contact is not in the range of a film law, or why that is not known; empty where it is.
 std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime) {
   if (!(ellipticity >= least_fitted_ellipticity(law) && ellipticity <= law.greatest_ellipticity))
     return fmt::format("k is {}, and it was fitted to {} to {}", readable(ellipticity),
                        readable(law.least_ellipticity), readable(law.greatest_ellipticity));
   const LubricationRegime own = regime_of(law);
   if (own != regime) return fmt::format("the law is of {} contacts", name(own));
+  if (!is_range_known(law, ellipticity))
+    return fmt::format("k is {}, and the range that it was fitted to is not known",
+                       readable(ellipticity));
   return {};
 }
 
@@ -220,13 +232,16 @@ std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegim
     const bool is_of_shape = law != nullptr && law->is_of_lines == asked.is_line();
     if (is_of_shape && scene.pressure_viscosity == 0 && law->material_exponent.p != 0)
       films.push_back({function.name, is_of_minimum(function), std::nan(""),
-                       "it has no film where the viscosity does not rise with pressure", false,
-                       function.source});
-    else if (is_of_shape)
+                       "it has no film where the viscosity does not rise with pressure", true,
+                       false, function.source});
+    else if (is_of_shape) {
+      const double ellipticity = asked.is_line() ? 1 : scene.ellipticity;
+      const bool is_known = regime_of(*law) != regime || is_range_known(*law, ellipticity);
       films.push_back({function.name, is_of_minimum(function),
                        smooth_film(*law, asked.shape(), scene, speed),
-                       beyond_of(*law, asked.is_line() ? 1 : scene.ellipticity, regime),
-                       law == &asked.contact.film(), function.source});
+                       beyond_of(*law, ellipticity, regime), is_known, law == &asked.contact.film(),
+                       function.source});
+    }
     if (function.name == "moes_line" && asked.is_line())
       films.push_back(
           {function.name,
@@ -234,6 +249,7 @@ std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegim
            moes_line(speed, scene.viscosity, scene.pressure_viscosity, scene.load / scene.across,
                      scene.effective_modulus, scene.radius_x),
            {},
+           true,
            false,
            function.source});
   }
@@ -362,10 +378,12 @@ void append_films(Text& to, const std::vector<LawFilm>& films) {
   for (const LawFilm& film : films) {
     const std::string law =
         fmt::format("{}{}", film.law, film.is_of_scene ? " (this scene's)" : "");
-    append_line(to, fmt::format("  {}  {}  {}  {}", padded(law, 42),
-                                film.is_minimum ? "minimum" : "central",
-                                padded(std::isfinite(film.film) ? usual(film.film, "m") : "-", 10),
-                                film.beyond.empty() ? "yes" : "no: " + film.beyond));
+    append_line(
+        to,
+        fmt::format(
+            "  {}  {}  {}  {}", padded(law, 42), film.is_minimum ? "minimum" : "central",
+            padded(std::isfinite(film.film) ? usual(film.film, "m") : "-", 10),
+            film.beyond.empty() ? "yes" : (film.is_known ? "no: " : "not known: ") + film.beyond));
   }
 }
 
@@ -474,7 +492,8 @@ ordered_json json_of(const std::vector<LawFilm>& films) {
     list.push_back({{"law", film.law},
                     {"kind", film.is_minimum ? "minimum" : "central"},
                     {"film", std::isfinite(film.film) ? ordered_json(film.film) : nullptr},
-                    {"is_inside_range", film.beyond.empty()},
+                    {"is_inside_range",
+                     film.is_known ? ordered_json(film.beyond.empty()) : ordered_json(nullptr)},
                     {"beyond", film.beyond},
                     {"is_of_scene", film.is_of_scene},
                     {"source", film.source}});

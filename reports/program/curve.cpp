@@ -49,10 +49,10 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   };
   if (scene.speeds.list.empty())
     return stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
-                          protocol::needed_for(scene.outputs), add);
+                          protocol::needed_for(scene), add);
   std::vector<double> speeds = scene.speeds.list;
   std::sort(speeds.begin(), speeds.end());
-  for (const double speed : speeds) add(contact.solve(speed, protocol::needed_for(scene.outputs)));
+  for (const double speed : speeds) add(contact.solve(speed, protocol::needed_for(scene)));
 }
 
 void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
@@ -74,7 +74,8 @@ std::vector<Comparison> compared(const Scene& scene,
   const detail::SpeedSpan span = detail::speed_span(scene.speeds);
   std::vector<Comparison> comparisons;
   for (const MeasuredNumber& one : measurements) {
-    const protocol::OutputValue computed = value_at(contact.solve(one.speed), smooth, one.output);
+    const protocol::OutputValue computed =
+        protocol::value_of(contact.solve(one.speed), &smooth, one.output);
     const bool has_both = computed.undefined.empty() && one.value > 0;
     comparisons.push_back({one, computed,
                            has_both ? 100 * (computed.number / one.value - 1)
@@ -143,8 +144,9 @@ line names the columns with their units, separated by commas, semicolons or tabs
   0.1,,0.046
 Columns beside the speed are those `outputs` of the scene that are numbers, in units as a scene takes
 them: nm, GPa, and so on; numbers without a unit also in %. A unit stands in [ ], in ( ) or behind
-a /. Usual names will do as well: rolling, entrainment or mean speed; film thickness; CoF, μ, mu,
-friction or traction coefficient. Other columns are named in one line and not read. An empty cell
+a /. Usual names will do as well: rolling, entrainment or mean speed or velocity, u, ue; film
+thickness, h; CoF, μ, mu, friction or traction coefficient; and a name with its symbol, as "Rolling
+Speed U". Other columns are named in one line and not read. An empty cell
 was not measured, a line that begins with # is not read. Between semicolons or tabs a number may
 have a decimal comma. In place of the curve each number is printed with the model's at that speed,
 and with their deviation, (computed − measured)/measured, where more than 0 was measured; a speed

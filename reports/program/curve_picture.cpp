@@ -26,7 +26,7 @@ ordered_json drawn_values(const OperatingPoint<double>& point, const SmoothConta
   for (const Output output : panels) {
     values.push_back(nullptr);
     if (!scene.outputs.contains(output)) continue;
-    const protocol::OutputValue value = value_at(point, smooth, output);
+    const protocol::OutputValue value = protocol::value_of(point, &smooth, output);
     if (value.undefined.empty()) values.back() = value.number;
   }
   return values;
@@ -39,7 +39,7 @@ ordered_json drawn_scene(const Scene& scene, const std::vector<Output>& panels) 
   for (const Output output : panels)
     if (scene.outputs.contains(output)) outputs.insert(output);
   outputs.insert(Output::inlet);
-  outputs = protocol::needed_for(outputs);
+  outputs = protocol::needed_for(scene, outputs);
   ordered_json speeds = ordered_json::array(), rows = ordered_json::array();
   ordered_json collapsed = ordered_json::array();
   const detail::SpeedSpan span = detail::speed_span(scene.speeds);

@@ -88,6 +88,17 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"rolling speed", std::nullopt},
     {"entrainment speed", std::nullopt},
     {"mean speed", std::nullopt},
+    {"mean entrainment speed", std::nullopt},
+    {"u", std::nullopt},
+    {"ue", std::nullopt},
+    {"u e", std::nullopt},
+    {"um", std::nullopt},
+    {"u m", std::nullopt},
+    {"h", Output::film},
+    {"hc", Output::film},
+    {"h c", Output::film},
+    {"hmin", Output::minimum_film},
+    {"h min", Output::minimum_film},
     {"film thickness", Output::film},
     {"central film thickness", Output::film},
     {"minimum film thickness", Output::minimum_film},
@@ -101,7 +112,7 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"traction coeff", Output::friction},
 });
 
-// In small letters, with blanks for underscores, and without a dot at the end.
+// In small letters, with blanks for underscores, speed for velocity, and without a dot at the end.
 std::string plain_name(std::string_view name) {
   std::string plain(name);
   for (char& letter : plain) {
@@ -109,18 +120,33 @@ std::string plain_name(std::string_view name) {
     if (letter == '_') letter = ' ';
   }
   if (plain.ends_with('.')) plain.pop_back();
+  constexpr std::string_view velocity = "velocity";
+  if (const std::size_t at = plain.find(velocity); at != std::string::npos)
+    plain.replace(at, velocity.size(), "speed");
   return plain;
 }
 
 // The speed, or an output that is a number; nothing where the name is not known.
-std::optional<ColumnName> column_name(std::string_view name) {
-  const std::string plain = plain_name(name);
+std::optional<ColumnName> column_named(std::string_view plain) {
   for (const ColumnName& known : column_names)
     if (known.name == plain) return known;
   for (const OutputInfo& output : output_infos)
     if (output.words.empty() && plain_name(output.name) == plain)
       return ColumnName{output.name, output.output};
   return std::nullopt;
+}
+
+// The same of a name that its symbol may follow, as in "rolling speed U".
+std::optional<ColumnName> column_name(std::string_view plain) {
+  constexpr std::size_t longest = 60;
+  auto known = column_named(plain);
+  if (plain.size() > longest) return known;
+  for (std::size_t at = plain.find(' '); !known && at != plain.npos; at = plain.find(' ', at + 1)) {
+    const auto name = column_named(plain.substr(0, at)),
+               symbol = column_named(plain.substr(at + 1));
+    if (name && symbol && name->output == symbol->output) known = name;
+  }
+  return known;
 }
 
 // A heading as "film [nm]", "film (nm)" or "film / nm".
@@ -227,7 +253,13 @@ class MeasuredReader {
   void add_column(std::string_view heading) {
     const std::size_t place = columns_.size();
     const Heading parts = parts_of(heading);
-    const std::optional<ColumnName> known = column_name(parts.name);
+    const std::string plain = plain_name(parts.name);
+    std::optional<ColumnName> known = column_name(plain);
+    // A letter may stand for other things, as U for a voltage.
+    const bool is_letter = plain.size() <= 2 && known && known->output != Output::friction;
+    if (is_letter && !parts.unit.empty() &&
+        !number_in("1", parts.unit, known->output ? info(*known->output).unit : "m/s"))
+      known.reset();
     const DataColumn column{std::string(heading), known.has_value(),
                             known ? known->output : std::nullopt, std::string(parts.unit)};
     columns_.push_back(column);

@@ -32,7 +32,7 @@ PointWriter::PointWriter(std::string_view format, OutputStream& output,
 void PointWriter::begin_scene(const Scene& scene, const MixedContact<double>& contact) {
   scene_ = &scene;
   smooth_.reset();
-  if (scene.outputs.contains_any(smooth_outputs())) smooth_.emplace(contact);
+  if (protocol::needs_smooth_contact(scene)) smooth_.emplace(contact);
   const std::size_t count = scene.speeds.size();
   const std::vector<Column> columns = columns_of({&scene, 1});
   cells_.assign(columns.size(), {});
@@ -47,8 +47,7 @@ void PointWriter::add(const OperatingPoint<double>& point) {
   for (const OutputInfo& info : output_infos)
     if (scene_->outputs.contains(info.output))
       new (&cells_[++column]) protocol::OutputValue(
-          info.is_of_smooth_contact ? protocol::value_of(*smooth_, info.output, point)
-                                    : protocol::value_of(point, info.output));
+          protocol::value_of(point, smooth_ ? &*smooth_ : nullptr, info.output));
   rows_.add(cells_);
 }
 

@@ -13,13 +13,6 @@
 
 namespace tribo::cli {
 
-// An output at a point of the contact, whether a point holds it or the smooth contact has it.
-inline protocol::OutputValue value_at(const OperatingPoint<double>& point,
-                                      const SmoothContact& smooth, Output output) {
-  return info(output).is_of_smooth_contact ? protocol::value_of(smooth, output, point)
-                                           : protocol::value_of(point, output);
-}
-
 class PointWriter {
  public:
   // format: "table", "csv" or "json". `scenes` are all that will be written.
@@ -34,7 +27,7 @@ class PointWriter {
  private:
   RowWriter rows_;
   const Scene* scene_ = nullptr;
-  std::optional<SmoothContact> smooth_;  // where the scene asks for its outputs
+  std::optional<SmoothContact> smooth_;  // where the scene needs it
   std::vector<protocol::OutputValue> cells_;
 };
 

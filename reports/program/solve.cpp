@@ -49,7 +49,7 @@ void in_chunks(const Scene& scene, const Solve& solve) {
 
 void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
-  const OutputSet outputs = protocol::needed_for(scene.outputs);
+  const OutputSet outputs = protocol::needed_for(scene);
   writer.begin_scene(scene, contact);
   OperatingPoints points;
   in_chunks(scene, [&](const std::vector<double>& speeds) {
@@ -63,7 +63,7 @@ void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress&
 }
 
 WorkCounts work_of(const Scene& scene, const MixedContact<double>& contact) {
-  const OutputSet outputs = protocol::needed_for(scene.outputs);
+  const OutputSet outputs = protocol::needed_for(scene);
   OperatingPoints points;
   WorkCounts work;
   in_chunks(scene, [&](const std::vector<double>& speeds) {

@@ -21,6 +21,7 @@
 #include "scene/schema.hpp"
 #include "scene_arguments.hpp"
 #include "stop_signal.hpp"
+#include "sweep/case_limits.hpp"
 #include "sweep/needs.hpp"
 #include "sweep/on_threads.hpp"
 #include "sweep/part.hpp"
@@ -58,9 +59,10 @@ std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files,
       for (const InputProblem& error : reading.errors) complain(error.line());
     }
     good = good && reading.sweep;
-    warned += reading.warnings.size() + reading.passed.size();
+    const std::vector<Validity> passed = sweep::limits_of_cases(reading);
+    warned += reading.warnings.size() + passed.size();
     if (!reading.sweep) continue;
-    warnings.add(file, reading.sweep->scene.id, reading.passed);
+    warnings.add(file, reading.sweep->scene.id, passed);
     scenes.push_back(std::move(*reading.sweep));
   }
   if (told) warnings.tell("`tribocheck solve --explain` has them all");
@@ -127,22 +129,27 @@ void write_cases(const sweep::SweepResult& result, const sweep::ResultFile& file
 Warnings warnings_of(const sweep::SweepResult& result) {
   Warnings warnings;
   for (const sweep::SceneResult& scene : result.scenes)
-    warnings.add(scene.file, scene.id, sweep::parse_sweep(scene.text, scene.file).passed);
+    warnings.add(scene.file, scene.id,
+                 sweep::limits_of_cases(sweep::parse_sweep(scene.text, scene.file)));
   return warnings;
 }
 
-void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
+void write_result(const sweep::SweepResult& result, const sweep::ResultFile& file,
+                  const std::string& format, Text& to) {
+  std::vector<report::SweepCells> cells;
+  for (const sweep::SceneResult& scene : result.scenes)
+    cells.push_back(report::cells_of(scene, file));
   if (format == "json") {
-    nlohmann::ordered_json members = report::sweep_json(result);
+    nlohmann::ordered_json members = report::sweep_json(result, cells);
     members["warnings"] = warnings_of(result).json();
     return append(
         to,
         document("sweep/1", members).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
             '\n');
   }
-  if (format == "csv") return append(to, report::sweep_csv(result));
+  if (format == "csv") return append(to, report::sweep_csv(result, cells));
   bool first = true;
-  for (const report::TextTable& table : report::sweep_tables(result)) {
+  for (const report::TextTable& table : report::sweep_tables(result, cells)) {
     if (!first) append(to, "\n");
     first = false;
     append(to, report::plain_table(table));
@@ -182,7 +189,7 @@ int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, 
   if (arguments.cases)
     write_cases(result, file, arguments.format, output);
   else
-    write_result(result, arguments.format, output.text());
+    write_result(result, file, arguments.format, output.text());
   output.flush();
   const int code = tell_of_films(result) || !is_new ? exit_done : exit_failed;
   if (arguments.pictures.empty()) return code;

@@ -42,12 +42,13 @@ std::string bounds_text(const Validity& limit) {
   const std::string least = number_of(limit, limit.least);
   const std::string greatest = number_of(limit, limit.greatest);
   if (limit.least == limit.greatest) return least;
-  if (limit.least == 0 && std::isinf(limit.greatest)) return "not known";
+  if (!limit.is_known()) return "not known";
   if (limit.least == 0) return "at most " + greatest;
   return std::isfinite(limit.greatest) ? least + " to " + greatest : "at least " + least;
 }
 
 std::string_view holds_text(const Validity& limit) {
+  if (!limit.is_known()) return "not known";
   return limit.holds() ? "yes" : limit.is_accepted ? "accepted" : "no";
 }
 
@@ -57,6 +58,8 @@ std::string passed_text(const Validity& limit) {
   const std::string_view name = limit.field.empty() ? limit.word : limit.field;
   std::string text = fmt::format("{}{} {} ({}", name, limit.value_follows ? ", which follows," : "",
                                  number_of(limit, limit.value), bounds_text(limit));
+  if (limit.judged_cases > 0)
+    text += fmt::format("; the furthest of {} of {} cases", limit.cases, limit.judged_cases);
   if (limit.touches != "everything") text += fmt::format("; touches {}", limit.touches);
   if (!limit.advice.empty()) text += fmt::format("; {}", limit.advice);
   if (!limit.likely_unit.empty()) text += fmt::format("; perhaps {} was meant", limit.likely_unit);

@@ -138,7 +138,7 @@ class Numbers(ContactTest):
         flooded = with_field(without_field(quiet_scene("smooth"), "supply"), "surface.rms_roughness", 5e-8)
         flooded |= {"outputs": ["film", "minimum_film", "lambda_ratio"], "speed": [0.5, 1]}
         heated = flooded["lubricant"] | {"thermal": "gupta", "conductivity": 0.14, "temperature_coefficient": 0.04}
-        ways = {"flooded": {}, "heated": {"lubricant": heated},
+        ways = {"flooded": {}, "heated": {"lubricant": heated, "friction": flooded["friction"] | {"slide_roll_ratio": 1}},
                 "starved": {"supply": {"inlet_flow": 1e-8}, "closures": {"starvation": "damiens"}},
                 "collapsed": {"supply": {"inlet_flow": 1e-8}}}
         films, parts = {}, set()
@@ -196,6 +196,21 @@ class Ranges(ContactTest):
         film = narrow.json()["scenes"][0]["speeds"][0]["films"][0]
         self.assertFalse(film["is_inside_range"])
         self.assertIn("fitted to 1 to 8", film["beyond"])
+
+    def test_where_no_text_tells_the_range_of_a_law_it_is_not_known(self):
+        def films(radius_x, radius_y, modulus=1e7):
+            bodies = {"effective_modulus": modulus, "radius_x": radius_x, "radius_y": radius_y}
+            told = self.told(quiet_scene(bodies=bodies, closures={"film": "hamrock_dowson_soft_central"}) | {"speed": 0.1})
+            holds = {one["word"]: one["holds"] for one in told["validity"]}
+            return {film["law"]: film for film in told["speeds"][0]["films"]}, holds["film_law_ellipticity"]
+        narrow, holds = films(4e-2, 2e-3)
+        soft = narrow["hamrock_dowson_soft_central"]
+        self.assertEqual((soft["is_inside_range"], holds), (None, "not known"))
+        self.assertRegex(soft["beyond"], r"k is 0\.1\d*, and the range that it was fitted to is not known")
+        self.assertIs(narrow["hamrock_dowson_central"]["is_inside_range"], False)
+        self.assertIs(films(1e-2, 4e-2)[0]["hamrock_dowson_soft_central"]["is_inside_range"], None)
+        self.assertIs(films(1e-2, 4e-2, 107.9e9)[0]["hamrock_dowson_soft_central"]["is_inside_range"], False)  # of another regime
+        self.assertIs(films(1e-2, 1e-2)[0]["hamrock_dowson_soft_central"]["is_inside_range"], True)
 
     def test_the_speeds_are_up_to_four_of_the_scene_or_its_slowest_and_fastest(self):
         for speed, expected in (([0.5, 0.1, 2], [0.1, 0.5, 2]), ([1, 2, 3, 4, 1], [1, 4]), ([2, 2], [2]),

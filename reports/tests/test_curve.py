@@ -93,7 +93,9 @@ class Data(CurveTest):
         for text in ("Rolling Speed (mm/s);Film Thickness (nm);Traction Coeff. (-)\n10;7,0;0,05\n", "SPEED / mm/s\tfilm/nm\tCoF\n1e1\t7\t0,05\n",
                      "entrainment speed (m/s),film_thickness [nm],μ [%]\n0.01,7,5\n", "\ufeff" + HEAD + "0.01,7,0.05", "speed [m/s];film [nm];friction\r\n0.01;7;0.05\r\n",
                      "speed [mm/s]\tfilm [µm]\tfriction [%]\n10\t0.007\t5\n", '"speed [m/s]","film [um]","friction [-]"\n"1e-2","7e-3","0.05"\n',
-                     "film [mm] , friction , speed [mm/s]\n 7e-6 , 0.05 , 10 \n"):
+                     "film [mm] , friction , speed [mm/s]\n 7e-6 , 0.05 , 10 \n", "Rolling Speed U [mm/s],h [nm],CoF\n10,7,0.05\n",
+                     "ue [m/s],Film Thickness h (nm),μ\n0.01,7,0.05\n", "Entrainment Velocity (m/s),hc [nm],Friction Coefficient mu\n0.01,7,0.05\n",
+                     "Mean Entrainment Velocity U_e [mm/s],h_c [nm],mu\n10,7,0.05\n"):
             with self.subTest(text):
                 self.assertEqual(numbers(text), wanted)
 
@@ -111,7 +113,9 @@ class Data(CurveTest):
                 ("speed [m/s],film [µm\n", "line 1, column 2 (film [µm): this unit does not fit"),
                 ("speed [m/s],friction [nm]\n", "line 1, column 2 (friction [nm]): this unit does not fit"),
                 ("speed [m/s],film [nm],film [m]\n", "line 1, column 3 (film [m]): this column is there twice"),
-                ("film [nm]\n7\n", "line 1: there is no column speed"), ("speed [m/s]\n7\n", "line 1: there is no column of what was measured"),
+                ("film [nm]\n7\n", "line 1: there is no column speed"), ("U [V],CoF\n", "line 1: there is no column speed"),
+                ("speed h [m/s],CoF\n", "line 1: there is no column speed"), ("ue,CoF\n", "line 1, column 1 (ue): its unit is missing"),
+                ("speed [m/s],h [hPa]\n", "line 1: there is no column of what was measured"), ("speed [m/s]\n7\n", "line 1: there is no column of what was measured"),
                 (HEAD + "0.1,20\n0.2,20,0.1,3\n", "line 2: 2 cells", "line 3: 4 cells"),
                 (HEAD + "0,20,0.1\n-1,20,x\n,20,0.1\n", "line 2, column 1 (speed [m/s]): 0 is not allowed",
                  "line 3, column 1 (speed [m/s]): -1 is not allowed", "line 3, column 3 (friction): x is not allowed",
@@ -124,6 +128,9 @@ class Data(CurveTest):
                      tree=quiet_scene("smooth", outputs=["film"]))
 
     def test_other_columns_are_named_in_one_line(self):
+        path = self.folder.write("measured.csv", "U [V],h [s],u [m/s],CoF\n1,2,0.01,0.05\n")
+        result = run("curve", self.write(quiet_scene("smooth")), "--data", path, "--format", "json")
+        self.assertEqual((result.code, result.err), (0, f"tribocheck: {path}: columns that are not compared: U [V], h [s]\n"))
         path = self.folder.write("measured.csv", "time [s],speed [m/s],friction,temperature [°C]\n1,0.01,-0.002,warm\n,5,0.05,\n")
         result = run("curve", self.write(quiet_scene("smooth")), "--data", path, "--format", "json")
         self.assertEqual((result.code, result.err), (0, f"tribocheck: {path}: columns that are not compared: time [s], temperature [°C]\n"))

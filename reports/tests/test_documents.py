@@ -41,6 +41,7 @@ DOCUMENTS = [
     Document("reproduce", "reproduce"), Document("reproduce", "reproduce --claim C1 --reading literal"),
     Document("accuracy", "verify"), Document("accuracy", "verify --reference WITHOUT_FRICTION", 1),
     Document("sweep", "sweep DRAWN -o OUT"), Document("sweep", "sweep show OUT"), Document("sweep", "sweep GRID -o GRID_OUT"),
+    Document("sweep", "sweep CROSSED -o CROSSED_OUT"), Document("contact", "contact SOFT"), Document("solve", "solve SOFT --explain"),
     Document("sweep", "sweep merge FIRST SECOND -o MERGED"),
     Document("sweep-diff", "sweep diff OUT MORE_LOAD --most 1000", 1), Document("sweep-diff", "sweep diff OUT OUT"),
     Document("verify-baseline", "verify --subject RIGHT --sample 5 --baseline BASE --update-baseline", file="BASE"),
@@ -65,6 +66,7 @@ def files_in(folder):
     made = {"SCENE": quiet_scene(), "ALL": few | {"closures": {"asperity": "greenwood_williamson"}}, "BAD": scene(load=-1),
             "COLLAPSED": scene("smooth", speed=[3, 4]), "FLOODED": scene(supply=None), "LOUD": scene(id="loud", load=5000),
             "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
+            "SOFT": few | {"bodies": {"effective_modulus": 1e7, "radius_x": 4e-2, "radius_y": 2e-3}, "closures": {"film": "hamrock_dowson_soft_central"}},
             "RIGID": line | {"speed": 1e10},
             "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}
     paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
@@ -73,7 +75,8 @@ def files_in(folder):
                                                        "outputs": '["film", "regime"]'},
                                                       onset='["film_maximum"]', draws=64, sensitivity="true"))
     paths["GRID"] = folder.write("grid.toml", sweep({"load": "[20, 50]", "speed": "3"}))
-    paths |= {word: folder.path(f"{word.lower()}.h5") for word in ("OUT", "GRID_OUT", "MERGED", "FIRST", "SECOND", "MORE_LOAD")}
+    paths["CROSSED"] = folder.write("crossed.toml", sweep({"accept": None, "load": "[20, 50]", "lubricant.viscosity": UNIFORM, "speed": "3"}, draws=64))
+    paths |= {word: folder.path(f"{word.lower()}.h5") for word in ("CROSSED_OUT", "OUT", "GRID_OUT", "MERGED", "FIRST", "SECOND", "MORE_LOAD")}
     more_load = folder.write("more_load.toml", pathlib.Path(paths["DRAWN"]).read_text().replace("load = 50", "load = 51"))
     for sweep_file, word, *shard in ((paths["GRID"], "FIRST", "--shard", "1/2"), (paths["GRID"], "SECOND", "--shard", "2/2"),
                                      (more_load, "MORE_LOAD")):

@@ -261,7 +261,7 @@ class HeatedInlets(GivenTest):
 
     def heated(self, **changes):
         lubricant = {"viscosity": 0.0202, "pressure_viscosity": 2e-8, "eyring_stress": 2.5e6, **self.GUPTA}
-        return smooth_scene(lubricant=lubricant, **changes)
+        return smooth_scene(lubricant=lubricant, **{"friction": {"boundary_coefficient": 0.13, "slide_roll_ratio": 1}} | changes)
 
     @staticmethod
     def factor(u):
@@ -297,6 +297,26 @@ class HeatedInlets(GivenTest):
     def test_all_of_it_or_nothing(self):
         for name in self.GUPTA:
             self.assert_scene_refused(without_field(self.heated(), f"lubricant.{name}"), f"lubricant.{name}", "missing")
+
+    def test_it_is_told_which_sliding_heats_it_where_the_scene_does_not_say(self):
+        """The default of S, full sliding, halves the film of a rolling bearing."""
+        silent = self.heated(speed=2, friction={"boundary_coefficient": 0.13})
+        words = r"friction\.slide_roll_ratio: missing, and the heated inlet of lubricant\.thermal .* default of 1 is taken"
+        path = self.folder.write("scene.json", silent)
+        for command in ("solve", "contact", "onset"):
+            done = run(command, path, "--strict")
+            self.assertEqual((done.code, len(done.error_lines)), (1, 1), done.err)
+            self.assertRegex(done.err, words)
+        for given in (self.heated(speed=2), with_field(silent, "friction.slide_roll_ratio", 0),
+                      with_field(silent, "lubricant.thermal", "none"), without_field(smooth_scene(), "friction.slide_roll_ratio")):
+            self.assertEqual(run("solve", self.folder.write("scene.json", given)).err, "")
+        told = json.loads(self.answer("contact", self.heated(speed=2), "--format", "json"))["scenes"][0]["lubricant"]
+        self.assertEqual([fact["value"] for fact in told if fact["name"] == "slide_roll_ratio"], [1])
+        ways = toml(silent).replace('thermal = "gupta"', 'thermal = ["none", "gupta"]')
+        self.folder.write("sweep.toml", ways)
+        done = run("sweep", self.folder.path("sweep.toml"), "-o", self.folder.path("out.h5"), "--force", "--strict")
+        self.assertEqual(done.code, 1)
+        self.assertRegex(done.err, words)
 
     def test_beyond_its_law_it_is_refused(self):
         self.assert_scene_refused(self.heated(speed=900), "lubricant.thermal", "gupta", "900 m/s")

@@ -67,6 +67,35 @@ class Cases(SweepTest):
         self.assertNotIn("mean", told)
         self.assertIn("mean", self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}), "--force").out)
 
+    def test_a_grid_crossed_with_a_distribution_has_quantiles_for_each_set_of_its_values(self):
+        """Each is that of a sweep of this load alone, whose draws are the same."""
+        drawn = {"lubricant.viscosity": UNIFORM, "speed": "0.1"}
+        alone = {}
+        for load in ("20", "50"):
+            self.swept(sweep(drawn | {"load": load}, draws=512), "--force")
+            told = run("sweep", "show", self.path("out.h5"), "--format", "json").json()["scenes"][0]
+            self.assertEqual(told["cells"], [])
+            alone[f"load {load} N"] = {column["name"]: column["values"][0] for column in told["columns"]}
+        self.swept(sweep(drawn | {"load": "[20, 50]"}, draws=512), "--force")
+        told = run("sweep", "show", self.path("out.h5"), "--format", "json").json()["scenes"][0]
+        self.assertEqual([one["values"] for one in told["cells"]], list(alone))
+        for one in told["cells"]:
+            for column in one["columns"]:
+                value, wanted = column["values"][0], alone[one["values"]][column["name"]]
+                self.assertEqual((value["count"], value.get("quantiles"), value.get("words")),
+                                 (512, wanted.get("quantiles"), wanted.get("words")), column["name"])
+        rows = run("sweep", "show", self.path("out.h5"), "--format", "csv").rows()
+        films = {row["grid_values"]: float(row["quantile_0.5"]) for row in rows if row["column"] == "film"}
+        self.assertEqual(set(films), {"", *alone})
+        self.assertLess(films["load 50 N"], films["load 20 N"])
+        table = run("sweep", "show", self.path("out.h5")).out
+        self.assertEqual(len([line for line in table.splitlines() if line.startswith("film ") and "load " in line]), 2, table)
+        self.assertRegex(table, r"\nfilm +all 2 ")
+        self.swept(sweep(drawn | {"load": "[20, 50]"}, draws=512, keep='"summaries"'), "--force")
+        done = run("sweep", "show", self.path("out.h5"))
+        self.assertIn("; over all 2 sets of grid values", done.out)
+        self.assertNotIn("load 20 N", done.out)
+
     def test_a_result_of_summaries_alone_has_no_cases(self):
         self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}, keep='"summaries"'))
         done = run("sweep", "show", self.path("out.h5"), "--cases")

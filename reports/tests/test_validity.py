@@ -7,8 +7,8 @@ import pathlib
 import re
 import unittest
 
-from program import Folder, quiet_scene, run, scene, with_field, without_field
-from sweeps import sweep
+from program import Folder, Literal, json_value, quiet_scene, run, scene, toml, with_field, without_field
+from sweeps import UNIFORM, sweep
 
 REFERENCE = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reference"
 SHIPPED = sorted([*REFERENCE.glob("published/*.toml"), *REFERENCE.glob("scenes/*.toml")])
@@ -50,14 +50,36 @@ class Warnings(ValidityTest):
     def smooth_scene(speed):
         return without_field(quiet_scene(speed=speed), "supply")
 
-    def test_faces_known_by_rq_alone_are_computed_as_smooth_and_the_warning_says_so(self):
+    def test_what_summits_of_faces_known_by_rq_alone_carry_is_undefined_where_they_touch(self):
         faces = {"surface": {"rms_roughness": "300 nm"}, "outputs": ["film", "regime"], "accept": []}
         done = run("solve", self.write(self.smooth_scene([0.1, 1]) | faces))
         self.assertRegex(done.warned, r"rough_as_smooth 0\.0\d* \(at least 3; touches shares, friction; this is Λ: the faces "
-                                      r"touch, and are computed as smooth, because Rq alone does not say what the summits carry; give "
-                                      r"summits or spectral moments\)")
+                                      r"touch, and Rq alone does not say what the summits carry: shares, friction and regime are "
+                                      r"undefined there; give summits or spectral moments\)")
         self.assertEqual(len(done.said.splitlines()), 1)
         self.assertEqual(self.passed("solve", self.smooth_scene(1) | faces | {"surface": {"rms_roughness": "1 nm"}}), [])
+
+    UNKNOWN = {"regime", "asperity_load_share", "fluid_load_share", "real_area_ratio", "summit_count", "friction"}
+
+    def test_no_command_says_what_unknown_summits_carry(self):
+        tree = self.smooth_scene([0.1, 1]) | {"surface": {"rms_roughness": 1e-8}}
+        thin, thick = run("solve", self.write(tree), "--format", "json").json()["points"]
+        self.assertEqual(set(thin["undefined"]), self.UNKNOWN)
+        self.assertTrue(all(why.startswith("Λ is below 3: the faces touch") for why in thin["undefined"].values()))
+        self.assertGreater(thin["film"], 0)
+        self.assertEqual((thick["regime"], thick["asperity_load_share"], "undefined" in thick), ("elastohydrodynamic", 0, False))
+        lines = "".join(json_value(tree | {"speed": speed}) + "\n" for speed in (0.1, 1))
+        self.assertEqual([set(one.get("undefined", {})) for one in run("stream", stdin=lines).json_lines()], [self.UNKNOWN, set()])
+        alone = tree | {"outputs": ["regime"]}  # without the film, from which Λ follows
+        self.assertEqual([one["regime"] for one in run("solve", self.write(alone), "--format", "json").json()["points"]],
+                         [None, "elastohydrodynamic"])
+        curve = run("curve", self.write(tree), "--format", "json").json()["points"]
+        self.assertEqual([set(one.get("undefined", {})) for one in curve], [self.UNKNOWN, set()])
+        path = self.folder.path("sweep.toml")
+        pathlib.Path(path).write_text(toml(tree | {"speed": Literal("0.1")}).replace("load = 50", "load = [50, 60]"), encoding="utf-8")
+        self.assertEqual(run("sweep", path, "-o", self.folder.path("out.h5"), "--force").code, 0)
+        rows = run("sweep", "show", self.folder.path("out.h5"), "--cases", "--format", "csv").rows()
+        self.assertEqual([(row["regime"], row["asperity_load_share"], row["friction"]) for row in rows], [("undefined", "", "")] * 2)
 
     def test_a_law_of_another_regime_is_told_with_the_one_to_take(self):
         rubber = quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3}, supply=None, accept=[], load=1)
@@ -185,6 +207,27 @@ class Sweeps(ValidityTest):
                 self.assertEqual(len(done.warned), len(done.said.rstrip("\n")))
                 shown = run("sweep", "show", self.folder.path("out.h5"), "--format", "json")
                 self.assertEqual(shown.json()["warnings"], done.json()["warnings"])
+
+    def test_it_is_told_how_many_cases_of_a_distribution_are_beyond_which_limit(self):
+        """p₀ of a circle is 4 GPa at 2564 N: of loads spread evenly from 1700 N to 3000 N a third is beyond."""
+        drawn = {"load": '{ distribution = "uniform", from = 1700, to = 3000 }', "speed": "0.1"}
+        done = self.run_sweep(drawn, "--format", "json", "--strict")
+        self.assertEqual(done.code, 1)
+        cases, judged = re.search(r"hertz_pressure [^;]*; the furthest of (\d+) of (\d+) cases", done.warned).groups()
+        self.assertEqual(judged, "1024")
+        self.assertAlmostEqual(int(cases) / 1024, (3000 - 2564) / 1300, delta=0.01)
+        found = {one["word"]: one for one in done.json()["warnings"]}
+        self.assertGreater(found["hertz_pressure"]["value"], 4.1e9)
+        shown = run("sweep", "show", self.folder.path("out.h5"), "--format", "json")
+        self.assertEqual(shown.json()["warnings"], done.json()["warnings"])
+
+    def test_tails_of_a_distribution_are_not_told(self):
+        few = {"load": '{ distribution = "uniform", from = 1700, to = 2569 }', "speed": "0.1"}
+        self.assertNotIn("hertz_pressure", self.run_sweep(few).warned)
+
+    def test_a_value_of_a_grid_whose_cases_alone_are_beyond_is_counted(self):
+        done = self.run_sweep({"load": "[50, 5000]", "lubricant.viscosity": UNIFORM, "speed": "0.1"}, "--format", "json")
+        self.assertRegex(done.warned, r"hertz_pressure 5 GPa \(at most 4 GPa; the furthest of 512 of 1024 cases\)")
 
     def test_strict_is_exit_code_one_after_the_result(self):
         varied = {"lubricant.viscosity": "[0.02, 20.2]", "speed": "0.1"}

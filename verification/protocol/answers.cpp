@@ -39,17 +39,13 @@ void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Vali
   if (!reading.scene) return append_first_error(to, reading);
   const Scene& scene = *reading.scene;
   const MixedContact<double> contact(scene);
-  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
+  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene));
+  std::optional<SmoothContact> smooth;
+  if (needs_smooth_contact(scene)) smooth.emplace(contact);
   AnswerObject answer(to, id_of(reading));
   for (const OutputInfo& output : output_infos)
-    if (scene.outputs.contains(output.output) && !output.is_of_smooth_contact)
-      answer.value(output.name, value_of(point, output.output));
-  if (scene.outputs.contains_any(smooth_outputs())) {
-    const SmoothContact smooth(contact);
-    for (const OutputInfo& output : output_infos)
-      if (scene.outputs.contains(output.output) && output.is_of_smooth_contact)
-        answer.value(output.name, value_of(smooth, output.output, point));
-  }
+    if (scene.outputs.contains(output.output))
+      answer.value(output.name, value_of(point, smooth ? &*smooth : nullptr, output.output));
   answer.close();
   to.push_back('\n');
   passed = passed_limits(scene, contact, point);
@@ -80,14 +76,25 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output) {
   return number(numbers_of(point)[static_cast<std::size_t>(output)]);
 }
 
-OutputValue value_of(const SmoothContact& contact, Output output,
-                     const OperatingPoint<double>& point) {
-  return number(contact.value(output, point.speed, point.film));
+bool needs_smooth_contact(const Scene& scene) {
+  return scene.outputs.contains_any(smooth_outputs()) || scene.surface.has_rq_alone();
 }
 
-OutputSet needed_for(OutputSet asked) {
+OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* smooth,
+                     Output output) {
+  if (smooth == nullptr) return value_of(point, output);
+  if (info(output).is_of_smooth_contact)
+    return number(smooth->value(output, point.speed, point.film));
+  if (summit_outputs().contains(output) && point.regime != Regime::collapsed &&
+      smooth->has_unknown_summits(point.speed, point.film))
+    return {.undefined = unknown_summits, .word = {}};
+  return value_of(point, output);
+}
+
+OutputSet needed_for(const Scene& scene) { return needed_for(scene, scene.outputs); }
+OutputSet needed_for(const Scene& scene, OutputSet asked) {
   if (asked.contains(Output::inlet)) asked.insert(Output::film);
-  return solved_outputs(asked);
+  return solved_outputs(asked, scene.surface.has_rq_alone());
 }
 
 void append_json_text(Text& to, std::string_view text) {

@@ -27,6 +27,8 @@ namespace tribo::protocol {
 inline constexpr std::string_view beyond_double = "outside the range of double precision";
 inline constexpr std::string_view film_collapsed =
     "the film has collapsed: nothing balances the load";
+inline constexpr std::string_view unknown_summits =
+    "Λ is below 3: the faces touch, and Rq alone does not say what their summits carry";
 
 // An output of an operating point as every format shows it. It is one of three: a reason why it is
 // undefined, a word, or a finite number.
@@ -38,13 +40,16 @@ struct OutputValue {
 
 // The output is none of smooth_outputs(), which a point does not hold.
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
-// The point has its speed and its film.
-OutputValue value_of(const SmoothContact& contact, Output output,
-                     const OperatingPoint<double>& point);
+// Any output. `smooth`: that of the scene where needs_smooth_contact(scene), else null. The point
+// has the outputs of needed_for().
+OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* smooth,
+                     Output output);
+bool needs_smooth_contact(const Scene& scene);
 
-// The outputs to compute so that value_of() has what it needs: the film of the least film, and of a
-// word the number by which an overflow is told.
-OutputSet needed_for(OutputSet asked);
+// The outputs to compute so that value_of() has what it needs: the film of the least film and of Λ,
+// and of a word the number by which an overflow is told.
+OutputSet needed_for(const Scene& scene);
+OutputSet needed_for(const Scene& scene, OutputSet asked);  // in place of its own
 
 // A JSON text with its quotes; bytes that are not UTF-8 become U+FFFD.
 void append_json_text(Text& to, std::string_view text);

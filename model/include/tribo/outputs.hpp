@@ -152,14 +152,6 @@ constexpr OutputSet smooth_outputs() {
   return set;
 }
 
-// The outputs that a point must have so that those asked for follow: the least film and Λ follow
-// from the film.
-constexpr OutputSet solved_outputs(OutputSet asked) {
-  if (asked.contains(Output::minimum_film) || asked.contains(Output::lambda_ratio))
-    asked.insert(Output::film);
-  return asked;
-}
-
 // The outputs that depend on the balance of the load: an output that is computed from A belongs
 // here.
 constexpr OutputSet balance_outputs() {
@@ -168,6 +160,23 @@ constexpr OutputSet balance_outputs() {
        {Output::asperity_load_share, Output::fluid_load_share, Output::friction, Output::regime})
     set.insert(output);
   return set;
+}
+
+// The outputs that say what summits do.
+constexpr OutputSet summit_outputs() {
+  OutputSet set = balance_outputs();
+  set.insert(Output::real_area_ratio);
+  set.insert(Output::summit_count);
+  return set;
+}
+
+// The outputs that a point must have so that those asked for follow: the least film and Λ follow
+// from the film, and so does whether the summits of faces are known (`knows_rq_alone`).
+constexpr OutputSet solved_outputs(OutputSet asked, bool knows_rq_alone) {
+  if (asked.contains(Output::minimum_film) || asked.contains(Output::lambda_ratio) ||
+      (knows_rq_alone && asked.contains_any(summit_outputs())))
+    asked.insert(Output::film);
+  return asked;
 }
 
 }  // namespace tribo

@@ -80,6 +80,8 @@ struct Surface {
   bool has_moments() const { return moments.m0 > 0; }
   // Without summits: smooth bodies, between which the film carries all the load. λ has no σ_s.
   bool is_smooth() const { return summit_height_sd == 0 && !has_moments(); }
+  // Faces whose summits are not known.
+  bool has_rq_alone() const { return is_smooth() && (rms_roughness > 0 || average_roughness > 0); }
 };
 
 // One of the two bodies. 0: not given.

@@ -45,7 +45,9 @@ inline constexpr double least_mixed_lambda_ratio = 1, least_full_film_lambda_rat
 class SmoothContact {
  public:
   explicit SmoothContact(const MixedContact<double>& contact)
-      : hertz_(contact.hertz()), rms_roughness_(contact.scene_numbers().rms_roughness) {
+      : hertz_(contact.hertz()),
+        rms_roughness_(contact.scene_numbers().rms_roughness),
+        has_summits_(contact.scene_numbers().summit_density > 0) {
     const FilmLaw& law = contact.film();
     const FilmLaw& minimum_law = minimum_film_law(law);
     if (&minimum_law == &law) return;
@@ -71,6 +73,12 @@ class SmoothContact {
         return minimum_film(speed, film) / rms_roughness_;
     }
   }
+  // Do faces touch whose Rq alone is known, at a speed and film? Below Λ = 3 nothing says what
+  // their summits carry: summit_outputs() are undefined.
+  bool has_unknown_summits(double speed, double film) const {
+    return !has_summits_ &&
+           minimum_film(speed, film) < least_full_film_lambda_ratio * rms_roughness_;
+  }
   // 0 where the film has collapsed.
   double minimum_film(double speed, double film) const {
     return film == 0 ? 0 : film * part_of_film(speed);
@@ -85,6 +93,7 @@ class SmoothContact {
 
   HertzContact<double> hertz_;
   double rms_roughness_;
+  bool has_summits_;
   double part_at_unit_speed_ = 1;
   Fraction speed_exponent_{0, 1};  // of that part
 };

@@ -5,7 +5,10 @@
 // limits that it passes: accept = ["barus", "speed_range"].
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,7 +21,7 @@ template <class T>
 class MixedContact;
 struct FilmLaw;
 
-// A limit, and where a scene stands to it. All texts live as long as the program.
+// A limit, and where a scene stands to it. The views' texts live as long as the program.
 struct Validity {
   std::string_view word;              // "hertz_pressure"
   std::string_view assumption;        // a whole sentence; of a range the meaning of its field
@@ -31,10 +34,13 @@ struct Validity {
   // The results that are wrong where the limit is passed, with all that follows from them:
   // "friction", of a solved film "pressure", "film", "shares, friction", or "everything".
   std::string_view touches = "everything";
-  std::string_view advice = "";  // what passing it means, and what to do; empty: nothing to add
-  bool value_follows = false;    // of a field: from others that the scene gives
-  bool is_accepted = false;      // by the scene, whether it is passed or not
+  std::string advice = "";     // what passing it means, and what to do; empty: nothing to add
+  bool value_follows = false;  // of a field: from others that the scene gives
+  bool is_accepted = false;    // by the scene, whether it is passed or not
+  // Of a sweep: so many of the cases that were judged pass it; `value` is that furthest beyond.
+  std::uint64_t cases = 0, judged_cases = 0;
 
+  bool is_known() const { return least != 0 || greatest < std::numeric_limits<double>::infinity(); }
   bool holds() const { return value >= least && value <= greatest; }
   bool is_passed() const { return !holds() && !is_accepted; }
   // The bound that is passed; where none is, the upper one if there is one.

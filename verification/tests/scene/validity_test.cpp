@@ -263,6 +263,86 @@ TEST(Validity, FacesWithoutSummitsAreSmoothFromAFullFilmOn) {
   EXPECT_EQ(limit_of(scene_of(text), "rough_as_smooth").word, "");
 }
 
+// σ_s = Rq √(1 − 0.8968/α) of an isotropic Gaussian face, whose α is 1.5 or more.
+TEST(Validity, HeightsOfSummitsAreThoseOfTheirFace) {
+  using enum verification::True;
+  const double sd = 5e-9, least = 0.9 * std::sqrt(1 - 0.8968 / 1.5);
+  const auto is_passed = [](double roughness) {
+    return passes(with(ordinary(), "surface.rms_roughness", roughness), "summit_heights");
+  };
+  EXPECT_TRUE(
+      verification::changes_at_its_limit({"summit_heights", sd / 1.1, below, is_passed, 1e-12}));
+  EXPECT_TRUE(
+      verification::changes_at_its_limit({"summit_heights", sd / least, above, is_passed, 1e-5}));
+  SceneText profile = ordinary().remove_section("surface").set("surface.m0", "1e-16");
+  profile.set("surface.m2", "1e-4").set("surface.m4", "1e9");
+  EXPECT_EQ(limit_of(scene_of(profile), "summit_heights").word, "");
+  EXPECT_EQ(limit_of(scene_of(ordinary()), "summit_heights").word, "");
+}
+
+// A ball beside a groove whose minus was forgotten, and pairs that have none.
+TEST(Validity, AGrooveThatIsConvexIsTold) {
+  const auto is_passed = [](const char* first, const char* second) {
+    SceneText text = ordinary().remove("bodies.reduced_radius");
+    text.set("bodies.first_radius_x", "0.004").set("bodies.second_radius_x", "0.015");
+    text.set("bodies.first_radius_y", first).set("bodies.second_radius_y", second);
+    return passes(text, "groove");
+  };
+  EXPECT_EQ(is_passed("0.004", "0.00416"), true);
+  EXPECT_EQ(is_passed("0.00416", "0.004"), true);
+  EXPECT_EQ(is_passed("0.004", "0.00479"), true);
+  EXPECT_EQ(is_passed("0.004", "0.00481"), false);
+  EXPECT_EQ(is_passed("0.004", "-0.00416"), false);
+  EXPECT_EQ(is_passed("0.004", "0.004"), false);
+  EXPECT_EQ(is_passed("0.004", "inf"), false);
+}
+
+// Radii of faces in mm, along the motion; one that was meant to be flat is no slip.
+TEST(Validity, ABallOfMetresIsTold) {
+  const auto found = [](const char* first) {
+    SceneText text = ordinary().remove("bodies.reduced_radius");
+    text.set("bodies.first_radius_x", first).set("bodies.second_radius_x", "0.02");
+    text.set("bodies.first_radius_y", "0.01").set("bodies.second_radius_y", "inf");
+    return limit_of(scene_of(text), "first_radius_x_range");
+  };
+  EXPECT_EQ(found("9.5").likely_unit, "mm");
+  EXPECT_FALSE(found("9.5").holds());
+  for (const char* const other : {"0.0095", "5", "1000", "1e30"})
+    EXPECT_EQ(found(other).word, "") << other;
+}
+
+// What heat costs: Gupta's factor without sliding, with β = 0.04/K and k_f = 0.14 W/(m K).
+TEST(Validity, TheWarningOfHeatNamesTheCureAndThePartOfTheFilm) {
+  const Scene fast = scene_of(ordinary().set("speed", "20"));
+  const Validity heat = limit_of(fast, "inlet_heating");
+  const double peak = MixedContact<double>(fast).hertz().peak_pressure;
+  const double l = 0.04 * heat.value;
+  const double factor =
+      (1 - 13.2 * peak / (2 * 107.9e9) * std::pow(l, 0.42)) / (1 + 0.213 * std::pow(l, 0.64));
+  const std::string part = fmt::format("by some {:.0f} %", 100 * (1 - factor));
+  EXPECT_NE(heat.advice.find(part), std::string::npos) << heat.advice;
+  EXPECT_NE(heat.advice.find("lubricant.thermal"), std::string::npos);
+  EXPECT_EQ(limit_of(scene_of(ordinary()), "inlet_heating").advice, "");
+}
+
+// A solved film leaves heat out, whatever the scene says of it.
+TEST(Validity, OfASolvedFilmTheHeatIsTold) {
+  SceneText line = ordinary().remove_section("surface").remove("bodies.reduced_radius");
+  line.set("bodies.radius_x", "0.01").set("bodies.length", "0.01").set("speed", "20");
+  line.set("closures.film", "\"dowson_toyoda_central\"").set("friction.slide_roll_ratio", "0");
+  line.set("lubricant.thermal", "\"gupta\"").set("lubricant.conductivity", "0.14");
+  line.set("lubricant.temperature_coefficient", "0.04");
+  EXPECT_EQ(limit_of(scene_of(line), "inlet_heating").word, "");
+  const Scene solved = scene_of(line, SceneUse::line_film);
+  const Validity heat = limit_of(solved, "inlet_heating", SceneUse::line_film);
+  EXPECT_FALSE(heat.holds());
+  EXPECT_NE(heat.advice.find("the solved film leaves heat out"), std::string::npos);
+  const SceneReading told = read(Format::toml, line, SceneUse::line_film);
+  EXPECT_TRUE(has_problem(told.warnings, "lubricant.thermal", "isothermal"));
+  line.set("lubricant.thermal", "\"none\"");
+  EXPECT_TRUE(read(Format::toml, line, SceneUse::line_film).warnings.empty());
+}
+
 TEST(Validity, SaysWhichResultsALimitTouches) {
   const Scene loud = scene_of(SceneText::good()
                                   .set("lubricant.viscosity", "20.2")
@@ -395,7 +475,7 @@ TEST(Accept, EachWordIsTakenAndSilencesItsLimitAlone) {
     std::erase(left, word);
     EXPECT_EQ(words_passed(quiet), left) << word;
   }
-  EXPECT_EQ(assumption_words().size(), 18u);
+  EXPECT_EQ(assumption_words().size(), 20u);
   for (const std::string_view word : assumption_words()) EXPECT_FALSE(word.ends_with("_range"));
 }
 
