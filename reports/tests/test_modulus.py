@@ -23,7 +23,7 @@ class Modulus(ProgramTest):
     def test_a_solver_of_twice_the_modulus_is_right_where_it_says_so_and_wrong_elsewhere(self):
         result = self.verdict("--modulus", "E'")
         self.assertEqual((result.code, result.out.splitlines()[-1]),
-                         (0, "COMPLETE: 87 of 87 quantities held (tolerance: engineering)."))
+                         (0, "COMPLETE: 98 of 98 quantities held (tolerance: engineering)."))
         for options in ((), ("--modulus", "E*")):
             wrong = {one["quantity"] for one in self.verdict("--format", "json", *options).json()["quantities"]
                      if one["status"] == "FAILED"}
