@@ -115,6 +115,16 @@ constexpr std::array regime_parameters{
               .default_value = 1}};
 constexpr std::array regime_results{Result{"value", "Ĥ = (h_min/R_x)(W/U)²"}};
 
+constexpr Parameter temperature_viscosity{.name = "temperature_viscosity",
+                                          .meaning = "β = −d ln η/dT",
+                                          .unit = "1/K",
+                                          .least = 1e-3,
+                                          .greatest = 0.2};
+constexpr Parameter thermal_conductivity{.name = "thermal_conductivity",
+                                         .meaning = "k_f, of the oil",
+                                         .unit = "W/(m·K)",
+                                         .least = 0.01,
+                                         .greatest = 10};
 constexpr std::array thermal_parameters{
     Parameter{.name = "peak_pressure",
               .meaning = "p₀, of Hertz",
@@ -126,25 +136,26 @@ constexpr std::array thermal_parameters{
               .meaning = "S, sliding speed over the mean of the two surfaces' speeds",
               .range = Range::not_below_zero,
               .greatest = 10},
-    Parameter{.name = "temperature_viscosity",
-              .meaning = "β = −d ln η/dT",
-              .unit = "1/K",
-              .least = 1e-3,
-              .greatest = 0.2},
+    temperature_viscosity,
     viscosity,
     speed,
-    Parameter{.name = "thermal_conductivity",
-              .meaning = "k_f, of the oil",
-              .unit = "W/(m·K)",
-              .least = 0.01,
-              .greatest = 10}};
-constexpr std::array thermal_combinations{
-    Combination{.name = "thermal_loading",
-                .meaning = "L = βη₀u²/k_f",
-                .least = 1e-12,
-                .greatest = 100,
-                .value = [](const Arguments& x) { return x[3] * x[4] * x[5] * x[5] / x[6]; },
-                .parameter = "temperature_viscosity"}};
+    thermal_conductivity};
+// L of β, η₀, u and k_f, the first of which is argument `first`.
+template <std::size_t first>
+constexpr Combination thermal_loading{.name = "thermal_loading",
+                                      .meaning = "L = βη₀u²/k_f",
+                                      .least = 1e-12,
+                                      .greatest = 100,
+                                      .value =
+                                          [](const Arguments& x) {
+                                            return x[first] * x[first + 1] * x[first + 2] *
+                                                   x[first + 2] / x[first + 3];
+                                          },
+                                      .parameter = "temperature_viscosity"};
+constexpr std::array thermal_combinations{thermal_loading<3>};
+constexpr std::array rolling_parameters{temperature_viscosity, viscosity, speed,
+                                        thermal_conductivity};
+constexpr std::array rolling_combinations{thermal_loading<0>};
 constexpr std::array thermal_results{Result{"value", "φ_T, film over that of an isothermal inlet"}};
 
 double thermal_reduction(const Arguments& x) {
@@ -308,6 +319,22 @@ constexpr std::array entries{
         .example = {1e9, 107.9e9, 0.1, 0.04, 0.0202, 5, 0.14},
         .refusal = too_hot,
         .combinations = thermal_combinations},
+    Function{
+        .name = "murch_wilson_thermal_reduction",
+        .meaning = "film of an inlet that shear heats in pure rolling over an isothermal one",
+        .equation = "φ_T = 3.94/(3.94 + L^0.62), L = βη₀u²/k_f",
+        .source = "L. E. Murch, W. R. D. Wilson: A thermal elastohydrodynamic inlet zone "
+                  "analysis. J. Lubr. Technol. 97 (1975) 212, doi 10.1115/1.3452559; u is "
+                  "the mean speed, and 1/3.94 is printed as 0.254, by W. R. D. Wilson, S. "
+                  "Sheu: Effect of inlet shear heating due to sliding on "
+                  "elastohydrodynamic film thickness. J. Lubr. Technol.",
+        .parameters = rolling_parameters,
+        .results = thermal_results,
+        .value = [](const Arguments& x,
+                    Results& y) { y[0] = murch_wilson_thermal_reduction(x[0], x[1], x[2], x[3]); },
+        .contract = murch_wilson_thermal_contract,
+        .example = {0.04, 0.0202, 5, 0.14},
+        .combinations = rolling_combinations},
 };
 
 }  // namespace

@@ -32,6 +32,35 @@ constexpr std::array roelands_combinations{exponent("ln(η/η₀)", [](const Arg
 })};
 constexpr std::array viscosity_results{Result{"value", "η, at the pressure", "Pa·s"}};
 
+constexpr std::array thinning_parameters{
+    Parameter{.name = "viscosity",
+              .meaning = "η₀, at rest",
+              .unit = "Pa·s",
+              .least = viscosity.least,
+              .greatest = 1e6},
+    Parameter{.name = "high_shear_viscosity",
+              .meaning = "η_∞, at the highest shear rates",
+              .unit = "Pa·s",
+              .range = Range::not_below_zero,
+              .greatest = 100},
+    Parameter{
+        .name = "relaxation_time", .meaning = "λ", .unit = "s", .least = 1e-12, .greatest = 100},
+    Parameter{.name = "shear_rate",
+              .meaning = "γ̇",
+              .unit = "1/s",
+              .range = Range::not_below_zero,
+              .greatest = 1e10},
+    Parameter{
+        .name = "transition_exponent", .meaning = "a; 2 by Carreau", .least = 0.2, .greatest = 10},
+    Parameter{.name = "power_law_index", .meaning = "n, at most 1", .least = 0.1, .greatest = 1}};
+constexpr std::array thinning_combinations{
+    Combination{.name = "shear_number",
+                .meaning = "λγ̇",
+                .greatest = 1e6,
+                .value = [](const Arguments& x) { return x[2] * x[3]; },
+                .parameter = "shear_rate"}};
+constexpr std::array thinning_results{Result{"value", "η, at the shear rate", "Pa·s"}};
+
 constexpr Parameter temperature_of(std::string_view name, std::string_view meaning) {
   return {.name = name, .meaning = meaning, .unit = "K", .least = 200, .greatest = 600};
 }
@@ -75,6 +104,10 @@ std::optional<Refusal> too_thin_for_roelands(const Arguments& x) {
   return Refusal{"viscosity",
                  "Roelands' law needs a viscosity above 6.315e-5 Pa·s, where ln η₀ + 9.67 is above "
                  "0"};
+}
+std::optional<Refusal> thickens(const Arguments& x) {
+  if (x[5] <= 1) return std::nullopt;
+  return Refusal{"power_law_index", "a liquid that shear thins has an index of at most 1"};
 }
 std::optional<Refusal> no_line_of_astm_d341(const Arguments& x) {
   constexpr std::string_view too_thin =
@@ -135,6 +168,23 @@ constexpr std::array entries{
              .example = {0.0202, 2e-8, 1e9},
              .refusal = too_thin_for_roelands,
              .combinations = roelands_combinations},
+    Function{.name = "carreau_yasuda_viscosity",
+             .meaning = "viscosity of a liquid that shear thins",
+             .equation = "η = η_∞ + (η₀ − η_∞)[1 + (λγ̇)^a]^((n − 1)/a)",
+             .source = "P. J. Carreau: Rheological equations from molecular network theories. "
+                       "Trans. Soc. Rheol. 16 (1972) 99, with a = 2; K. Yasuda: Investigation of "
+                       "the analogies between viscometric and linear viscoelastic properties of "
+                       "polystyrene fluids. Thesis, MIT (1979)",
+             .parameters = thinning_parameters,
+             .results = thinning_results,
+             .value =
+                 [](const Arguments& x, Results& y) {
+                   y[0] = tribo::carreau_yasuda_viscosity(x[0], x[1], x[2], x[3], x[4], x[5]);
+                 },
+             .contract = carreau_yasuda_contract,
+             .example = {0.1, 0.01, 1e-6, 1e7, 2, 0.5},
+             .refusal = thickens,
+             .combinations = thinning_combinations},
     Function{.name = "astm_d341_viscosity",
              .meaning = "kinematic viscosity at a temperature, from those at two others",
              .equation = "log log(ν + 0.7) = A − B log T, ν in mm²/s, T in K",

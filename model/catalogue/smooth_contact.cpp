@@ -2,9 +2,11 @@
 // Smooth elastic contact.
 #include "catalogue/families.hpp"
 #include "catalogue/parameters.hpp"
+#include "tribo/adhesion.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/hertz_line.hpp"
+#include "tribo/subsurface_shear.hpp"
 
 namespace tribo::catalogue {
 namespace {
@@ -45,6 +47,71 @@ constexpr std::array ellipse_combinations{
                 .greatest = 1e4,
                 .value = [](const Arguments& x) { return x[3] / x[2]; },
                 .parameter = "radius_y"}};
+constexpr std::array shear_parameters{Parameter{.name = "peak_pressure",
+                                                .meaning = "p₀, of Hertz",
+                                                .unit = "Pa",
+                                                .least = 1e4,
+                                                .greatest = 2e10},
+                                      Parameter{.name = "radius",
+                                                .meaning = "a, of the circle of contact",
+                                                .unit = "m",
+                                                .least = 1e-8,
+                                                .greatest = 0.1},
+                                      Parameter{.name = "depth",
+                                                .meaning = "z, below the surface, on the axis",
+                                                .unit = "m",
+                                                .range = Range::not_below_zero,
+                                                .greatest = 1},
+                                      Parameter{.name = "poisson_ratio",
+                                                .meaning = "ν, of the body",
+                                                .range = Range::poisson_ratio,
+                                                .greatest = 0.5}};
+constexpr std::array shear_combinations{
+    Combination{.name = "relative_depth",
+                .meaning = "z/a",
+                .greatest = 10,
+                .value = [](const Arguments& x) { return x[2] / x[1]; },
+                .parameter = "depth"}};
+constexpr std::array shear_results{
+    Result{"value", "τ, the greatest shear stress there, (σ_r − σ_z)/2", "Pa"}};
+
+constexpr Parameter work_of_adhesion{.name = "work_of_adhesion",
+                                     .meaning = "w, of both faces: γ₁ + γ₂ − γ₁₂",
+                                     .unit = "J/m²",
+                                     .least = 1e-4,
+                                     .greatest = 10};
+constexpr Parameter tip_radius{.name = "reduced_radius",
+                               .meaning = tribo::catalogue::reduced_radius.meaning,
+                               .unit = "m",
+                               .least = 1e-9,
+                               .greatest = tribo::catalogue::reduced_radius.greatest};
+constexpr std::array jkr_parameters{Parameter{.name = "load",
+                                              .meaning = "F, below 0 where it pulls",
+                                              .unit = "N",
+                                              .range = Range::any,
+                                              .least = -10,
+                                              .greatest = 1e6},
+                                    work_of_adhesion, effective_modulus, tip_radius};
+constexpr std::array jkr_combinations{
+    Combination{.name = "relative_load",
+                .meaning = "F/(πwR)",
+                .least = -1.5,
+                .greatest = 1e6,
+                .value = [](const Arguments& x) { return x[0] / (pi<double>() * x[1] * x[3]); },
+                .parameter = "load"}};
+constexpr std::array jkr_results{Result{"value", "a, radius of the circle of contact", "m"}};
+std::optional<Refusal> has_parted(const Arguments& x) {
+  if (2 * x[0] + 3 * pi<double>() * x[1] * x[3] >= 0) return std::nullopt;
+  return Refusal{"load",
+                 "the bodies have parted: they can be pulled with at most (3/2)πwR, so that load "
+                 "has to be -4.712 work_of_adhesion reduced_radius or more"};
+}
+constexpr std::array pull_off_parameters{
+    Parameter{.name = "adhesion", .meaning = "theory", .words = adhesion_words}, work_of_adhesion,
+    tip_radius};
+constexpr std::array pull_off_results{
+    Result{"value", "the tensile force that parts the bodies, above 0", "N"}};
+
 constexpr std::array entries{
     Function{.name = "hertz_point",
              .meaning = "circular contact of two smooth elastic bodies",
@@ -96,6 +163,50 @@ constexpr std::array entries{
             },
         .contract = hertz_line_contract,
         .example = {1e5, 107.9e9, 9.5e-3}},
+    Function{
+        .name = "subsurface_shear",
+        .meaning = "greatest shear stress on the axis below a circular contact without friction",
+        .equation = "τ = (p₀/2)|3q/2 − (1 + ν)(1 − ζ atan(1/ζ))|, q = 1/(1 + ζ²), ζ = z/a",
+        .source = "K. L. Johnson: Contact Mechanics (1985), section 3.4, equations 3.45; greatest "
+                  "at 0.48a, 0.31p₀, for ν = 0.3",
+        .parameters = shear_parameters,
+        .results = shear_results,
+        .value = [](const Arguments& x,
+                    Results& y) { y[0] = tribo::subsurface_shear(x[0], x[1], x[2], x[3]); },
+        .contract = subsurface_shear_contract,
+        .example = {1e9, 1e-4, 4.8e-5, 0.3},
+        .combinations = shear_combinations},
+    Function{.name = "jkr_radius",
+             .meaning = "radius of the circle of contact of soft bodies that adhere",
+             .equation = "a³ = 3R/(4E*) [F + 3πwR + √(6πwRF + (3πwR)²)]; refused below the "
+                         "pull-off, F = −(3/2)πwR",
+             .source = "K. L. Johnson, K. Kendall, A. D. Roberts: Surface energy and the contact "
+                       "of elastic solids. Proc. R. Soc. Lond. A 324 (1971) 301; their K is "
+                       "4E*/3",
+             .parameters = jkr_parameters,
+             .results = jkr_results,
+             .value = [](const Arguments& x,
+                         Results& y) { y[0] = tribo::jkr_radius(x[0], x[1], x[2], x[3]); },
+             .contract = jkr_contract,
+             .example = {1e-3, 0.05, 1e6, 0.01},
+             .refusal = has_parted,
+             .combinations = jkr_combinations},
+    Function{.name = "pull_off_force",
+             .meaning = "force that parts two bodies that adhere",
+             .equation = "F = (3/2)πwR by jkr, 2πwR by dmt",
+             .source = "jkr: K. L. Johnson, K. Kendall, A. D. Roberts: Surface energy and the "
+                       "contact of elastic solids. Proc. R. Soc. Lond. A 324 (1971) 301; dmt: B. "
+                       "V. Derjaguin, V. M. Muller, Yu. P. Toporov: Effect of contact "
+                       "deformations on the adhesion of particles. J. Colloid Interface Sci. 53 "
+                       "(1975) 314",
+             .parameters = pull_off_parameters,
+             .results = pull_off_results,
+             .value =
+                 [](const Arguments& x, Results& y) {
+                   y[0] = tribo::pull_off_force(enum_at<Adhesion>(x[0]), x[1], x[2]);
+                 },
+             .contract = pull_off_contract,
+             .example = {0, 0.05, 0.01}},
 };
 
 }  // namespace

@@ -101,6 +101,16 @@ Ball thermal_by_roots(const Balls& x) {
          (x[1] * (100000 + 213 * sheared * (100 + 223 * slid)));
 }
 
+// Inputs: beta, eta0, u and k_f.
+Ball rolling(const Balls& x) {
+  const Ball l = x[0] * x[1] * x[2] * x[2] / x[3];
+  return fraction(394, 100) / (fraction(394, 100) + pow(l, fraction(62, 100)));
+}
+Ball rolling_by_roots(const Balls& x) {
+  const Ball l = x[0] * x[1] / x[3] * pow(x[2], Ball(2));
+  return 1 - 1 / (1 + fraction(197, 50) / root_of_power(pow(l, Ball(31)), 50));
+}
+
 Table moes_lines() {
   Table table{
       {"moes_line", "H = {(RI^(7/3) + EI^(7/3))^(3s/7) + (RP^(-7/2) + EP^(-7/2))^(-2s/7)}^(1/s)",
@@ -234,8 +244,36 @@ Table thermal_reductions() {
   return table;
 }
 
+Table rolling_reductions() {
+  Table table{{"murch_wilson_thermal_reduction", "3.94/(3.94 + L^0.62), L = beta eta0 u^2/k_f",
+               "dimensionless",
+               "beta [0.01, 0.1] 1/K, viscosity [1e-3, 1] Pa s, speed [0.01, 30] m/s, k_f [0.05, "
+               "0.3] W/(m K); far: speed [1e-100, 1e100] m/s",
+               "powers", "bisection on whole powers",
+               "temperature_viscosity,viscosity,speed,thermal_conductivity"},
+              "tm"};
+  const auto add = [&table](const Numbers& x, const char* region) {
+    table.add({}, x, rolling, rolling_by_roots, region);
+  };
+  Sampler sampler(1523);
+  for (int i = 0; i < 50; ++i) {
+    const bool usual = i < 42;
+    const double beta = sampler.uniform(0.01, 0.1), viscosity = sampler.log_uniform(1e-3, 1);
+    const double speed = usual ? sampler.log_uniform(0.01, 30) : sampler.log_uniform(1e-100, 1e100);
+    add({beta, viscosity, speed, sampler.uniform(0.05, 0.3)}, usual ? "ordinary" : "far");
+  }
+  for (const Numbers& x : steps({0.03, 0.02, 2, 0.12}, {0.05, 0.09, 5, 0.15})) add(x, "ordinary");
+  for (const Numbers& x : at_ends({0.03, 0.02, 1.5, 0.12},
+                                  {{0, 1e-3, 0.2}, {1, 1e-4, 100}, {2, 1e-6, 100}, {3, 0.01, 10}}))
+    add(x, "end");
+  add({0.03, 0.04, 99.9, 0.12}, "end");  // L next to 100
+  return table;
+}
+
 }  // namespace
 
-std::vector<Table> film_formulas() { return {moes_lines(), regime_films(), thermal_reductions()}; }
+std::vector<Table> film_formulas() {
+  return {moes_lines(), regime_films(), thermal_reductions(), rolling_reductions()};
+}
 
 }  // namespace tribo::reference

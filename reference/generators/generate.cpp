@@ -14,8 +14,9 @@ using namespace tribo::reference;
 
 std::vector<Table> all_tables() {
   std::vector<Table> all;
-  for (const auto make : {two_bodies, gaussian_moments, load_sharing_roots, starvation,
-                          hertz_contacts, film_formulas, liquids, operating_points, film_laws})
+  for (const auto make :
+       {two_bodies, gaussian_moments, load_sharing_roots, starvation, hertz_contacts, film_formulas,
+        liquids, operating_points, film_laws, rough_faces, adhesion})
     for (Table& table : make()) all.push_back(std::move(table));
   return all;
 }

@@ -249,6 +249,61 @@ Table temperature_viscosities() {
   return table;
 }
 
+// Inputs: eta0, eta_inf, lambda, the shear rate, a and n.
+Ball carreau_yasuda(const Balls& x) {
+  if (x[3] == 0) return x[0];
+  const Ball stretched = 1 + pow(x[2] * x[3], x[4]);
+  return x[1] + (x[0] - x[1]) * pow(stretched, (x[5] - 1) / x[4]);
+}
+// By logarithms, and as eta0 less what is lost.
+Ball carreau_yasuda_by_loss(const Balls& x) {
+  if (x[3] == 0) return x[0];
+  const Ball stretched = log1p(exp(x[4] * (log(x[2]) + log(x[3]))));
+  return x[0] + (x[0] - x[1]) * expm1(-stretched * (1 - x[5]) / x[4]);
+}
+
+Table thinning_viscosities() {
+  Table table{
+      {"carreau_yasuda_viscosity", "eta_inf + (eta0 - eta_inf) (1 + (lambda rate)^a)^((n - 1)/a)",
+       "Pa s",
+       "viscosity [1e-3, 1e4] Pa s, viscosity at high shear 0 or up to a half of it, "
+       "relaxation time [1e-9, 1] s, rate 0 or such that lambda rate is in [1e-3, 1e5], a "
+       "[0.5, 4], n [0.1, 1]; end: a [0.2, 10], lambda rate to 1e6; far: lambda rate [1e-12, "
+       "1e12]",
+       "powers", "logarithms, and eta0 less what is lost",
+       "viscosity,high_shear_viscosity,relaxation_time,shear_rate,transition_exponent,"
+       "power_law_index"},
+      "lc"};
+  const auto add = [&table](const Numbers& x, const char* region) {
+    table.add({}, x, carreau_yasuda, carreau_yasuda_by_loss, region);
+  };
+  Sampler sampler(1536);
+  for (int i = 0; i < 60; ++i) {
+    const bool usual = i < 48;
+    const double viscosity = sampler.log_uniform(1e-3, 1e4);
+    const double high = i % 4 == 1 ? 0 : viscosity * sampler.log_uniform(1e-4, 0.5);
+    const double time = sampler.log_uniform(1e-9, 1);
+    const double number = usual ? sampler.log_uniform(1e-3, 1e5) : sampler.log_uniform(1e-12, 1e12);
+    const double rate = i % 12 == 2 ? 0 : number / time;
+    const double a = i % 3 == 0 ? 2 : sampler.uniform(0.5, 4);
+    add({viscosity, high, time, rate, a, sampler.uniform(0.1, 1)}, usual ? "ordinary" : "far");
+  }
+  for (const Numbers& x : steps({0.4, 0.02, 1e-5, 1e6, 2, 0.5}, {0.9, 0.07, 3e-5, 2e6, 1.4, 0.35}))
+    add(x, "ordinary");
+  for (const Numbers& x : at_ends(
+           {0.4, 0.02, 1e-5, 1e6, 2, 0.5},
+           {{0, 1e-4, 1e6}, {1, 0, 100}, {2, 1e-12, 100}, {3, 0, 1e10}, {4, 0.2, 10}, {5, 0.1, 1}}))
+    add(x, "end");
+  for (const Numbers& x : {Numbers{0.4, 0.02, 1e-12, 1e10, 0.5, 0.5},
+                           {1e3, 0.02, 100, 1e3, 2, 0.5},
+                           {1e3, 0, 1e-4, 1e10, 2, 0.5},
+                           {0.4, 0, 1e-5, next_to_end * 1e11, 2, 0.8},
+                           {0.4, 0.02, 1e-5, 2e5, 10, 0.5},
+                           {0.4, 0.02, 1e-5, 1.1e5, 10, 0.5}})
+    add(x, "end");
+  return table;
+}
+
 Table viscosity_indices() {
   Table table{{"viscosity_index",
                "VI = 100 (L - U)/(L - H); where U is below H, 100 + (10^N - 1)/0.00715 with N = "
@@ -342,8 +397,9 @@ Table summits_of_moments() {
 }  // namespace
 
 std::vector<Table> liquids() {
-  return {densities(),          temperature_viscosities(), viscosity_indices(),
-          summits_of_moments(), barus_viscosities(),       roelands_viscosities()};
+  return {densities(),           temperature_viscosities(), viscosity_indices(),
+          summits_of_moments(),  barus_viscosities(),       roelands_viscosities(),
+          thinning_viscosities()};
 }
 
 }  // namespace tribo::reference

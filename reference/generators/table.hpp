@@ -125,6 +125,8 @@ std::vector<Table> gaussian_moments();
 std::vector<Table> load_sharing_roots();
 std::vector<Table> starvation();
 std::vector<Table> hertz_contacts();
+std::vector<Table> rough_faces();
+std::vector<Table> adhesion();
 std::vector<Table> film_formulas();
 std::vector<Table> liquids();
 std::vector<Table> operating_points();

@@ -4,11 +4,13 @@
 #include <numbers>
 
 #include "conformance/mistake_entry.hpp"
+#include "tribo/adhesion.hpp"
 #include "tribo/film_regimes.hpp"
 #include "tribo/gaussian_moment.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/liquids.hpp"
+#include "tribo/rough_faces.hpp"
 #include "tribo/spectral_moments.hpp"
 #include "tribo/starvation.hpp"
 #include "tribo/two_bodies.hpp"
@@ -149,6 +151,36 @@ double heating(const Arguments& a, double speeds) { return a[3] * a[4] * speeds 
 double thermal(const Arguments& a, double l, Constants n) {
   return (1 - n[0] * a[0] / (2 * a[1]) * std::pow(l, n[1])) /
          (1 + n[2] * (1 + n[3] * std::pow(a[2], n[4])) * std::pow(l, n[5]));
+}
+
+// --- A heated inlet of pure rolling: arguments β, η₀, u and k_f
+
+double rolling_heat(const Arguments& a, double speeds) { return a[0] * a[1] * speeds / a[3]; }
+double rolling(double l, double factor, double power) {
+  return 1 / (1 + factor * std::pow(l, power));
+}
+
+// --- Carreau and Yasuda: arguments η₀, η_∞, λ, γ̇, a and n
+
+double thinned(const Arguments& a, double exponent) {
+  return std::pow(1 + std::pow(a[2] * a[3], a[4]), exponent);
+}
+
+// --- Rough faces
+
+// `numbers`: factor and exponent below 1, from 1 to 6, and beyond.
+double load_of_rows(double x, Constants numbers) {
+  const std::size_t row = x < 1 ? 0 : x < second_kogut_etsion_interference ? 2 : 4;
+  return numbers[row] * std::pow(x, numbers[row + 1]);
+}
+double relative_pressure(const Arguments& a) { return a[0] / (a[1] * a[2]); }
+Numbers lambda_of(const Arguments& a, double rough) { return {rough, a[0] / rough}; }
+
+// --- Shear below a contact: arguments p₀, a, z and ν
+
+double shear_of(const Arguments& a, double half_q, double arc) {
+  const double zeta = a[2] / a[1], q = 1 / (1 + zeta * zeta);
+  return a[0] / 2 * std::abs((1 + half_q) * q - (1 + a[3]) * (1 - zeta * arc));
 }
 
 // --- D341: arguments T₁, ν₁, T₂, ν₂ and T
@@ -433,6 +465,86 @@ constexpr NamedFormula formulas[] = {
        const double l = heating(a, a[5] * a[5]);
        return 1 / (1 + 0.1 * (1 + 14.8 * std::pow(a[2], 0.83)) * std::pow(l, 0.64));
      }},
+
+    {"murch_wilson_thermal_reduction", "rolling_with_speed_once", 0,
+     [](const Arguments& a, Constants) {
+       return rolling(rolling_heat(a, a[2]), 1 / 3.94, 0.62);
+     }},
+    // Numbers: the factor of L, and its power.
+    {"murch_wilson_thermal_reduction", "rolling_of_numbers", 2,
+     [](const Arguments& a, Constants numbers) {
+       return rolling(rolling_heat(a, a[2] * a[2]), numbers[0], numbers[1]);
+     }},
+    {"murch_wilson_thermal_reduction", "rolling_inverted", 0,
+     [](const Arguments& a, Constants) {
+       return 1 / rolling(rolling_heat(a, a[2] * a[2]), 1 / 3.94, 0.62);
+     }},
+
+    {"subsurface_shear", "shear_with_arc_of_depth", 0,
+     [](const Arguments& a, Constants) { return shear_of(a, 0.5, std::atan(a[2] / a[1])); }},
+    {"subsurface_shear", "shear_without_half_q", 0,
+     [](const Arguments& a, Constants) { return shear_of(a, 0, std::atan(a[1] / a[2])); }},
+
+    // Numbers: a³ = 3R/(4E*) [F + n πwR + m √(6πwRF + (3πwR)²)]; no radius where that is not above 0.
+    {"jkr_radius", "jkr_of_loads", 2,
+     [](const Arguments& a, Constants numbers) {
+       const double adhesive = std::numbers::pi * a[1] * a[3];
+       const double load = a[0] + numbers[0] * adhesive +
+                           numbers[1] * std::sqrt(adhesive * (6 * a[0] + 9 * adhesive));
+       return load > 0 ? Value(std::cbrt(0.75 * a[3] / a[2] * load)) : std::nullopt;
+     }},
+    {"jkr_radius", "jkr_cubed", 0,
+     [](const Arguments& a, Constants) {
+       const double radius = jkr_radius(a[0], a[1], a[2], a[3]);
+       return radius * radius * radius;
+     }},
+
+    // Numbers: the exponent, times n and plus a number, over a number or, where that is 0, over a.
+    {"carreau_yasuda_viscosity", "carreau_of_exponent", 3,
+     [](const Arguments& a, Constants numbers) {
+       const double divisor = numbers[2] == 0 ? a[4] : numbers[2];
+       return a[1] + (a[0] - a[1]) * thinned(a, (numbers[0] * a[5] + numbers[1]) / divisor);
+     }},
+    {"carreau_yasuda_viscosity", "carreau_added", 0,
+     [](const Arguments& a, Constants) {
+       return a[1] + a[0] * thinned(a, (a[5] - 1) / a[4]);
+     }},
+    {"carreau_yasuda_viscosity", "carreau_as_cross", 0,
+     [](const Arguments& a, Constants) {
+       return a[1] + (a[0] - a[1]) / (1 + std::pow(a[2] * a[3], 1 - a[5]));
+     }},
+
+    {"plasticity_index", "plasticity_of_power", 1,
+     [](const Arguments& a, Constants power) {
+       return a[0] / a[1] * std::pow(a[2] / a[3], power[0]);
+     }},
+    {"kogut_etsion_load", "kogut_of_rows", 6,
+     [](const Arguments& a, Constants numbers) { return load_of_rows(a[0], numbers); }},
+    {"persson_contact_area", "persson_of_factor", 1,
+     [](const Arguments& a, Constants factor) {
+       return std::erf(factor[0] * relative_pressure(a));
+     }},
+    {"persson_contact_area", "persson_linear", 1,
+     [](const Arguments& a, Constants factor) { return factor[0] * relative_pressure(a); }},
+    {"persson_contact_area", "persson_complement", 0,
+     [](const Arguments& a, Constants) {
+       return std::erfc(std::numbers::sqrt2 * relative_pressure(a));
+     }},
+    // Numbers: the factor of the exponential, and of H in it.
+    {"patir_cheng_pressure_flow", "flow_of_numbers", 2,
+     [](const Arguments& a, Constants numbers) {
+       return 1 - numbers[0] * std::exp(-numbers[1] * a[0]);
+     }},
+    {"patir_cheng_pressure_flow", "flow_shortage", 0,
+     [](const Arguments& a, Constants) { return 0.9 * std::exp(-0.56 * a[0]); }},
+    // Numbers: (m (Rq₁ⁿ + Rq₂ⁿ))^(1/n): n and m.
+    {"lambda_ratio", "lambda_of_norm", 2,
+     [](const Arguments& a, Constants numbers) {
+       const double sum = std::pow(a[1], numbers[0]) + std::pow(a[2], numbers[0]);
+       return lambda_of(a, std::pow(numbers[1] * sum, 1 / numbers[0]));
+     }},
+    {"lambda_ratio", "lambda_of_first_face", 0,
+     [](const Arguments& a, Constants) { return lambda_of(a, a[1]); }},
 
     {"dowson_higginson_density", "density_of_numbers", 2,
      [](const Arguments& a, Constants numbers) {

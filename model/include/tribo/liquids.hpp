@@ -4,7 +4,9 @@
 // isometrics relative to viscosity. Am. J. Sci. 45 (1893) 87; C. J. A. Roelands: Correlational
 // aspects of the viscosity-temperature-pressure relationship of lubricating oils. Thesis, Delft
 // (1966); ASTM D341: Standard practice for viscosity-temperature equations and charts for liquid
-// petroleum or hydrocarbon products.
+// petroleum or hydrocarbon products; P. J. Carreau: Rheological equations from molecular network
+// theories. Trans. Soc. Rheol. 16 (1972) 99, and K. Yasuda: Investigation of the analogies between
+// viscometric and linear viscoelastic properties of polystyrene fluids. Thesis, MIT (1979).
 #pragma once
 
 #include "tribo/contract.hpp"
@@ -18,6 +20,7 @@ inline constexpr Contract density_contract{2, 0};
 inline constexpr Contract barus_contract{4, 1};
 inline constexpr Contract roelands_contract{8, 4};
 inline constexpr Contract astm_d341_contract{8, 4};
+inline constexpr Contract carreau_yasuda_contract{16, 4};
 
 // The pressure in Pa at which the density by Dowson and Higginson's law has risen by half of its
 // greatest rise.
@@ -67,6 +70,29 @@ T astm_d341_viscosity(const T& first_temperature, const T& first_viscosity,
   };
   const T part = log_ratio(temperature) / log_ratio(second_temperature);
   return (exp(T(first * exp(T(part * log(T(second / first)))))) - offset) / millions;
+}
+
+// η in Pa·s of a liquid that shear thins:
+//   η = η_∞ + (η₀ − η_∞)[1 + (λγ̇)^a]^((n − 1)/a).
+// viscosity η₀ > 0 at rest and high_shear_viscosity η_∞ ≥ 0 in Pa·s, relaxation_time λ > 0 in s,
+// shear_rate γ̇ ≥ 0 in 1/s, transition_exponent a > 0 (2: Carreau's law), power_law_index n > 0
+// and at most 1; NaN above. Error: carreau_yasuda_contract.
+template <class T>
+T carreau_yasuda_viscosity(const T& viscosity, const T& high_shear_viscosity,
+                           const T& relaxation_time, const T& shear_rate,
+                           const T& transition_exponent, const T& power_law_index) {
+  using std::exp;
+  using std::log;
+  using std::log1p;
+  using std::pow;
+  if (!(power_law_index <= 1)) return quiet_nan<T>();
+  const T rate = relaxation_time * shear_rate;
+  // ln(1 + (λγ̇)^a), without a power that overflows
+  const T logarithm =
+      rate > 1 ? T(transition_exponent * log(rate) + log1p(T(pow(rate, T(-transition_exponent)))))
+               : T(log1p(T(pow(rate, transition_exponent))));
+  const T part = exp(T((power_law_index - 1) / transition_exponent * logarithm));
+  return high_shear_viscosity + (viscosity - high_shear_viscosity) * part;
 }
 
 }  // namespace tribo

@@ -2,9 +2,12 @@
 // Root-mean-square roughness as profilers give it (ISO 4287, now ISO 21920: Rq and Ra).
 #pragma once
 
+#include "tribo/contract.hpp"
 #include "tribo/real.hpp"
 
 namespace tribo {
+
+inline constexpr Contract lambda_ratio_contract{4, 0};
 
 // Rq = √(π/2) Ra of a face whose heights are Gaussian, in the unit of Ra > 0: the mean of |z| is
 // √(2/π) of the standard deviation. Error: 2 ulp.

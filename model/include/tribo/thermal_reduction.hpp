@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much thinner a film is because shear heats the oil in the inlet. Source: P. K. Gupta, H. S.
+// How much thinner a film is because shear heats the oil in the inlet. Sources: P. K. Gupta, H. S.
 // Cheng, D. Zhu, N. H. Forster, J. B. Schrand: Viscoelastic effects in MIL-L-7808-type lubricant,
-// part I, analytical formulation. Tribol. Trans. 35 (1992) 269, doi 10.1080/10402009208982117.
+// part I, analytical formulation. Tribol. Trans. 35 (1992) 269, doi 10.1080/10402009208982117; L.
+// E. Murch, W. R. D. Wilson: A thermal elastohydrodynamic inlet zone analysis. J. Lubr. Technol. 97
+// (1975) 212, doi 10.1115/1.3452559.
 #pragma once
 
 #include "tribo/contract.hpp"
@@ -11,6 +13,7 @@ namespace tribo {
 
 // Digits cancel in the numerator: 4 ulp times the condition of all seven arguments are allowed.
 inline constexpr Contract gupta_thermal_contract{8, 4};
+inline constexpr Contract murch_wilson_thermal_contract{8, 0};
 
 // φ_T, the film over that of an isothermal inlet:
 //   φ_T = [1 − 13.2 (p₀/E′) L^{0.42}]/[1 + 0.213 (1 + 2.23 S^{0.83}) L^{0.64}],  L = βη₀u²/k_f.
@@ -30,6 +33,19 @@ T gupta_thermal_reduction(const T& peak_pressure, const T& effective_modulus,
   const T sliding = 1 + ratio<T>(223, 100) * decimal_power(slide_roll_ratio, Fraction{83, 100});
   return numerator /
          (1 + ratio<T>(213, 1000) * sliding * decimal_power(heating, Fraction{64, 100}));
+}
+
+// The same of pure rolling by Murch and Wilson, without the pressure: 3.94/(3.94 + L^{0.62}), L as
+// above: u is the mean speed, as W. R. D. Wilson and S. Sheu say, who print 1/(1 + 0.254 L^{0.62})
+// for it (Effect of inlet shear heating due to sliding on elastohydrodynamic film thickness. J.
+// Lubr. Technol., manuscript of 1980). The numbers and their ranges as above. Error:
+// murch_wilson_thermal_contract.
+template <class T>
+T murch_wilson_thermal_reduction(const T& temperature_viscosity, const T& viscosity, const T& speed,
+                                 const T& thermal_conductivity) {
+  const T heating = temperature_viscosity * viscosity * speed * speed / thermal_conductivity;  // L
+  const T scale = ratio<T>(394, 100);
+  return scale / (scale + decimal_power(heating, Fraction{62, 100}));
 }
 
 }  // namespace tribo

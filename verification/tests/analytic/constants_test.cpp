@@ -5,13 +5,17 @@
 #include <gtest/gtest.h>
 
 #include "support/judge.hpp"
+#include "tribo/adhesion.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/hertz_line.hpp"
 #include "tribo/liquids.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/moes_line.hpp"
 #include "tribo/onset.hpp"
+#include "tribo/rough_faces.hpp"
+#include "tribo/roughness.hpp"
 #include "tribo/spectral_moments.hpp"
+#include "tribo/subsurface_shear.hpp"
 #include "tribo/thermal_reduction.hpp"
 #include "tribo/two_bodies.hpp"
 
@@ -102,6 +106,16 @@ TEST(Contracts, AreNoWiderThanPromised) {
   same(barus_contract, {4, 1});
   same(roelands_contract, {8, 4});
   same(astm_d341_contract, {8, 4});
+  same(carreau_yasuda_contract, {16, 4});
+  same(murch_wilson_thermal_contract, {8, 0});
+  same(subsurface_shear_contract, {8, 4});
+  same(pull_off_contract, {4, 0});
+  same(jkr_contract, {6, 4});
+  same(plasticity_index_contract, {6, 0});
+  same(kogut_etsion_contract, {6, 0});
+  same(persson_contract, {6, 0});
+  same(patir_cheng_contract, {6, 0});
+  same(lambda_ratio_contract, {4, 0});
   same(spectral_moments_contract, {6, 3});
   same(starvation_ratio_contract, {16, 0});
   same(load_sharing_contract, {4, 8.5});

@@ -60,6 +60,21 @@ FUNCTIONS |= {
     "viscosity_index": above_zero("kinematic_viscosity_40", "kinematic_viscosity_100"),
     "summits_from_spectral_moments": above_zero("m0", "m2", "m4"),
 }
+FUNCTIONS |= {
+    "subsurface_shear": {**above_zero("peak_pressure", "radius"), "depth": ("from 0", REQUIRED),
+                         "poisson_ratio": ("Poisson", REQUIRED)},
+    "jkr_radius": {"load": ("any", REQUIRED), **above_zero("work_of_adhesion", "effective_modulus", "reduced_radius")},
+    "pull_off_force": {"adhesion": (("jkr", "dmt"), REQUIRED), **above_zero("work_of_adhesion", "reduced_radius")},
+    "murch_wilson_thermal_reduction": above_zero("temperature_viscosity", "viscosity", "speed", "thermal_conductivity"),
+    "carreau_yasuda_viscosity": {
+        **above_zero("viscosity"), "high_shear_viscosity": ("from 0", REQUIRED), **above_zero("relaxation_time"),
+        "shear_rate": ("from 0", REQUIRED), **above_zero("transition_exponent", "power_law_index")},
+    "plasticity_index": above_zero("effective_modulus", "hardness", "summit_height_sd", "summit_radius"),
+    "kogut_etsion_load": above_zero("interference_ratio"),
+    "persson_contact_area": {"pressure": ("from 0", REQUIRED), **above_zero("effective_modulus", "rms_gradient")},
+    "patir_cheng_pressure_flow": above_zero("film_ratio"),
+    "lambda_ratio": above_zero("minimum_film", "first_roughness", "second_roughness"),
+}
 FUNCTIONS["roelands_viscosity"] = FUNCTIONS["barus_viscosity"]
 
 SCENE = {

@@ -78,6 +78,11 @@ def regime_film(regime, g_V, g_E, alpha, k):
     return 1.66 * g_V ** (2 / 3) * side if regime == "viscous_rigid_barus" else 3.42 * g_V**0.49 * g_E**0.17 * side
 
 
+def rolling_reduction(beta, viscosity, speed, conductivity):
+    """Without the pressure, in pure rolling."""
+    return 3.94 / (3.94 + (beta * viscosity * speed**2 / conductivity) ** 0.62)
+
+
 def thermal_reduction(p0, E, S, beta, viscosity, speed, conductivity):
     L = beta * viscosity * speed**2 / conductivity
     return (1 - 6.6 * p0 / E * L**0.42) / (1 + 0.213 * (1 + 2.23 * S**0.83) * L**0.64)

@@ -18,6 +18,10 @@ def roelands(viscosity, alpha, pressure):
     return viscosity * math.exp(scale * ((1 + pressure / 0.196e9) ** (alpha * 0.196e9 / scale) - 1))
 
 
+def carreau_yasuda(rest, high, time, rate, a, n):
+    return high + (rest - high) * (1 + (time * rate) ** a) ** ((n - 1) / a)
+
+
 def chart(viscosity):
     """The height in the standard's chart: log log(nu + 0.7), nu in mm2/s."""
     return math.log10(math.log10(1e6 * viscosity + 0.7))

@@ -13,6 +13,7 @@ import liquids
 import moments
 import point
 import solver
+import surfaces
 
 BEYOND = "outside the range of double precision"
 
@@ -69,7 +70,12 @@ FUNCTIONS |= {name: value_of(module, function) for name, module, function in (
     ("moes_line", films, "moes_line"), ("regime_film", films, "regime_film"),
     ("gupta_thermal_reduction", films, "thermal_reduction"), ("dowson_higginson_density", liquids, "density"),
     ("barus_viscosity", liquids, "barus"), ("roelands_viscosity", liquids, "roelands"),
-    ("astm_d341_viscosity", liquids, "astm_d341"), ("viscosity_index", liquids, "viscosity_index"))}
+    ("astm_d341_viscosity", liquids, "astm_d341"), ("viscosity_index", liquids, "viscosity_index"),
+    ("carreau_yasuda_viscosity", liquids, "carreau_yasuda"),
+    ("murch_wilson_thermal_reduction", films, "rolling_reduction"),
+    *((name, surfaces, name) for name in ("subsurface_shear", "jkr_radius", "pull_off_force", "plasticity_index",
+                                          "kogut_etsion_load", "persson_contact_area", "patir_cheng_pressure_flow")))}
+FUNCTIONS["lambda_ratio"] = lambda given: surfaces.lambda_ratio(*given.values())
 FUNCTIONS["summits_from_spectral_moments"] = lambda given: liquids.summits(*given.values())
 
 

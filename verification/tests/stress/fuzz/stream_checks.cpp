@@ -204,6 +204,7 @@ const std::map<std::string_view, std::vector<const char*>> parts_of_functions{
      {"semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure", "peak_pressure", "approach"}},
     {"hertz_line", {"half_width", "mean_pressure", "peak_pressure", "peak_shear"}},
     {"reduced_radius", {"radius_x", "radius_y", "reduced_radius"}},
+    {"lambda_ratio", {"composite_roughness", "lambda_ratio"}},
     {"summits_from_spectral_moments",
      {"bandwidth", "summit_density", "summit_radius", "summit_height_sd", "summit_plane_offset"}}};
 
@@ -221,8 +222,10 @@ void check_function(const Json& question, const Json& answer, const std::string&
   const double value = number_or(answer, "value", 0);
   require(value >= 0 || name == "viscosity_index", "no value is negative", text);
   if (name == "starvation_ratio") require(is_share(value), "the starved film is a share", text);
-  if (name == "gupta_thermal_reduction")
+  if (name == "gupta_thermal_reduction" || name == "murch_wilson_thermal_reduction")
     require(is_share(value), "heating does not thicken the film", text);
+  if (name == "persson_contact_area" || name == "patir_cheng_pressure_flow")
+    require(is_share(value), "no more than the whole face touches, or flows", text);
   if (name == "dowson_higginson_density" && answer["value"].is_number())
     require(value >= 1 && value <= 1.3400001, "an oil is at most 34 % denser", text);
   if (name == "load_sharing" && answer["value"].is_number())
