@@ -202,6 +202,8 @@ int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
     options.published = arguments.published.empty() ? places.scenes.string() : arguments.published;
     const Asked asked = asked_readings(arguments.readings);
     options.asked = asked.readings;
+    options.requirements = arguments.format == "json" ||
+                           (arguments.format != "csv" && is_wanted("requirements", arguments));
     check_claims(options.published, arguments.claims);
     const std::string committed = arguments.ledger.empty()
                                       ? (places.reference / "baselines" / "ledger.csv").string()

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs `tribocheck report`, and lists the files that it has to write."""
+"""Runs `tribocheck report`, and lists the files that it has to write.
+
+As a script it writes one report of all sections for all tests that only look at it: the CTest test program.report_written.
+"""
 
 import atexit
 import functools
@@ -9,10 +12,11 @@ import os
 import pathlib
 import re
 import shutil
+import sys
 import tempfile
 import unittest
 
-from program import run
+from program import Result, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 PUBLISHED = ROOT / "reference/published"
@@ -113,13 +117,28 @@ class PageReader(html.parser.HTMLParser):
             self.problems.append(f"</{tag}> closes nothing")
 
 
+def written_before():
+    """The folder for the report of all sections that CTest has written before the tests that look at it; None without CTest. Other
+    instruction sets have one of their own."""
+    folder = os.environ.get("TRIBOCHECK_WRITTEN_REPORT")
+    return folder and pathlib.Path(folder + os.environ.get("GLIBC_TUNABLES", ""))
+
+
+def write(folder, sections=()):
+    out = folder / "it's here"  # gnuplot must cope with the quote
+    return out, report("--out", out, *(f"--section={one}" for one in sections))
+
+
 @functools.cache
 def written(sections):
     """The folder of a report of these sections, and how the program ended. Made once for all tests of a process."""
-    folder = tempfile.TemporaryDirectory()
-    atexit.register(folder.cleanup)
-    out = pathlib.Path(folder.name) / "it's here"  # gnuplot must cope with the quote
-    return out, report("--out", out, *(f"--section={one}" for one in sections))
+    folder = written_before()
+    if folder and not sections:
+        out, *ended = json.loads((folder / "ended.json").read_text())
+        return pathlib.Path(out), Result(*ended)
+    own = tempfile.TemporaryDirectory()
+    atexit.register(own.cleanup)
+    return write(pathlib.Path(own.name), sections)
 
 
 class WrittenReport(unittest.TestCase):
@@ -145,3 +164,11 @@ def project_copy(folder, *parts):
     for part in (*(f"reference/{one}" for one in parts), *(f"reports/page/{one}" for one in ("gnuplot", "groups", "render"))):
         shutil.copytree(ROOT / part, project / part)
     return project
+
+
+if __name__ == "__main__":
+    shutil.rmtree(written_before(), ignore_errors=True)
+    written_before().mkdir(parents=True)
+    place, ended = write(written_before())
+    (written_before() / "ended.json").write_text(json.dumps([str(place), ended.code, ended.out, ended.said]))
+    sys.exit(ended.code)

@@ -81,8 +81,9 @@ Ledger make_ledger(const LedgerOptions& options) {
 
   ledger.arguments = arguments(ledger.scenes, ledger.items, inputs);
   const NamedReading& corrected = ledger.readings.front();
-  ledger.requirements =
-      requirements(ledger.scenes, corrected.reading, ledger.items, corrected.results, inputs);
+  if (options.requirements)
+    ledger.requirements =
+        requirements(ledger.scenes, corrected.reading, ledger.items, corrected.results, inputs);
   const ReportedOnsets reported = reported_onsets(ledger.items);
   ledger.departure = common_departure(ledger.scenes, corrected.reading, reported.speed);
   for (const Spread spread : {Spread::print, Spread::plausible})

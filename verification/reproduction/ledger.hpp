@@ -161,6 +161,7 @@ struct LedgerOptions {
   std::vector<Reading> asked;  // further columns
   std::size_t best = 3;        // how many of the best sets of claims to show
   std::size_t draws = 10000;   // of each uncertainty
+  bool requirements = true;    // computed; they take a third of the time
 };
 
 // Throws std::runtime_error with one line: file, and what is wrong with it.

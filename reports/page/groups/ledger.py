@@ -8,6 +8,9 @@ from numbers_text import exact
 from program import members
 
 SURFACES = ("rough", "medium", "smooth")
+# The command's own readings, and one more.
+READINGS = ("corrected", "offset_planes=2", "offset_planes=equal_faces", "literal", "best")
+GAP = "gap=point"
 COLUMNS = ("item", "quantity", "surface", "model", "rule", "value", "last_digit")
 
 
@@ -51,30 +54,38 @@ def reported(places, quantity, surface):
 
 def reproduced(program, places):
     """The answer of `tribocheck reproduce`, and the changes since the committed ledger, or why these are not known."""
-    arguments = ("reproduce", "--published", places.scenes, "--format", "json", "--ledger")
+    readings = [word for one in (*READINGS, GAP) for word in ("--reading", one)]
+    arguments = ("reproduce", "--published", places.scenes, "--format", "json", *readings, "--ledger")
     try:
         answer, complaints = program.said(*arguments, places.reference / "baselines/ledger.csv")
     except Missing as missing:
         answer, _ = program.said(*arguments, "none")
-        return members(answer), {"missing": str(missing)}
+        return with_circular_gap(members(answer)), {"missing": str(missing)}
     changes = {name: [line.removeprefix(start) for line in complaints if line.startswith(start)]
                for name, start in (("verdicts_changed", "verdict changed: "), ("numbers_moved", "number moved: "))}
-    return members(answer), changes
+    return with_circular_gap(members(answer)), changes
 
 
-def circular_gap(program, places):
-    """What becomes of the main numbers with the gap of a circular contact at the inlet (E13), where the corrected reading keeps the
-    printed one of a line."""
-    answer, _ = program.said("reproduce", "--published", places.scenes, "--format", "json", "--ledger", "none", "--reading", "gap=point")
-    told = members(answer)
-    reading = told["readings"][0]
-    items = {one["item"]: one["readings"][reading["name"]] for one in told["items"]}
-    onsets = [items[f"C1.{name}"] for name in SURFACES]
+def with_circular_gap(told):
+    """The answer without the reading that has the gap of a circular contact at the inlet (E13), where the corrected one keeps the
+    printed gap of a line; and what becomes of the main numbers with it."""
+    reading = next(one for one in told["readings"] if one["departures"] == GAP)
+    name = reading["name"]
+    items = {one["item"]: one["readings"][name] for one in told["items"]}
+    onsets = [items[f"C1.{surface}"] for surface in SURFACES]
     parameter = items["C2.smooth"]
-    return {"score": reading["score"], "film_parameter": parameter["computed"], "verdict": parameter["verdict"],
-            "onset_speed": {name: one["computed"] for name, one in zip(SURFACES, onsets)},
-            "onset_factors": [one["factor"] for one in onsets], "onset_verdict": next(
-                one["verdicts"][reading["name"]] for one in told["claims"] if one["claim"] == "C1")}
+    gap = {"score": reading["score"], "film_parameter": parameter["computed"], "verdict": parameter["verdict"],
+           "onset_speed": {surface: one["computed"] for surface, one in zip(SURFACES, onsets)},
+           "onset_factors": [one["factor"] for one in onsets],
+           "onset_verdict": next(one["verdicts"][name] for one in told["claims"] if one["claim"] == "C1")}
+    if name == GAP:  # and none of the command's own
+        told["readings"].remove(reading)
+        for one in (*(claim["verdicts"] for claim in told["claims"]), *(item["readings"] for item in told["items"]),
+                    *(row["scores"] for row in told["tolerances"])):
+            del one[name]
+        for claim in told["claims"]:
+            claim["undecided"] = [one for one in claim["undecided"] if one != name]
+    return told | {"circular_gap": gap}
 
 
 def comparison(committed):
@@ -178,7 +189,6 @@ def ledger(asked):
     found = [finding("claims", "claims", "paper", "holds" if reproduces_all else "differs"),
              finding("readings", "readings", "paper", "measured"),
              finding("independent_numbers", "uncertainty", "software", "holds" if all_independent else "fails"), compared]
-    told = told | {"circular_gap": circular_gap(asked.program, asked.places)}
     return Group(told | {"committed": committed}, found, left_out, [
         surfaces_data(asked, told, contacts), law_data(asked, contacts[SURFACES.index("smooth")]), scores_data(told),
         table_data(told)])

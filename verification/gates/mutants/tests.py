@@ -34,10 +34,10 @@ def all_units(copy, tree):
     units = []
     for test in json.loads(said)["tests"]:
         properties = {one["name"]: one["value"] for one in test.get("properties", [])}
-        if "command" not in test:
+        if "command" not in test or "FIXTURES_SETUP" in properties:  # what is made before tests, these make by themselves
             continue
         unit = {"name": test["name"], "test": test["name"], "command": test["command"], "folder": properties.get("WORKING_DIRECTORY", str(copy.build)),
-                "environment": dict(one.split("=", 1) for one in properties.get("ENVIRONMENT", [])),
+                "environment": dict(one.split("=", 1) for one in properties.get("ENVIRONMENT", []) if "WRITTEN_REPORT" not in one),
                 "fails": properties.get("FAIL_REGULAR_EXPRESSION", []), "skips": properties.get("SKIP_REGULAR_EXPRESSION", []),
                 "timeout": properties.get("TIMEOUT", 600)}
         if len(test["command"]) == 1 and test["command"][0].endswith("_test"):
