@@ -585,6 +585,20 @@ TEST(Margins, OfAPartOfTheSpeedsAreFromOneHalf) {
   EXPECT_TRUE(is_close(middle.distance, std::log(1.01), 1e-12, {}));
 }
 
+// Where a number decides alone, or a ratio is within ten percent, the part of the speeds has no
+// say.
+TEST(Margins, OfAVerdictThatNoPartDecidesAreOfTheNumber) {
+  for (const auto& [id, value, verdict, of] :
+       {std::tuple{"C8", 1.05, Verdict::within_ten_percent, MarginOf::number},
+        {"C8", 1.15, Verdict::in_part, MarginOf::part},
+        {"C2.rough", 1.5 * item("C2.rough").reported, Verdict::order_only, MarginOf::number}}) {
+    const Observed observed{value, value, 0.5001, {}, 1e-12, 1e-9, 1.0001};
+    const ItemResult got = judged(item(id), observed);
+    EXPECT_EQ(got.verdict, verdict) << id;
+    EXPECT_EQ(got.margin->of, of) << id << ' ' << value;
+  }
+}
+
 // A ratio that is 1 by construction is not greater than 1 because of its last digit.
 TEST(Margins, ARatioOfOneIsNotGreaterThanOneForItsRounding) {
   const Observed just_above{1 + 1e-15, 1 + 1e-15, 1, {}, 1e-13, 0.0};
