@@ -470,6 +470,34 @@ TEST(SampledCurves, OfOnePlaceAreItsValue) {
   }
 }
 
+// Errors of onsets that are powers of two: each has its part in the error of what is made of them.
+TEST(Errors, OfWhatIsMadeOfOnsetsAddThoseOfEachOnset) {
+  Stages stages{};
+  stages.onsets = {OnsetPoint{8, 3, 0x1p-10}, OnsetPoint{2, 3, 0x1p-11}, OnsetPoint{1, 3, 0x1p-12},
+                   OnsetPoint{5, 3, 0x1p-13}};
+  stages.lambda_divisor = 2;
+  Item one = item("C1.rough");
+  const auto observed = [&](Quantity quantity, PaperSurface surface) {
+    one.quantity = quantity;
+    one.surface = surface;
+    return observe(one, stages);
+  };
+  const Observed order = observed(Quantity::onset_speed_order, PaperSurface::rough);
+  EXPECT_EQ(order.value, 2);
+  EXPECT_EQ(order.other_end, 4);
+  EXPECT_EQ(order.part, 1);
+  EXPECT_EQ(order.error, 4 * (0x1p-10 + 0x1p-11 + 0x1p-12));
+  const Observed ratio = observed(Quantity::onset_gw_over_gt, PaperSurface::rough);
+  EXPECT_EQ(ratio.value, 5);
+  EXPECT_EQ(ratio.error, 5 * (0x1p-12 + 0x1p-13));
+  const Observed film = observed(Quantity::onset_film_parameter, PaperSurface::medium);
+  EXPECT_EQ(film.value, 1.5);
+  EXPECT_EQ(film.error, 1.5 * 0x1p-11);
+  stages.onsets[1].reset();
+  for (const Quantity quantity : {Quantity::onset_speed_order, Quantity::onset_film_parameter})
+    EXPECT_EQ(observed(quantity, PaperSurface::medium).value.has_value(), false);
+}
+
 // The nearest number at which the verdict is another one, found by trying.
 double nearest_other_verdict(const Item& one, const Observed& observed) {
   const Verdict here = judge(one, observed);
