@@ -22,21 +22,21 @@ Extremum vertex(std::span<const double> x, std::span<const double> y, std::size_
   return {place, y[i - 1] + left * (place - x[i - 1]) + bend * (place - x[i - 1]) * (place - x[i])};
 }
 
-// The extremum of the polynomial through a node and two neighbours on either side: the film is
-// smooth enough for five nodes.
+// The extremum of the polynomial through a node and two neighbours on either side, next to an end
+// through the five nodes there: the film is smooth enough.
 Extremum smooth_extremum(std::span<const double> x, std::span<const double> y, std::size_t i) {
   Extremum best = vertex(x, y, i);
-  if (i < 2 || i + 2 >= x.size()) return best;
+  const std::size_t first = std::clamp<std::size_t>(i, 2, x.size() - 3) - 2;
   // The polynomial in Newton's form; below, its first two derivatives at a place.
   std::array<double, 5> c{};
-  for (std::size_t k = 0; k < 5; ++k) c[k] = y[i - 2 + k];
+  for (std::size_t k = 0; k < 5; ++k) c[k] = y[first + k];
   for (std::size_t order = 1; order < 5; ++order)
     for (std::size_t k = 4; k >= order; --k)
-      c[k] = (c[k] - c[k - 1]) / (x[i - 2 + k] - x[i - 2 + k - order]);
+      c[k] = (c[k] - c[k - 1]) / (x[first + k] - x[first + k - order]);
   for (int step = 0; step < 4; ++step) {
     double value = c[4], slope = 0, bend = 0;
     for (std::size_t k = 4; k-- > 0;) {
-      const double from = best.place - x[i - 2 + k];
+      const double from = best.place - x[first + k];
       bend = bend * from + 2 * slope;
       slope = slope * from + value;
       value = value * from + c[k];

@@ -89,12 +89,12 @@ NodeDensity first_density(const Scales& scales) {
     place.push_back(scales.inlet_end * std::pow(near / scales.inlet_end, i / (far_steps + 0.)));
   for (int i = 0; i <= near_steps; ++i)
     place.push_back(near + (scales.outlet_end - near) * i / near_steps);
-  Numbers density(place.size() - 1);
+  Numbers density;
   const double edge = scales.edge;
-  for (std::size_t i = 0; i < density.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < place.size(); ++i) {
     const double x = (place[i] + place[i + 1]) / 2;
-    density[i] = 0.8 / (1 + std::fabs(x)) + 0.4 / std::hypot(0.5 * edge, x + 1 + 0.3 * edge) +
-                 0.8 / std::hypot(0.5 * edge, x - 1 + edge);
+    density.push_back(0.8 / (1 + std::fabs(x)) + 0.4 / std::hypot(0.5 * edge, x + 1 + 0.3 * edge) +
+                      0.8 / std::hypot(0.5 * edge, x - 1 + edge));
   }
   return {std::move(place), density};
 }

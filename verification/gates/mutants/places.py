@@ -318,11 +318,17 @@ def cpp_part(root, commands):
     return found.places
 
 
+def sources_of(file):
+    """The sources that an entry of the build compiles: itself, or those that CMake joined in a file of its own."""
+    joined = file.parent.name == "Unity" and file.suffix == ".cxx"
+    return re.findall(r'^#include "(.+)"', file.read_text(), flags=re.MULTILINE) if joined else [str(file)]
+
+
 def cpp_places(root, build, workers=2):
     """Places of all sources that the build compiles, and of the headers that they include."""
     entries = json.loads((build / "compile_commands.json").read_text())
-    commands = [(one["command"], one["file"]) for one in entries
-                if one["file"].endswith(".cpp") and (name := one["file"].removeprefix(f"{root}/")) != one["file"] and room_of(name)]
+    commands = [(one["command"], file) for one in entries for file in sources_of(pathlib.Path(one["file"]))
+                if file.endswith(".cpp") and (name := file.removeprefix(f"{root}/")) != file and room_of(name)]
     random.Random(1).shuffle(commands)
     with concurrent.futures.ProcessPoolExecutor(workers) as pool:
         parts = list(pool.map(cpp_part, [root] * workers, [commands[i::workers] for i in range(workers)]))

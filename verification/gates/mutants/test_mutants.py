@@ -107,6 +107,20 @@ class Cpp(Folder):
                  if one["operator"] == "arguments"}
         self.assertEqual(found, {"c, b", "c, a", "v + u"})  # a sum of texts or a product of matrices depends on the order
 
+    def test_sources_that_the_build_joins_in_one_file_are_found_like_others(self):
+        other = self.source.with_name("other.cpp")
+        other.write_text(SOURCE)
+        outside = self.folder / "build/made.cpp"
+        joined = self.folder / "build/Unity/unity_0_cxx.cxx"
+        joined.parent.mkdir(parents=True)
+        outside.write_text(SOURCE)
+        joined.write_text(f'/* made */\n\n#include "{self.source}"\n\n#include "{outside}"\n')
+        entries = [{"command": f"c++ -std=c++20 -c {file}", "file": str(file)} for file in (joined, other)]
+        (self.folder / "build/compile_commands.json").write_text(json.dumps(entries))
+        found = collections.Counter(one["file"] for one in places.cpp_places(self.folder, self.folder / "build", 1))
+        self.assertEqual(set(found), {"model/src/film.cpp", "model/src/other.cpp"})
+        self.assertEqual(found["model/src/film.cpp"], len(self.places))
+
     def test_room_that_is_reserved_changes_nothing(self):
         self.source.write_text("struct List { void reserve(int); void resize(int); };\nvoid f(List& a, int n) {\n  a.reserve(n + 1);\n  a.resize(n + 2);\n}\n")
         found = [one for one in places.cpp_part(self.folder, [(f"c++ -std=c++20 -c {self.source}", str(self.source))])]

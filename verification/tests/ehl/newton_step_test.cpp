@@ -43,6 +43,31 @@ MatrixXd full_jacobian(const ehl::FilmKernel& kernel, const std::vector<ehl::Bal
   return j;
 }
 
+// A leaf of the tree has its square. Two halves of n nodes, joined by r products of the upper block
+// and s of the lower one, have their squares, 2n numbers for each product, and (r + s)².
+TEST(Jacobian, CountsTheBytesOfAllItsBlocks) {
+  Sampler sampler(12);
+  const auto numbers = [&](int count) {
+    const std::vector<double> x = uneven_nodes(count, -20, 2, sampler);
+    const ehl::FilmKernel kernel(x);
+    ehl::BalanceSlopes slope;
+    slope.by_film = {0.3, -0.5, 0.7, 0.2};
+    slope.by_pressure = {0.1, -0.2, 4, 0.3};
+    const std::vector<ehl::BalanceSlopes> slopes(x.size(), slope);
+    const std::vector<char> is_free(x.size(), 1);
+    return ehl::Jacobian(kernel, slopes, is_free).bytes() / sizeof(double);
+  };
+  for (const std::size_t count : {5U, 40U, 64U})
+    EXPECT_EQ(numbers(static_cast<int>(count)), count * count);
+  for (const std::size_t half : {40U, 50U, 64U}) {
+    const std::size_t blocks = numbers(static_cast<int>(2 * half)) - 2 * half * half;
+    std::size_t products = 1;
+    while (products * products + 2 * half * products < blocks) ++products;
+    EXPECT_EQ(products * products + 2 * half * products, blocks) << half;
+    EXPECT_LT(products, half);
+  }
+}
+
 TEST(Jacobian, SolvesTheFullMatrixWithSomeNodesHeld) {
   Sampler sampler(11);
   for (const int count : {5, 40, 64, 65, 66, 127, 128, 129, 193, 300, 513, 700}) {

@@ -470,6 +470,34 @@ TEST(SampledCurves, OfOnePlaceAreItsValue) {
   }
 }
 
+// Errors of onsets that are powers of two: each has its part in the error of what is made of them.
+TEST(Errors, OfWhatIsMadeOfOnsetsAddThoseOfEachOnset) {
+  Stages stages{};
+  stages.onsets = {OnsetPoint{8, 3, 0x1p-10}, OnsetPoint{2, 3, 0x1p-11}, OnsetPoint{1, 3, 0x1p-12},
+                   OnsetPoint{5, 3, 0x1p-13}};
+  stages.lambda_divisor = 2;
+  Item one = item("C1.rough");
+  const auto observed = [&](Quantity quantity, PaperSurface surface) {
+    one.quantity = quantity;
+    one.surface = surface;
+    return observe(one, stages);
+  };
+  const Observed order = observed(Quantity::onset_speed_order, PaperSurface::rough);
+  EXPECT_EQ(order.value, 2);
+  EXPECT_EQ(order.other_end, 4);
+  EXPECT_EQ(order.part, 1);
+  EXPECT_EQ(order.error, 4 * (0x1p-10 + 0x1p-11 + 0x1p-12));
+  const Observed ratio = observed(Quantity::onset_gw_over_gt, PaperSurface::rough);
+  EXPECT_EQ(ratio.value, 5);
+  EXPECT_EQ(ratio.error, 5 * (0x1p-12 + 0x1p-13));
+  const Observed film = observed(Quantity::onset_film_parameter, PaperSurface::medium);
+  EXPECT_EQ(film.value, 1.5);
+  EXPECT_EQ(film.error, 1.5 * 0x1p-11);
+  stages.onsets[1].reset();
+  for (const Quantity quantity : {Quantity::onset_speed_order, Quantity::onset_film_parameter})
+    EXPECT_EQ(observed(quantity, PaperSurface::medium).value.has_value(), false);
+}
+
 // The nearest number at which the verdict is another one, found by trying.
 double nearest_other_verdict(const Item& one, const Observed& observed) {
   const Verdict here = judge(one, observed);
@@ -583,6 +611,20 @@ TEST(Margins, OfAPartOfTheSpeedsAreFromOneHalf) {
   // Where there are few numbers, the greatest value that at least half of them reach decides.
   const Margin middle = *margin_of_verdict(item("C5"), {0.5, 1.01, 0.5, {}, 1e-12, {}, 1.01});
   EXPECT_TRUE(is_close(middle.distance, std::log(1.01), 1e-12, {}));
+}
+
+// Where a number decides alone, or a ratio is within ten percent, the part of the speeds has no
+// say.
+TEST(Margins, OfAVerdictThatNoPartDecidesAreOfTheNumber) {
+  for (const auto& [id, value, verdict, of] :
+       {std::tuple{"C8", 1.05, Verdict::within_ten_percent, MarginOf::number},
+        {"C8", 1.15, Verdict::in_part, MarginOf::part},
+        {"C2.rough", 1.5 * item("C2.rough").reported, Verdict::order_only, MarginOf::number}}) {
+    const Observed observed{value, value, 0.5001, {}, 1e-12, 1e-9, 1.0001};
+    const ItemResult got = judged(item(id), observed);
+    EXPECT_EQ(got.verdict, verdict) << id;
+    EXPECT_EQ(got.margin->of, of) << id << ' ' << value;
+  }
 }
 
 // A ratio that is 1 by construction is not greater than 1 because of its last digit.
