@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""verify --subject: what is said of wrong solvers whose makers did not know how causes are found."""
+
+import concurrent.futures
+import unittest
+
+from conformance import subject, verify
+from program import ProgramTest
+
+# Of a slip its function, and what its maker needs to know.
+SAID = {
+    "moes_material_with_single_modulus": ("moes_line", "with α/2 in place of α ("),
+    "moes_load_without_root_two": ("moes_line", "with √2 F/L in place of F/L ("),
+    "eyring_stress_in_megapascals": ("operating_point.friction", "with 10⁶ `lubricant.eyring_stress` in place of"),
+    "inlet_flow_over_sum_of_speeds": ("operating_point.film", "with `supply.inlet_flow`/2 in place of"),
+    "full_film_from_three": ("load_sharing", "wrong answers are λ₀ itself"),
+    "film_at_least_a_nanometre": ("hamrock_dowson_central", "wrong answers are 1e-09: a floor"),
+    "barus_exponent_capped": ("barus_viscosity", "with αp = 25 wherever it is greater: it is cut off there"),
+    "roelands_pressure_clamp": ("roelands_viscosity", "with p = 1e+09 wherever it is greater: it is cut off there"),
+    "kelvins_taken_for_degrees": ("astm_d341_viscosity", "with each of T₁, T₂, T + 273.15 in place of"),
+    "default_ellipticity": ("hamrock_dowson_central", "with k = 1.03 where it is left out"),
+    "gupta_digits_exchanged": ("gupta_thermal_reduction", "with 0.231 in place of 0.213 ("),
+    "rigid_film_digits_exchanged": ("regime_film", "with 1.638 in place of 1.683 ("),
+}
+
+
+class Slips(ProgramTest):
+    def test_each_is_told_with_what_its_maker_has_to_mend(self):
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            results = pool.map(lambda slip: verify("--subject", subject("slips/solver.py", "--slip", slip)), SAID)
+            for (slip, (quantity, words)), result in zip(SAID.items(), results):
+                with self.subTest(slip=slip):
+                    self.assertEqual(result.code, 1)
+                    texts = [one["text"] for one in result.json()["diagnoses"] if one["quantity"] == quantity]
+                    self.assertTrue(any(words in text for text in texts), texts)
+                    said = [other for _, other in SAID.values() if other != words and any(other in text for text in texts)]
+                    self.assertEqual(said, [])  # none of the others is said of it
+
+
+if __name__ == "__main__":
+    unittest.main()
