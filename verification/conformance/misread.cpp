@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t fewest_wrong = 3, fewest_cut = 2;  // answers that decide
 constexpr double of_change = 1e-4;  // of what the misreading changes: how closely it has to be met
-constexpr double same = 1e-9;       // of values that are one and the same
+constexpr double one_value = 1e-9;  // of values that are one and the same
 constexpr double missed = 0.02;     // of the answers
 
 // --- Inputs
@@ -362,7 +362,7 @@ std::vector<Part::Number> wrong_of(const Part& part) {
   return wrong;
 }
 
-bool is_same(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
+bool is_same(double a, double b) { return std::abs(a - b) <= one_value * std::abs(b); }
 
 bool all_of(const std::vector<Part::Number>& numbers,
             const std::function<bool(const Part::Number&)>& holds) {
