@@ -81,7 +81,7 @@ class Rows(OfSolvers):
         self.assertEqual(alone["measured"], "process over texts/1")
         behind = f"cat | {command} | cat"
         below, = self.document("--subject", behind, "--filter", "hertz_point")["rows"]
-        self.assertGreater(below["ns"], 0.5 * alone["ns"])
+        self.assertGreater(below["ns"], 0.2 * alone["ns"])  # of both `cat` it would be a twentieth
         self.assertGreater(alone["ns"], 1e3)
 
     def test_a_plugin_alone_and_two_beside_each_other(self):
