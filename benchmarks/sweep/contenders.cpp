@@ -53,13 +53,17 @@ class NewParts {
   void keep(const sweep::Chunk& chunk) {
     sweep::Bytes bytes = chunk.bytes();
     sweep::ChunksInMemory whole;
+    std::uint64_t part = 0;
     {
       const std::lock_guard lock(mutex_);
       chunks_.emplace(next_++, std::move(bytes));
       if (chunks_.size() < chunks_a_part_) return;
       whole.swap(chunks_);
+      part = parts_++;
     }
-    const std::string path = folder_.file("part");
+    // Threads write at once, and no two of them the same file.
+    constexpr std::uint64_t most_threads = 256;
+    const std::string path = folder_.file("part" + std::to_string(part % most_threads));
     sweep::PartFile file(path);
     sweep::write_part(path, file, header_, sweep::content_of(whole), {.any = true, .only = {}});
   }
@@ -69,7 +73,7 @@ class NewParts {
   sweep::PartHeader header_;
   std::size_t chunks_a_part_ = 1;
   std::mutex mutex_;
-  std::uint64_t next_ = 0;
+  std::uint64_t next_ = 0, parts_ = 0;
   sweep::ChunksInMemory chunks_;
 };
 
