@@ -460,7 +460,8 @@ std::string other_value(const Part& part) {
   }
   std::vector<Numbers> right;
   for (const Part::Number& one : wrong) right.push_back(right_numbers(one.of->question));
-  const std::vector<ResultName> names = results_of(part.function());
+  std::vector<ResultName> names = results_of(part.function());
+  names.resize(std::min(names.size(), right.front().size()));  // behind the numbers stand words
   for (std::size_t place = 0; place < names.size(); ++place) {
     if (place == part.place) continue;
     bool is_other = true;
