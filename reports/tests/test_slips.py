@@ -7,7 +7,7 @@ import unittest
 from conformance import subject, verify
 from program import ProgramTest
 
-# Of a slip its function, and what its maker needs to know.
+# The function of each slip, and words that its maker needs to read.
 SAID = {
     "moes_material_with_single_modulus": ("moes_line", "with α/2 in place of α ("),
     "moes_load_without_root_two": ("moes_line", "with √2 F/L in place of F/L ("),

@@ -204,12 +204,17 @@ struct Misreading {
 };
 
 // A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
-double round_number(double value, int most_digits = 6) {
-  for (int digits = 1; digits <= most_digits; ++digits) {
+double round_number(double value) {
+  for (int digits = 1; digits <= 6; ++digits) {
     const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
     if (std::abs(rounded - value) <= 1e-6 * std::abs(value)) return rounded;
   }
   return value;
+}
+
+// Whether four digits are the number, to 1e-6 of it, as those that a source prints.
+bool is_of_few_digits(double value) {
+  return std::abs(std::stod(fmt::format("{:.3e}", value)) - value) <= 1e-6 * std::abs(value);
 }
 
 // The factors that people lose or gain, and their names.
@@ -253,7 +258,7 @@ bool is_left_out(const Input& input, const Question& question) {
          !question.asked->inputs.contains(nlohmann::json::json_pointer(pointer));
 }
 
-// What the input may have been taken for, from one answer and the value that gives it.
+// Adds readings of the input that give this one answer, from the value with which it is right.
 void add_misreadings(const std::vector<Input>& inputs, const Input& input, const Question& asked,
                      double value, std::vector<Misreading>& found) {
   const double own = input.get(asked);
@@ -271,8 +276,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   const double number = round_number(value), more = round_number(value - own);
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
   if (input.kind == Kind::constant)
-    add(round_number(value, 4) == value ? 6 : 2,
-        fmt::format("{:g} in place of {}", number, input.symbol),
+    add(is_of_few_digits(value) ? 2 : 6, fmt::format("{:g} in place of {}", number, input.symbol),
         [number](const Question&) { return number; });
   if (input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;

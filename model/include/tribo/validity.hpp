@@ -37,7 +37,7 @@ struct Validity {
   std::string advice = "";     // what passing it means, and what to do; empty: nothing to add
   bool value_follows = false;  // of a field: from others that the scene gives
   bool is_accepted = false;    // by the scene, whether it is passed or not
-  // Of a sweep: so many of the cases that were judged pass it; `value` is that furthest beyond.
+  // So many of a sweep's judged cases pass it; `value` is that furthest beyond.
   std::uint64_t cases = 0, judged_cases = 0;
 
   bool is_known() const { return least != 0 || greatest < std::numeric_limits<double>::infinity(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each mistake answers is kept in reference/baselines/mistakes.tsv: nothing else can say
+// The answers of each mistake are kept in reference/baselines/mistakes.tsv: nothing else can say
 // whether a wrong formula is still the one that its text tells. To write it anew:
 //
 //   TRIBOCHECK_UPDATE_MISTAKES=1 build/release/verification/tests/kept_mistakes_test

@@ -311,7 +311,7 @@ TEST(Validity, ABallOfMetresIsTold) {
     EXPECT_EQ(found(other).word, "") << other;
 }
 
-// What heat costs: Gupta's factor without sliding, with β = 0.04/K and k_f = 0.14 W/(m K).
+// The cost of heat: Gupta's factor without sliding, with β = 0.04/K and k_f = 0.14 W/(m K).
 TEST(Validity, TheWarningOfHeatNamesTheCureAndThePartOfTheFilm) {
   const Scene fast = scene_of(ordinary().set("speed", "20"));
   const Validity heat = limit_of(fast, "inlet_heating");
