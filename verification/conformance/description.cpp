@@ -468,6 +468,13 @@ std::string kept_from_before(const Part& part) {
 Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   std::string text = pattern(part);
   std::function<bool(const Question&)> is_in_place;
+  const auto with = [&](const std::string& misread) {
+    return fmt::format(" The answers are the right ones with {} ({} of {} wrong answers).", misread,
+                       part.wrong.size(), part.wrong.size());
+  };
+  // A cache, too, gives answers to other questions; the default is the simpler cause.
+  if (const std::string other = other_default(part); !other.empty())
+    return {text + '.' + with(other), true, other, {}};
   if (const std::string kept = kept_answers(part); !kept.empty())
     return {text + ". " + kept, true, {}, {}};
   if (2 * part.wrong.size() < part.all.size())
@@ -482,9 +489,7 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};
   if (const std::string misread = misread_input(part); !misread.empty())
-    return {fmt::format("{} The answers are the right ones with {} ({} of {} wrong answers).", text,
-                        misread, part.wrong.size(), part.wrong.size()),
-            true, misread, is_in_place};
+    return {text + with(misread), true, misread, is_in_place};
   if (const std::string other = other_value(part); !other.empty())
     return {text + ' ' + other, true, {}, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);

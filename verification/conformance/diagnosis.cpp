@@ -16,10 +16,13 @@
 #include "conformance/description.hpp"
 #include "conformance/follow.hpp"
 #include "conformance/mistake_search.hpp"
+#include "conformance/words.hpp"
 
 namespace tribo::conformance {
 namespace {
 
+// The end of a text without a cause.
+const std::string unknown = " None of the known mistakes gives these ";
 constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr std::size_t fewest_followed = 3;
@@ -378,8 +381,7 @@ class Diagnoser {
                             fmt::join(branches, ", "), sentence);
     }
     if (has_causes) return text;
-    return text + (found_.empty() ? " None of the known mistakes gives these numbers."
-                                  : " None of the known mistakes gives these others.");
+    return text + unknown + (found_.empty() ? "numbers." : "others.");
   }
 
   // The part with most wrong answers; of points the result that is computed first, if enough points
@@ -403,6 +405,18 @@ class Diagnoser {
       }
     }
     describe(parts, parts.front().place);
+    // Other results of the function have a line of their own where their cause is another one.
+    std::set<std::size_t> told{parts.front().place};
+    for (const Part& part : parts)
+      if (told.insert(part.place).second) {
+        describe(parts, part.place);
+        const Diagnosis& last = found_.back();
+        const bool is_old =
+            std::any_of(found_.begin(), found_.end() - 1, [&](const Diagnosis& one) {
+              return one.quantity != last.quantity && !one.cause.empty() && one.cause == last.cause;
+            });
+        if (is_old || last.text.find(unknown) != std::string::npos) found_.pop_back();
+      }
   }
 
   // Whether some points more than these are wrong.
@@ -498,6 +512,10 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
       for (const std::string& mistake : one.mistakes) named[mistake] = function;
       add(found, std::move(one));
     }
+    // Words follow from the numbers: they are told where these are right.
+    if (of_function.empty())
+      for (Diagnosis& one : diagnose_words(function, cases, conversation))
+        add(found, std::move(one));
   }
   for (Diagnosis& one : found) one.text += shared_text(one);
   return found;

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "catalogue/ways_to_ask.hpp"
-#include "conformance/mistake_entry.hpp"
+#include "conformance/law_numbers.hpp"
 #include "conformance/variable.hpp"
 #include "scene/schema.hpp"
 
@@ -34,8 +34,9 @@ enum class Kind : std::uint8_t {
   group,       // a number that several inputs make together, as αp: it may be cut off
   each_times,  // the first of several inputs of one unit, which are all multiplied by one number
   each_plus,   // … to which one number is added
-  constant,    // a number of the law, and not of the question
 };
+
+constexpr std::string_view dimensionless = "1";  // a function's inputs without a unit
 
 struct Input {
   std::string symbol;
@@ -44,32 +45,12 @@ struct Input {
   std::function<double(const Question&)> get;  // NaN: this question has none
   std::function<void(Question&, double)> set;
   Kind kind = Kind::single;
-  // The right answer with another value, where it is not that of another question.
-  std::function<double(const Question&, double, std::size_t)> answer = {};
 
   double answer_with(Question& asked, double value, std::size_t place) const {
-    if (answer) return answer(asked, value, place);
     set(asked, value);
     return right_numbers(asked)[place];
   }
 };
-
-void add_constants(const catalogue::Function& function, std::vector<Input>& all) {
-  for (const LawOfNumbers& law : laws_of_numbers(function.name))
-    for (std::size_t i = 0; i < law.right.size(); ++i)
-      all.push_back({fmt::format("{:g}", law.right[i]),
-                     {},
-                     {},
-                     [law, i](const Question&) { return law.right[i]; },
-                     {},
-                     Kind::constant,
-                     [law, i](const Question& asked, double value, std::size_t place) {
-                       std::vector<double> numbers(law.right.begin(), law.right.end());
-                       numbers[i] = value;
-                       const auto given = law.formula(asked.arguments, numbers);
-                       return given ? (*given)[place] : unsaid;
-                     }});
-}
 
 void add_groups(const catalogue::Function& function, std::vector<Input>& all) {
   for (const catalogue::Combination& group : function.combinations) {
@@ -101,7 +82,9 @@ void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
         alike.push_back(catalogue::place_in(function.parameters, all[k].name));
         symbols.push_back(all[k].symbol);
       }
-    if (all[i].unit.empty() || alike.size() < 2 || symbols.front() != all[i].symbol) continue;
+    if (all[i].unit.empty() || all[i].unit == dimensionless || alike.size() < 2 ||
+        symbols.front() != all[i].symbol)
+      continue;
     const auto first = all[i].get;
     const std::string names = fmt::format("each of {}", fmt::join(symbols, ", "));
     all.push_back({names,
@@ -145,13 +128,15 @@ std::vector<Input> inputs_of(const catalogue::Function* function) {
     const catalogue::Parameter& one = function->parameters[i];
     if (!one.words.empty() || one.range == catalogue::Range::half_order) continue;
     const bool is_ratio = one.range == catalogue::Range::poisson_ratio;
-    all.push_back({symbol_of(one.meaning), is_ratio ? "of Poisson" : one.unit, one.name,
-                   [i](const Question& asked) { return asked.arguments[i]; },
+    all.push_back({symbol_of(one.meaning),
+                   is_ratio           ? "of Poisson"
+                   : one.unit.empty() ? dimensionless
+                                      : one.unit,
+                   one.name, [i](const Question& asked) { return asked.arguments[i]; },
                    [i](Question& asked, double value) { asked.arguments[i] = value; }});
   }
   add_alike(*function, all);
   add_groups(*function, all);
-  add_constants(*function, all);
   return all;
 }
 
@@ -203,20 +188,6 @@ struct Misreading {
   bool is_default = false;  // the input where it is left out
 };
 
-// A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
-double round_number(double value) {
-  for (int digits = 1; digits <= 6; ++digits) {
-    const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
-    if (std::abs(rounded - value) <= 1e-6 * std::abs(value)) return rounded;
-  }
-  return value;
-}
-
-// Whether four digits are the number, to 1e-6 of it, as those that a source prints.
-bool is_of_few_digits(double value) {
-  return std::abs(std::stod(fmt::format("{:.3e}", value)) - value) <= 1e-6 * std::abs(value);
-}
-
 // The factors that people lose or gain, and their names.
 struct FamiliarFactor {
   double value;
@@ -250,6 +221,12 @@ std::optional<std::string> familiar_times(double factor, const std::string& symb
   return std::nullopt;
 }
 
+// Inputs of one unit may be taken for each other.
+bool is_of_unit(const Input& one, const Input& other) {
+  return one.kind == Kind::single && other.kind == Kind::single && !one.unit.empty() &&
+         one.unit == other.unit;
+}
+
 // Whether the question leaves the input out, which has a default then.
 bool is_left_out(const Input& input, const Question& question) {
   std::string pointer = '/' + std::string(input.name);
@@ -275,9 +252,6 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   };
   const double number = round_number(value), more = round_number(value - own);
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
-  if (input.kind == Kind::constant)
-    add(is_of_few_digits(value) ? 2 : 6, fmt::format("{:g} in place of {}", number, input.symbol),
-        [number](const Question&) { return number; });
   if (input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;
     add(familiar_times(factor, input.symbol) ? 1 : 5,
@@ -316,13 +290,38 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         return std::isfinite(input.get(question)) ? number : unsaid;
       });
   for (const Input& other : inputs) {
-    if (&other == &input || other.unit != input.unit || other.unit.empty()) continue;
+    if (&other == &input || !is_of_unit(other, input)) continue;
     const double ratio = value / other.get(asked);
     if (const auto words = familiar_times(ratio, other.symbol))
       add(*words == other.symbol ? 0 : 2, fmt::format("{} in place of {}", *words, input.symbol),
           [ratio, &other, &input](const Question& question) {
             return std::isfinite(input.get(question)) ? ratio * other.get(question) : unsaid;
           });
+  }
+}
+
+// Adds the readings by each input, from where answers are farthest off on both sides, which decide
+// the value best, and from a third one.
+void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part::Number>& wrong,
+                        std::size_t place, std::vector<Misreading>& found) {
+  const auto off = [](const Part::Number& one) {
+    return one.answered->got / one.answered->expected->high;
+  };
+  const auto [least, greatest] = std::minmax_element(
+      wrong.begin(), wrong.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
+  for (const Input& input : inputs) {
+    for (const auto& from : {least, greatest, wrong.begin() + std::ssize(wrong) / 2})
+      if (const auto value = solved(*from, input, place))
+        add_misreadings(inputs, input, from->of->question, *value, found);
+    // An answer that hardly depends on the input there tells no value of it.
+    for (const Input& other : inputs)
+      if (&other != &input && input.kind == Kind::single && is_of_unit(other, input))
+        found.push_back({0, fmt::format("{} in place of {}", other.symbol, input.symbol),
+                         [&input, &other](Question question, std::size_t of) {
+                           return std::isfinite(input.get(question))
+                                      ? input.answer_with(question, other.get(question), of)
+                                      : right_numbers(question)[of];
+                         }});
   }
 }
 
@@ -375,6 +374,22 @@ bool all_of(const std::vector<Part::Number>& numbers,
 
 }  // namespace
 
+// A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
+double round_number(double value) {
+  for (int digits = 1; digits <= 6; ++digits) {
+    const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
+    if (std::abs(rounded - value) <= 1e-6 * std::abs(value)) return rounded;
+  }
+  return value;
+}
+
+// Whether four digits are the number, to 1e-6 of it, as those that a source prints.
+bool is_of_few_digits(double value) {
+  return std::abs(std::stod(fmt::format("{:.3e}", value)) - value) <= 1e-6 * std::abs(value);
+}
+
+bool is_familiar(double factor) { return familiar_times(factor, {}).has_value(); }
+
 std::string times_in_words(double factor, const std::string& symbol) {
   return familiar_times(factor, symbol).value_or(fmt::format("{:.6g} {}", factor, symbol));
 }
@@ -382,8 +397,8 @@ std::string times_in_words(double factor, const std::string& symbol) {
 namespace {
 
 // "k = 1.03 where it is left out": the wrong answers are those to questions that leave this out.
-std::string other_default(const Part& part, const std::vector<Part::Number>& wrong,
-                          const std::vector<Input>& inputs) {
+std::string default_of(const Part& part, const std::vector<Part::Number>& wrong,
+                       const std::vector<Input>& inputs) {
   for (const Input& input : inputs) {
     const bool is_where =
         std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
@@ -402,26 +417,23 @@ std::string other_default(const Part& part, const std::vector<Part::Number>& wro
 
 }  // namespace
 
+std::string other_default(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  return wrong.size() < fewest_cut ? std::string()
+                                   : default_of(part, wrong, inputs_of(part.function()));
+}
+
 std::string misread_input(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
   if (wrong.size() < fewest_cut) return {};
   const std::vector<Input> inputs = inputs_of(part.function());
-  if (std::string text = other_default(part, wrong, inputs); !text.empty()) return text;
-  if (!vary(part)) return {};
-  // The answers that are farthest off on both sides decide the value best.
-  const auto log_off = [](const Part::Number& one) {
-    return one.answered->got / one.answered->expected->high;
-  };
-  const auto [least, greatest] =
-      std::minmax_element(wrong.begin(), wrong.end(),
-                          [&](const auto& a, const auto& b) { return log_off(a) < log_off(b); });
-  std::vector<const Misreading*> best;
   std::vector<Misreading> all;
-  for (const Input& input : inputs)
-    for (const auto& from : {least, greatest, wrong.begin() + std::ssize(wrong) / 2}) {
-      const auto value = solved(*from, input, part.place);
-      if (value) add_misreadings(inputs, input, from->of->question, *value, all);
-    }
+  const bool is_one_factor = !vary(part);
+  for (FittedNumbers& one : fitted_numbers(part))
+    if (!is_one_factor || (one.count == 1 && one.is_plausible))
+      all.push_back({one.is_plausible ? (one.count == 1 ? 2 : 6) : 7, std::move(one.text),
+                     std::move(one.answer)});
+  if (!is_one_factor) add_misreadings_of(inputs, wrong, part.place, all);
   std::stable_sort(all.begin(), all.end(),
                    [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
   std::vector<std::string> texts;

@@ -11,13 +11,24 @@ namespace tribo::conformance {
 
 // "u/2 in place of u": with this the right formula gives all wrong answers. It is solved for each
 // input where an answer is wrong; what comes is a multiple of the input, a number, a sum, another
-// input, or cut off, and has to give all other answers. Empty: no input does.
+// input, or cut off, and has to give all other answers. "0.231 in place of 0.213": a number of the
+// law likewise, or two of them, or one and a factor of an input. Empty: nothing of this does.
 std::string misread_input(const Part& part);
+
+// "k = 1.03 where it is left out": the wrong answers are those to questions that leave this out,
+// and are right with another default. Empty: no input is so.
+std::string other_default(const Part& part);
 
 // "All of these answers are 1e-09." or "… are the right semi_axis_y." Empty: they are neither one
 // number, nor one number times an input, nor an input or another result.
 std::string other_value(const Part& part);
 
+// A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
+double round_number(double value);
+// Whether four digits are the number, to 1e-6 of it, as those that a source prints.
+bool is_of_few_digits(double value);
+// Whether people know the factor, or one over it: 2, π, 1000 …; 1 and −1 are among them.
+bool is_familiar(double factor);
 // "2 u", "u/2", "1.23 u": a symbol times a factor, by the name of the factor where people know it.
 std::string times_in_words(double factor, const std::string& symbol);
 

@@ -82,13 +82,9 @@ using FunctionFormula = std::optional<Numbers> (*)(const catalogue::Arguments& a
 // Null where the function has no formula of this name that takes this count of `numbers`.
 FunctionFormula find_formula(std::string_view function, std::string_view name, std::size_t numbers);
 
-// A function's law as a formula of the numbers that its source prints; `right` are these. Some laws
-// have none, as their numbers are found by their exponents.
-struct LawOfNumbers {
-  FunctionFormula formula;
-  std::span<const double> right;
-};
-std::vector<LawOfNumbers> laws_of_numbers(std::string_view function);
+// The formula that is the function's law with these numbers, as its source prints them; null: the
+// function has no such formula among those of mistakes.
+std::pair<FunctionFormula, std::span<const double>> formula_of_law(std::string_view function);
 
 // The functions of an entry: the one that it names; of film_laws all film laws that have the
 // arguments and exponents that the entry changes. Throws std::runtime_error where there is none.

@@ -244,7 +244,11 @@ constexpr std::array<double, 6> regime{0.131, 1.683, 0.68, 0.0387, 0.85, 0.31};
 constexpr std::array<double, 2> dowson_higginson{5.9e8, 1.34};
 constexpr std::array<double, 4> roelands{1.96e8, 1, 1, 9.67};
 constexpr std::array<double, 1> walther{0.7};
-constexpr std::array<double, 3> index_above_100{10, 100, 0.00715};
+constexpr std::array<double, 2> rolling_inlet{3.94, 0.62};
+constexpr std::array<double, 2> jkr{3, 1};
+constexpr std::array<double, 1> plasticity{0.5};
+constexpr std::array<double, 6> kogut_etsion{1, 1.5, 1.03, 1.425, 1.40, 1.263};
+constexpr std::array<double, 2> patir_cheng{0.9, 0.56};
 
 constexpr NamedFormula formulas[] = {
     // E₁, ν₁, E₂ and ν₂
@@ -256,6 +260,11 @@ constexpr NamedFormula formulas[] = {
      }},
     {"effective_modulus", "modulus_of_one_ratio", 0,
      [](const Arguments& a, Constants) { return effective_modulus(a[0], a[1], a[2], a[1]); }},
+    {"effective_modulus", "modulus_of_mean_ratio", 0,
+     [](const Arguments& a, Constants) {
+       const double mean = (a[1] + a[3]) / 2;
+       return effective_modulus(a[0], mean, a[2], mean);
+     }},
     {"effective_modulus", "modulus_of_first_twice", 0,
      [](const Arguments& a, Constants) { return effective_modulus(a[0], a[1], a[0], a[1]); }},
 
@@ -426,6 +435,13 @@ constexpr NamedFormula formulas[] = {
        return wolveridge_film_ratio(std::pow((1 / a[1] - 1) * crook_constant<double>(), 1.5));
      }},
 
+    {"regime_film", "regime_with_inverse_phi", 0,
+     [](const Arguments& a, Constants) -> Value {
+       if (static_cast<FilmRegime>(static_cast<int>(a[0])) != FilmRegime::isoviscous_rigid)
+         return std::nullopt;
+       const double ratio = 1 + 2 / (3 * a[3]);
+       return right_regime(a) * std::pow(ratio, 4);
+     }},
     {"regime_film", "regime_with_inverse_in_phi", 0,
      [](const Arguments& a, Constants) {
        const double ratio = (1 + 2 / (3 * a[3])) / (1 + 2 * a[3] / 3);
@@ -450,8 +466,7 @@ constexpr NamedFormula formulas[] = {
          default:
            return right_regime(a) * side(1, n[2], a[4]) / side(1, 0.68, a[4]);
        }
-     },
-     regime},
+     }},
 
     {"gupta_thermal_reduction", "thermal_with_speed_once", 0,
      [](const Arguments& a, Constants) { return thermal(a, heating(a, a[5]), gupta); }},
@@ -475,6 +490,11 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants numbers) {
        return rolling(rolling_heat(a, a[2] * a[2]), numbers[0], numbers[1]);
      }},
+    {"murch_wilson_thermal_reduction", "rolling_as_printed", rolling_inlet.size(),
+     [](const Arguments& a, Constants numbers) {
+       return rolling(rolling_heat(a, a[2] * a[2]), 1 / numbers[0], numbers[1]);
+     },
+     rolling_inlet},
     {"murch_wilson_thermal_reduction", "rolling_inverted", 0,
      [](const Arguments& a, Constants) {
        return 1 / rolling(rolling_heat(a, a[2] * a[2]), 1 / 3.94, 0.62);
@@ -492,7 +512,8 @@ constexpr NamedFormula formulas[] = {
        const double load = a[0] + numbers[0] * adhesive +
                            numbers[1] * std::sqrt(adhesive * (6 * a[0] + 9 * adhesive));
        return load > 0 ? Value(std::cbrt(0.75 * a[3] / a[2] * load)) : std::nullopt;
-     }},
+     },
+     jkr},
     {"jkr_radius", "jkr_cubed", 0,
      [](const Arguments& a, Constants) {
        const double radius = jkr_radius(a[0], a[1], a[2], a[3]);
@@ -517,9 +538,11 @@ constexpr NamedFormula formulas[] = {
     {"plasticity_index", "plasticity_of_power", 1,
      [](const Arguments& a, Constants power) {
        return a[0] / a[1] * std::pow(a[2] / a[3], power[0]);
-     }},
+     },
+     plasticity},
     {"kogut_etsion_load", "kogut_of_rows", 6,
-     [](const Arguments& a, Constants numbers) { return load_of_rows(a[0], numbers); }},
+     [](const Arguments& a, Constants numbers) { return load_of_rows(a[0], numbers); },
+     kogut_etsion},
     {"persson_contact_area", "persson_of_factor", 1,
      [](const Arguments& a, Constants factor) {
        return std::erf(factor[0] * relative_pressure(a));
@@ -534,7 +557,8 @@ constexpr NamedFormula formulas[] = {
     {"patir_cheng_pressure_flow", "flow_of_numbers", 2,
      [](const Arguments& a, Constants numbers) {
        return 1 - numbers[0] * std::exp(-numbers[1] * a[0]);
-     }},
+     },
+     patir_cheng},
     {"patir_cheng_pressure_flow", "flow_shortage", 0,
      [](const Arguments& a, Constants) { return 0.9 * std::exp(-0.56 * a[0]); }},
     // Numbers: (m (Rq₁ⁿ + Rq₂ⁿ))^(1/n): n and m.
@@ -563,6 +587,11 @@ constexpr NamedFormula formulas[] = {
        return a[0] * std::exp(scale * (std::pow(1 + a[2] / numbers[0], z) - 1));
      },
      roelands},
+    {"roelands_viscosity", "roelands_of_exponent", 1,
+     [](const Arguments& a, Constants z) {
+       const double power = std::pow(1 + a[2] / roelands[0], z[0]);
+       return a[0] * std::exp((std::log(a[0]) + roelands[3]) * (power - 1));
+     }},
     {"roelands_viscosity", "roelands_in_millipascal", 0,
      [](const Arguments& a, Constants) {
        return viscosity_at(ViscosityLaw::roelands, 1e3 * a[0], a[1], a[2]) / 1e3;
@@ -605,14 +634,35 @@ constexpr NamedFormula formulas[] = {
        return 100 * (oils.zero - 1e6 * a[0]) / (oils.zero - oils.hundred);
      }},
     // Numbers: what is raised to the power N, what is added, and what it is divided by.
-    {"viscosity_index", "index_of_power", index_above_100.size(),
+    {"viscosity_index", "index_of_power", 3,
      [](const Arguments& a, Constants numbers) {
        return index_of(a, [&](double ratio, double y) {
          const double power = std::log(ratio) / std::log(y);
          return (std::pow(numbers[0], power) - 1) / numbers[2] + numbers[1];
        });
-     },
-     index_above_100},
+     }},
+    // Numbers: what Y is multiplied by where N is made.
+    {"viscosity_index", "index_of_other_unit", 1,
+     [](const Arguments& a, Constants unit) {
+       return index_of(a, [&](double ratio, double y) {
+         return (std::pow(10, std::log(ratio) / std::log(unit[0] * y)) - 1) / 0.00715 + 100;
+       });
+     }},
+    {"viscosity_index", "index_of_first_row", 0,
+     [](const Arguments& a, Constants) -> Value {
+       const auto& row = detail::index_rows[0];
+       const double u = 1e6 * a[0], y = 1e6 * a[1];
+       const double zero = (row.a / 1e5 * y + row.b / 1e4) * y + row.c / 1e3;
+       const double hundred = (row.d / 1e5 * y + row.e / 1e4) * y + row.f / 1e3;
+       if (u >= hundred) return 100 * (zero - u) / (zero - hundred);
+       return (std::pow(10, std::log(hundred / u) / std::log(y)) - 1) / 0.00715 + 100;
+     }},
+    {"viscosity_index", "index_of_inverse_ratio", 0,
+     [](const Arguments& a, Constants) {
+       return index_of(a, [](double ratio, double y) {
+         return (std::pow(10, -std::log(ratio) / std::log(y)) - 1) / 0.00715 + 100;
+       });
+     }},
 
     // Numbers: of which moments the root is taken.
     {"summits_from_spectral_moments", "summits_of_roots", 3,
@@ -636,11 +686,10 @@ constexpr NamedFormula formulas[] = {
 
 }  // namespace
 
-std::vector<LawOfNumbers> laws_of_numbers(std::string_view function) {
-  std::vector<LawOfNumbers> laws;
+std::pair<FunctionFormula, std::span<const double>> formula_of_law(std::string_view function) {
   for (const NamedFormula& one : formulas)
-    if (one.function == function && !one.right.empty()) laws.push_back({one.formula, one.right});
-  return laws;
+    if (one.function == function && !one.right.empty()) return {one.formula, one.right};
+  return {nullptr, {}};
 }
 
 FunctionFormula find_formula(std::string_view function, std::string_view name,

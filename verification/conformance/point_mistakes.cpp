@@ -192,6 +192,19 @@ void take_stiffness_of_greenwood_williamson(Question& question) {
       scale_stiffness(s, 4.0 / 3 / (16 * std::sqrt(2) / 15 * std::numbers::pi * roughness));
 }
 
+// Two numbers: of Greenwood and Tripp, and of Greenwood and Williamson.
+constexpr std::pair<std::string_view, double Question::*> summit_numbers[] = {
+    {"real_area_times", &Question::real_area_times},
+    {"summit_count_times", &Question::summit_count_times}};
+
+// h_oil as a part of the flooded film, where the field is one of σ_s.
+void take_inlet_of_flooded_film(Question& question) {
+  Scene& scene = *question.scene;
+  if (scene.supply.kind == SupplyKind::inlet_film_ratio)
+    scene.supply.value *= MixedContact<double>(scene).solve(scene.speeds[0]).film_flooded /
+                          scene.surface.summit_height_sd;
+}
+
 constexpr std::pair<std::string_view, double FrictionReading::*> friction_numbers[] = {
     {"asperities", &FrictionReading::asperities},
     {"film_boundary", &FrictionReading::film_boundary},
@@ -200,7 +213,10 @@ constexpr std::pair<std::string_view, double FrictionReading::*> friction_number
     {"contact_area", &FrictionReading::contact_area},
     {"roelands_pressure", &FrictionReading::roelands_pressure},
     {"roelands_logarithm", &FrictionReading::roelands_logarithm},
-    {"limiting_by_minimum", &FrictionReading::limiting_by_minimum}};
+    {"limiting_by_minimum", &FrictionReading::limiting_by_minimum},
+    {"limiting_by_tangent", &FrictionReading::limiting_by_tangent},
+    {"whole_pressure", &FrictionReading::whole_pressure},
+    {"pressure_times", &FrictionReading::pressure_times}};
 
 // The function's results with the mistake, for arguments that a point has.
 std::optional<double> value_with(const Mistake& wrong, const catalogue::Arguments& arguments) {
@@ -232,27 +248,52 @@ Mistake with_inlet(const Mistake& wrong) {
   });
 }
 
-// A mistake of load_sharing in operating points; a starved point gets its films alone. The film law
-// has to have the exponent of load_sharing, that of hamrock_dowson_central.
+// The point whose flooded film is λ σ_s = h₀ (1 − A)^−e, whatever gave it; a starved point gets its
+// films alone.
+Numbers shared_point(const Question& question, const MixedContact<double>& contact, double lambda,
+                     double exponent) {
+  const double speed = question.scene->speeds[0];
+  const double fluid = std::pow(contact.flooded_film_parameter(speed) / lambda, 1 / exponent);
+  const FloodedFilm<double> flooded{speed, {lambda, 1 - fluid, fluid, 0}};
+  const InletState<double> inlet = contact.inlet(flooded);
+  Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
+  if (question.scene->supply.kind != SupplyKind::flooded || lambda < contact.sharing().floor())
+    std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
+  return numbers;
+}
+
+// λ of load_sharing, which has the exponent of hamrock_dowson_central.
+std::optional<double> usual_sharing(const Mistake* wrong, const MixedContact<double>& contact,
+                                    const Scene& scene) {
+  const catalogue::Arguments arguments{static_cast<double>(scene.closures.asperity),
+                                       contact.flooded_film_parameter(scene.speeds[0]),
+                                       contact.sharing().stiffness(), contact.sharing().offset()};
+  if (wrong != nullptr) return value_with(*wrong, arguments);
+  const double lambda =
+      right_numbers({nullptr, catalogue::function_named("load_sharing"), arguments})[0];
+  return std::isfinite(lambda) ? std::optional(lambda) : std::nullopt;
+}
+constexpr double usual_exponent = hamrock_dowson_central_law.sharing_power.value;
+
+// A mistake of load_sharing in operating points whose film law has its exponent.
 Mistake with_sharing(const Mistake& wrong) {
   return with_formula(wrong, [wrong](const Question& question) -> std::optional<Numbers> {
-    const Scene& scene = *question.scene;
-    const MixedContact<double> contact(scene);
-    const double exponent = contact.film().sharing_power.value;
-    if (exponent != hamrock_dowson_central_law.sharing_power.value) return std::nullopt;
-    const double speed = scene.speeds[0];
-    const auto lambda = value_with(
-        wrong, {static_cast<double>(scene.closures.asperity), contact.flooded_film_parameter(speed),
-                contact.sharing().stiffness(), contact.sharing().offset()});
+    const MixedContact<double> contact(*question.scene);
+    if (contact.film().sharing_power.value != usual_exponent) return std::nullopt;
+    const auto lambda = usual_sharing(&wrong, contact, *question.scene);
     if (!lambda) return std::nullopt;
-    // The film is h₀ (1 − A)^−e, whatever gave A.
-    const double fluid = std::pow(contact.flooded_film_parameter(speed) / *lambda, 1 / exponent);
-    const FloodedFilm<double> flooded{speed, {*lambda, 1 - fluid, fluid, 0}};
-    const InletState<double> inlet = contact.inlet(flooded);
-    Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
-    if (scene.supply.kind != SupplyKind::flooded || *lambda < contact.sharing().floor())
-      std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
-    return numbers;
+    return shared_point(question, contact, *lambda, usual_exponent);
+  });
+}
+
+// The usual exponent with each other film law.
+Mistake with_usual_sharing(const Mistake& titled) {
+  return with_formula(titled, [](const Question& question) -> std::optional<Numbers> {
+    const MixedContact<double> contact(*question.scene);
+    if (contact.film().sharing_power.value == usual_exponent) return std::nullopt;
+    const auto lambda = usual_sharing(nullptr, contact, *question.scene);
+    if (!lambda) return std::nullopt;
+    return shared_point(question, contact, *lambda, usual_exponent);
   });
 }
 
@@ -341,6 +382,15 @@ std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
       Scene& scene = *question.scene;
       question.summit_count_times *= scale_stiffness(scene, is_gt(scene) ? by[0] : by[1]);
     })};
+  for (const auto& [name, times] : summit_numbers)
+    if (entry.formula == name && entry.numbers.size() == 2)
+      return {changed(entry, {entry.formula}, [times = times, by = entry.numbers](Question& one) {
+        one.*times *= is_gt(*one.scene) ? by[0] : by[1];
+      })};
+  if (entry.formula == "sharing_of_usual_film")
+    return {with_usual_sharing(titled(entry, operating_point))};
+  if (entry.formula == "inlet_of_flooded_film")
+    return {changed(entry, {"supply"}, take_inlet_of_flooded_film)};
   if (entry.formula == "stiffness_of_greenwood_williamson")
     return {changed(entry, {"stiffness"}, take_stiffness_of_greenwood_williamson)};
   if (!entry.formula.empty())

@@ -73,15 +73,18 @@ double friction_of(const OperatingPoint<double>& point, const Scene& scene,
   const double times = reading.roelands_pressure / roelands_pressure<double>();
   const double thickening = log_viscosity_ratio(
       scene.friction.viscosity, std::pow(oil.viscosity, reading.roelands_logarithm),
-      times * oil.pressure_viscosity, point.fluid_load_share * mean_pressure / times);
+      times * oil.pressure_viscosity,
+      reading.pressure_times * mean_pressure / times *
+          (reading.whole_pressure != 0 ? reading.whole_pressure : point.fluid_load_share));
   const double sliding = scene.friction.slide_roll_ratio * point.speed;
-  const bool is_minimum =
-      reading.limiting_by_minimum != 0 && scene.friction.fluid == FluidShear::limiting;
-  const double stress =
-      is_minimum ? std::min(oil.viscosity * std::exp(thickening) * sliding / point.separation,
-                            *oil.eyring_stress)
-                 : fluid_shear_stress(scene.friction.fluid, *oil.eyring_stress, oil.viscosity,
-                                      thickening, sliding, point.separation);
+  const double yield = *oil.eyring_stress;
+  const double newtonian = oil.viscosity * std::exp(thickening) * sliding / point.separation;
+  const bool is_limiting = scene.friction.fluid == FluidShear::limiting;
+  const double stress = is_limiting && reading.limiting_by_minimum != 0 ? std::min(newtonian, yield)
+                        : is_limiting && reading.limiting_by_tangent != 0
+                            ? yield * std::tanh(newtonian / yield)
+                            : fluid_shear_stress(scene.friction.fluid, yield, oil.viscosity,
+                                                 thickening, sliding, point.separation);
   const double boundary = reading.asperities * point.asperity_load_share +
                           reading.film_boundary * point.fluid_load_share + reading.whole_boundary;
   const double sheared = std::max(0.0, 1 - reading.contact_area * point.real_area_ratio);
@@ -135,9 +138,12 @@ Numbers numbers_of(const catalogue::Results& results) {
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question) {
   Numbers numbers = tribo::numbers_of(point);  // where the film has collapsed some are NaN: unsaid
   numbers[static_cast<std::size_t>(Output::summit_count)] *= question.summit_count_times;
+  numbers[static_cast<std::size_t>(Output::real_area_ratio)] *= question.real_area_times;
   double& friction = numbers[static_cast<std::size_t>(Output::friction)];
-  if (point.regime != Regime::collapsed && !(question.friction == FrictionReading{}))
-    friction = friction_of(point, *question.scene, question.friction);
+  FrictionReading reading = question.friction;
+  reading.contact_area *= question.real_area_times;
+  if (point.regime != Regime::collapsed && !(reading == FrictionReading{}))
+    friction = friction_of(point, *question.scene, reading);
   return numbers;
 }
 

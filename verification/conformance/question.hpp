@@ -42,6 +42,9 @@ struct FrictionReading {
   double roelands_pressure = tribo::roelands_pressure<double>();
   double roelands_logarithm = 1;   // 1/ln 10: log₁₀ η₀ for ln η₀
   double limiting_by_minimum = 0;  // 1: min(ηγ̇, τ₀) for τ₀(1 − e^{−ηγ̇/τ₀})
+  double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for it
+  // The pressure that thickens: the fluid's share of p̄, or with 1 all of it, times a number.
+  double whole_pressure = 0, pressure_times = 1;
 
   bool operator==(const FrictionReading&) const = default;
 };
@@ -54,6 +57,7 @@ struct Question {
   std::optional<Scene> scene = {};      // of an operating point, with its one speed
   SharingReading sharing = {};          // of load_sharing
   double summit_count_times = 1;        // of an operating point
+  double real_area_times = 1;           // of an operating point
   FrictionReading friction = {};        // of an operating point
 };
 

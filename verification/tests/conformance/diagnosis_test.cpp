@@ -115,9 +115,11 @@ TEST(Said, OfTwoMistakesAreBoth) {
 }
 
 TEST(Said, OfOtherExponentsAreTheExponents) {
-  expect_said(said_of("hamrock_dowson_central", film({.b = 0, .c = 0.49})),
+  expect_said(said_of("hamrock_dowson_central", film({.a = 0.7, .b = 0, .c = 0.49})),
               {"It goes as F^+0.49; the law has F^-0.067.",
-               "It does not depend on α; the law has α^+0.53.", "U^+0.67 G^+0 W^+0.49"});
+               "It does not depend on α; the law has α^+0.53.", "U^+0.7 G^+0 W^+0.49"});
+  expect_said(said_of("hamrock_dowson_central", film({.b = 0, .c = 0.49})),
+              {"with G^0 in place of G^0.53, and W^0.49 in place of W^-0.067 ("});
 }
 
 TEST(Said, OfAnotherLawsExponentsIsThatLaw) {

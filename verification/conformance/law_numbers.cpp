@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/law_numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <unsupported/Eigen/LevenbergMarquardt>
+#include <utility>
+
+#include "catalogue/ways_to_ask.hpp"
+#include "conformance/misread.hpp"
+#include "conformance/mistake_entry.hpp"
+#include "conformance/variable.hpp"
+#include "tribo/film_regimes.hpp"
+#include "tribo/starvation.hpp"
+#include "tribo/viscosity_index.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using catalogue::Arguments;
+using Constants = std::span<const double>;
+
+// --- Laws as formulas of their numbers
+
+std::optional<Numbers> only(double value) {
+  return std::isfinite(value) ? std::optional(Numbers{value}) : std::nullopt;
+}
+
+// Numbers: C, a, b, c, m and n of h/R = C Uᵃ Gᵇ Wᶜ (1 − m e^{−nk}), with 2E* in U, G and W.
+LawOfNumbers film_law_of_numbers(const catalogue::Function& function) {
+  const FilmLaw& law = *function.film_law;
+  const auto place = [&](std::string_view name) {
+    return catalogue::place_in(function.parameters, name);
+  };
+  // Soft bodies have no α, and lines no k.
+  const std::size_t none = function.parameters.size();
+  const std::size_t alpha = place("pressure_viscosity"), modulus = place("effective_modulus");
+  const std::size_t ellipticity = place("ellipticity");
+  const auto formula = [=, is_of_lines = law.is_of_lines](const Arguments& x, Constants n) {
+    const double twice = 2 * x[modulus], radius = x[modulus + 1], load = x[modulus - 1];
+    const double u = x[0] * x[1] / (twice * radius);
+    const double w = load / (twice * radius * (is_of_lines ? 1 : radius));
+    const double g = alpha == none ? 1 : x[alpha] * twice;
+    const double side = ellipticity == none ? 1 : 1 - n[4] * std::exp(-n[5] * x[ellipticity]);
+    return only(radius * n[0] * std::pow(u, n[1]) * std::pow(g, n[2]) * std::pow(w, n[3]) * side);
+  };
+  constexpr std::array before{"", "U^", "G^", "W^", "", ""};
+  LawOfNumbers found{formula, {}, {}};
+  for (const Fraction& number : {law.constant, law.speed_exponent, law.material_exponent,
+                                 law.load_exponent, law.side_leakage, law.side_decay}) {
+    found.right.push_back(static_cast<double>(number.p) / number.q);
+    found.names.push_back(
+        {before[found.names.size()],
+         is_of_few_digits(found.right.back()) ? "" : fmt::format("({}/{})", number.p, number.q)});
+  }
+  return found;
+}
+
+// Numbers: of each regime in the order of FilmRegime, as film_regimes.hpp has them.
+constexpr std::array regime_numbers{128.,   0.131, 1.683, 2. / 3, 1.66, 2. / 3, 0.68, 141., 0.375,
+                                    0.0387, 8.70,  0.67,  0.85,   0.31, 3.42,   0.49, 0.17, 0.68};
+std::optional<Numbers> film_of_regime(const Arguments& a, Constants n) {
+  const double g_v = a[1], g_e = a[2], alpha = a[3], k = a[4];
+  switch (static_cast<FilmRegime>(static_cast<int>(a[0]))) {
+    case FilmRegime::isoviscous_rigid: {
+      const double root = (n[1] * std::atan(alpha / 2) + n[2]) / (1 + n[3] / alpha);
+      return only(n[0] * alpha * root * root);
+    }
+    case FilmRegime::viscous_rigid_barus:
+      return only(n[4] * std::pow(g_v, n[5]) * -std::expm1(-n[6] * k));
+    case FilmRegime::viscous_rigid_roelands:
+      return only(n[7] * std::pow(g_v, n[8]) * -std::expm1(-n[9] * alpha));
+    case FilmRegime::isoviscous_elastic:
+      return only(n[10] * std::pow(g_e, n[11]) * (1 - n[12] * std::exp(-n[13] * k)));
+    default:
+      return only(n[14] * std::pow(g_v, n[15]) * std::pow(g_e, n[16]) * -std::expm1(-n[17] * k));
+  }
+}
+
+// Numbers: 10, 100 and 0.00715 of oils above 100, then each row of D2270's table, as it is printed.
+LawOfNumbers index_law_of_numbers() {
+  LawOfNumbers law{[](const Arguments& a, Constants n) -> std::optional<Numbers> {
+                     std::size_t row = detail::index_rows.size() - 1;
+                     while (row > 0 && a[1] <= detail::index_rows[row].from) --row;
+                     const double u = 1e6 * a[0], y = 1e6 * a[1];
+                     const Constants c = n.subspan(3 + 6 * row, 6);
+                     const double zero = (c[0] * y + c[1]) * y + c[2];
+                     const double hundred = (c[3] * y + c[4]) * y + c[5];
+                     if (u >= hundred) return only(n[1] * (zero - u) / (zero - hundred));
+                     const double power = std::log(hundred / u) / std::log(y);
+                     return only((std::pow(n[0], power) - 1) / n[2] + n[1]);
+                   },
+                   {10, 100, 0.00715},
+                   {}};
+  for (const detail::IndexRow& row : detail::index_rows)
+    for (const auto& [number, places] : {std::pair{row.a, 1e5},
+                                         {row.b, 1e4},
+                                         {row.c, 1e3},
+                                         {row.d, 1e5},
+                                         {row.e, 1e4},
+                                         {row.f, 1e3}})
+      law.right.push_back(number / places);
+  return law;
+}
+
+// Numbers: 2.7 of Wolveridge's film ratio, and of 1/r = y + n₁ψ^{n₂} y^{−n₃}, where n₁ = 4√2/3.
+std::optional<Numbers> starved_film(const Arguments& a, Constants n) {
+  const auto closure = static_cast<StarvationClosure>(static_cast<int>(a[0]));
+  if (closure == StarvationClosure::damiens) return std::nullopt;
+  if (closure == StarvationClosure::flooded_inlet && a[1] >= 1) return only(0);
+  const auto film_ratio = [&](double psi) { return std::atan(n[0] * psi) * 2 / std::numbers::pi; };
+  const auto is_long = [&](double psi) {
+    const double y = film_ratio(psi);
+    const double power = closure == StarvationClosure::printed_exponents ? std::pow(y, -n[3]) : 1.0;
+    const double other = closure == StarvationClosure::flooded_inlet ? 1 : y;
+    return a[1] * (other + n[1] * std::pow(psi, n[2]) * power) > 1;
+  };
+  double low = -60, high = 60;  // ln ψ
+  if (is_long(std::exp(low)) || !is_long(std::exp(high))) return std::nullopt;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (is_long(std::exp(middle)) ? high : low) = middle;
+  }
+  return only(film_ratio(std::exp((low + high) / 2)));
+}
+
+// Numbers: 6 of the density m₄/(6√3π m₂), 3/8 of the radius, 0.8968 and 4 of the heights.
+std::optional<Numbers> summits(const Arguments& m, Constants n) {
+  const double pi = std::numbers::pi, bandwidth = m[0] / m[1] * (m[2] / m[1]);
+  const double excess = bandwidth - n[2];
+  return Numbers{bandwidth, m[2] / (n[0] * pi * std::numbers::sqrt3 * m[1]),
+                 n[1] * std::sqrt(pi / m[2]), std::sqrt(excess / bandwidth * m[0]),
+                 n[3] / std::sqrt(pi * excess)};
+}
+
+// --- Numbers and factors that may be changed
+
+int digits_of(double number) {
+  int digits = 1;
+  while (std::stod(fmt::format("{:.{}e}", number, digits - 1)) != number && digits < 17) ++digits;
+  return digits;
+}
+
+// Whether a source may print the number in place of another one: it has few digits, or as many.
+bool is_printed_like(double value, double other) {
+  const int digits = digits_of(other);
+  return is_of_few_digits(value) ||
+         (digits <= 6 && std::abs(std::stod(fmt::format("{:.{}e}", value, digits - 1)) - value) <=
+                             1e-8 * std::abs(value));
+}
+
+struct Change {
+  std::string symbol;
+  std::size_t place;  // in the law's numbers, or in the function's arguments
+  bool is_input;
+  double right;  // 1 for the factor of an input
+
+  double value(double step) const { return is_input ? std::exp(step) : right * (1 + step); }
+};
+
+std::vector<Change> changes_of(const catalogue::Function& function, const LawOfNumbers& law) {
+  std::vector<Change> all;
+  for (std::size_t i = 0; i < law.right.size(); ++i)
+    if (law.right[i] != 0) all.push_back({law.in_words(i, law.right[i]), i, false, law.right[i]});
+  for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    if (function.parameters[i].words.empty() &&
+        function.parameters[i].range == catalogue::Range::above_zero)
+      all.push_back({symbol_of(function.parameters[i].meaning), i, true, 1});
+  return all;
+}
+
+// The law with some of its numbers, or of its inputs, changed.
+struct ChangedLaw {
+  LawOfNumbers law;
+  std::vector<Change> changes;
+
+  double answer(Question asked, const Eigen::VectorXd& steps, std::size_t place) const {
+    std::vector<double> numbers = law.right;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      const double value = changes[i].value(steps[static_cast<Eigen::Index>(i)]);
+      if (changes[i].is_input)
+        asked.arguments[changes[i].place] *= value;
+      else
+        numbers[changes[i].place] = value;
+    }
+    const auto given = law.formula(asked.arguments, numbers);
+    return given ? (*given)[place] : unsaid;
+  }
+};
+
+// What is left of the wrong answers, for Eigen's least squares.
+struct Residuals : Eigen::DenseFunctor<double> {
+  Residuals(const ChangedLaw& changed, const std::vector<Part::Number>& all, std::size_t of)
+      : DenseFunctor(static_cast<int>(changed.changes.size()), static_cast<int>(all.size())),
+        law(&changed),
+        wrong(&all),
+        place(of) {}
+
+  int operator()(const InputType& steps, ValueType& left) const {
+    for (std::size_t i = 0; i < wrong->size(); ++i) {
+      const Part::Number& one = (*wrong)[i];
+      const double given = law->answer(one.of->question, steps, place);
+      if (!std::isfinite(given)) return -1;
+      // Exponents change answers by orders: then the logarithm is nearly linear in them.
+      const double got = one.answered->got, ratio = given / got;
+      left[static_cast<Eigen::Index>(i)] =
+          ratio > 0 ? std::log(ratio)
+                    : (given - got) / (std::abs(got) + std::abs(one.answered->expected->high));
+    }
+    return 0;
+  }
+  int df(const InputType& steps, JacobianType& slopes) const {
+    constexpr double width = 1e-6;
+    ValueType above(values()), below(values());
+    for (Eigen::Index i = 0; i < steps.size(); ++i) {
+      InputType moved = steps;
+      moved[i] = steps[i] + width;
+      if ((*this)(moved, above) < 0) return -1;
+      moved[i] = steps[i] - width;
+      if ((*this)(moved, below) < 0) return -1;
+      slopes.col(i) = (above - below) / (2 * width);
+    }
+    return 0;
+  }
+
+  const ChangedLaw* law;
+  const std::vector<Part::Number>* wrong;
+  std::size_t place;
+};
+
+constexpr double of_answers = 1e-6;  // how closely the wrong ones have to be met
+constexpr double as_printed = 1e-6;  // a number that is nearer to its own is its own
+constexpr std::size_t most_in_pairs = 16, fewest_of_pairs = 4;
+
+// The steps with which the law gives these wrong answers; empty: the search finds none from there.
+std::optional<Eigen::VectorXd> steps_to(const ChangedLaw& changed,
+                                        const std::vector<Part::Number>& wrong, std::size_t place,
+                                        Eigen::VectorXd steps) {
+  Residuals residuals(changed, wrong, place);
+  Eigen::VectorXd left(residuals.values());
+  Eigen::LevenbergMarquardt<Residuals> search(residuals);
+  search.setMaxfev(60);
+  search.minimize(steps);
+  if (!steps.allFinite() || residuals(steps, left) < 0 ||
+      left.lpNorm<Eigen::Infinity>() > of_answers)
+    return std::nullopt;
+  return steps;
+}
+
+std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change> changes,
+                                    const std::vector<Part::Number>& wrong, std::size_t place) {
+  ChangedLaw changed{law, std::move(changes)};
+  const Eigen::VectorXd none =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(changed.changes.size()));
+  auto solved = steps_to(changed, wrong, place, none);
+  // Near a pole of the law the way to all answers leads through one of them.
+  for (std::size_t i = 0; i < 3 && !solved && changed.changes.size() == 1 && wrong.size() > 3; ++i)
+    if (const auto one = steps_to(changed, {wrong[i * (wrong.size() - 1) / 2]}, place, none))
+      solved = steps_to(changed, wrong, place, *one);
+  if (!solved) return std::nullopt;
+  Eigen::VectorXd& steps = *solved;
+  FittedNumbers found{changed.changes.size(), true, {}, {}, {}};
+  for (std::size_t i = 0; i < changed.changes.size(); ++i) {
+    const Change& one = changed.changes[i];
+    double& step = steps[static_cast<Eigen::Index>(i)];
+    if (std::abs(step) < as_printed) return std::nullopt;
+    const double value = one.value(step);
+    const std::string now =
+        one.is_input ? times_in_words(value, one.symbol) : law.in_words(one.place, value);
+    found.is_plausible = found.is_plausible &&
+                         (one.is_input ? is_familiar(value) : is_printed_like(value, one.right));
+    found.values.push_back(value);
+    // The number as people write it is meant, and not what the search came near to.
+    if (!one.is_input && is_printed_like(value, one.right))
+      step = round_number(value) / one.right - 1;
+    found.text += fmt::format("{}{} in place of {}", i == 0 ? "" : ", and ", now, one.symbol);
+  }
+  found.answer = [changed, steps = steps](const Question& asked, std::size_t of) {
+    return changed.answer(asked, steps, of);
+  };
+  return found;
+}
+
+}  // namespace
+
+std::string LawOfNumbers::in_words(std::size_t place, double number) const {
+  const NumberName name = place < names.size() ? names[place] : NumberName{};
+  const bool is_right = number == right[place] && !name.right.empty();
+  return name.before + (is_right ? name.right : fmt::format("{:.6g}", number));
+}
+
+std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) {
+  if (function.film_law != nullptr) return film_law_of_numbers(function);
+  if (function.name == "regime_film")
+    return LawOfNumbers{film_of_regime,
+                        {regime_numbers.begin(), regime_numbers.end()},
+                        {{},
+                         {},
+                         {},
+                         {"", "2/3"},
+                         {},
+                         {"g_V^", "(2/3)"},
+                         {},
+                         {},
+                         {"g_V^", ""},
+                         {},
+                         {},
+                         {"g_E^", ""},
+                         {},
+                         {},
+                         {},
+                         {"g_V^", ""},
+                         {"g_E^", ""}}};
+  if (function.name == "viscosity_index") return index_law_of_numbers();
+  if (function.name == "starvation_ratio")
+    return LawOfNumbers{starved_film,
+                        {2.7, 4 * std::numbers::sqrt2 / 3, 1.5, 1.25},
+                        {{}, {"", "4√2/3"}, {"", "3/2"}, {"", "5/4"}}};
+  if (function.name == "summits_from_spectral_moments")
+    return LawOfNumbers{summits, {6, 0.375, 0.8968, 4}, {}};
+  const auto [formula, right] = formula_of_law(function.name);
+  if (formula == nullptr) return std::nullopt;
+  return LawOfNumbers{formula, {right.begin(), right.end()}, {}};
+}
+
+namespace {
+
+// Single numbers that give all wrong answers; inputs alone are no numbers of the law.
+std::vector<FittedNumbers> singles(const LawOfNumbers& law, const std::vector<Change>& changes,
+                                   const std::vector<Part::Number>& wrong, std::size_t place) {
+  std::vector<FittedNumbers> found;
+  for (const Change& one : changes)
+    if (!one.is_input)
+      if (auto single = fitted(law, {one}, wrong, place)) found.push_back(std::move(*single));
+  return found;
+}
+
+// Two numbers of which each gives some wrong answers alone, as of two rows of a table: one is found
+// by the answers that some of its values give, and the other by the rest.
+std::vector<FittedNumbers> one_after_the_other(const LawOfNumbers& law,
+                                               const std::vector<Change>& changes,
+                                               const std::vector<Part::Number>& wrong,
+                                               std::size_t place) {
+  constexpr std::size_t looked_at = 8, fewest_of_each = 3;
+  const std::size_t step = std::max<std::size_t>(1, wrong.size() / looked_at);
+  for (const Change& one : changes)
+    for (std::size_t i = 0; i < wrong.size() && !one.is_input; i += step) {
+      const auto first = fitted(law, {one}, {wrong[i]}, place);
+      if (!first || !first->is_plausible) continue;
+      std::vector<Part::Number> rest;
+      for (const Part::Number& number : wrong) {
+        const double given = first->answer(number.of->question, place);
+        if (!(std::abs(given - number.answered->got) <= of_answers * std::abs(given)))
+          rest.push_back(number);
+      }
+      if (wrong.size() - rest.size() < fewest_of_each || rest.empty()) continue;
+      LawOfNumbers changed = law;
+      changed.right[one.place] = first->values.front();
+      for (FittedNumbers& second : singles(changed, changes, rest, place)) {
+        if (!second.is_plausible) continue;
+        second.count = 2;
+        second.text = first->text + ", and " + second.text;
+        return {std::move(second)};
+      }
+    }
+  return {};
+}
+
+}  // namespace
+
+std::vector<FittedNumbers> fitted_numbers(const Part& part) {
+  const auto law = part.function() == nullptr ? std::nullopt : law_of_numbers(*part.function());
+  if (!law) return {};
+  std::vector<Part::Number> wrong;
+  for (const Part::Number& one : part.all)
+    if (one.answered->is_left()) wrong.push_back(one);
+  // Those that the wrong answers depend on.
+  std::vector<Change> changes;
+  for (Change& one : changes_of(*part.function(), *law)) {
+    const ChangedLaw changed{*law, {one}};
+    const Eigen::VectorXd step = Eigen::VectorXd::Constant(1, 1e-3);
+    const bool matters = std::any_of(wrong.begin(), wrong.end(), [&](const Part::Number& number) {
+      const double with = changed.answer(number.of->question, step, part.place);
+      return std::abs(with - number.answered->expected->high) > number.answered->allowed;
+    });
+    if (matters) changes.push_back(std::move(one));
+  }
+  std::vector<FittedNumbers> found = singles(*law, changes, wrong, part.place);
+  const bool is_plausible = std::any_of(found.begin(), found.end(),
+                                        [](const FittedNumbers& one) { return one.is_plausible; });
+  if (is_plausible || wrong.size() < fewest_of_pairs) return found;
+  for (std::size_t i = 0; i < changes.size() && changes.size() <= most_in_pairs; ++i)
+    for (std::size_t k = i + 1; k < changes.size(); ++k)
+      if (!changes[i].is_input || !changes[k].is_input)
+        if (auto pair = fitted(*law, {changes[i], changes[k]}, wrong, part.place);
+            pair && pair->is_plausible)
+          found.push_back(std::move(*pair));
+  if (changes.size() > most_in_pairs)
+    for (FittedNumbers& pair : one_after_the_other(*law, changes, wrong, part.place))
+      found.push_back(std::move(pair));
+  return found;
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers that sources print, as C, a, b and c of a film's C Uᵃ Gᵇ Wᶜ, and those that a solver
+// has in their place: one or two, found by its answers.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "conformance/wrong_numbers.hpp"
+
+namespace tribo::conformance {
+
+// A function's law as a formula of the numbers that its source prints.
+struct LawOfNumbers {
+  // The results at these arguments; empty: nothing is said there.
+  std::function<std::optional<Numbers>(const catalogue::Arguments&, std::span<const double>)>
+      formula;
+  std::vector<double> right;  // the printed numbers; those that are 0 are not of the law
+  struct NumberName {
+    std::string before, right;  // "U^", and how the number is printed where it is no decimal
+  };
+  std::vector<NumberName> names;  // of the first numbers, or of all
+
+  // "U^0.67"
+  std::string in_words(std::size_t place, double number) const;
+};
+// Empty: the function's law has no printed numbers.
+std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function);
+
+// The law with other numbers in place of its own, or with factors of inputs beside them.
+struct FittedNumbers {
+  std::size_t count;           // of what is changed: 1 or 2
+  bool is_plausible;           // the numbers have few digits, and the factors are known ones
+  std::vector<double> values;  // in place of the right ones
+  std::string text;            // "0.231 in place of 0.213, and E*/2 in place of E*"
+  std::function<double(const Question&, std::size_t place)> answer;
+};
+// Those that give the wrong answers of the part, single numbers first, and pairs only where no
+// plausible single number does; the caller looks whether the right answers stay right.
+std::vector<FittedNumbers> fitted_numbers(const Part& part);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "conformance/question.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+struct AnsweredWord {
+  std::string asked, got;       // the right word, and the answer
+  std::vector<double> numbers;  // of the right point, in the order of number_names()
+};
+
+constexpr std::size_t fewest_words = 8;  // with the word, and without it
+
+// Numbers of a point that may decide on a word; the last one is made of two.
+std::vector<std::string> number_names() {
+  std::vector<std::string> names;
+  for (const Output output : {Output::asperity_load_share, Output::fluid_load_share,
+                              Output::film_parameter, Output::real_area_ratio})
+    names.emplace_back(info(output).name);
+  names.emplace_back("film/film_flooded");
+  return names;
+}
+std::vector<double> deciding_numbers(const Numbers& point) {
+  const auto of = [&](Output output) { return point[static_cast<std::size_t>(output)]; };
+  return {of(Output::asperity_load_share), of(Output::fluid_load_share), of(Output::film_parameter),
+          of(Output::real_area_ratio), of(Output::film) / of(Output::film_flooded)};
+}
+
+// The number with the fewest digits between two others.
+double roundest_between(double low, double high) {
+  for (int digits = 0; digits < 15; ++digits) {
+    const double unit =
+        std::pow(10, std::floor(std::log10(std::max(std::abs(low), std::abs(high)))) - digits);
+    const double found = std::ceil(low / unit) * unit;
+    if (found <= high) return std::stod(fmt::format("{:.{}g}", found, digits + 2));
+  }
+  return high;
+}
+
+// A word that is answered where a number is above a limit, or below it.
+struct WordLimit {
+  bool is_above;
+  double low, high;  // the limit lies between these
+};
+
+std::optional<WordLimit> limit_of(const std::vector<AnsweredWord>& answers, std::size_t number,
+                                  const std::string& word, std::string AnsweredWord::*which) {
+  double least_with = INFINITY, most_with = -INFINITY, least_without = INFINITY,
+         most_without = -INFINITY;
+  std::size_t with = 0, without = 0;
+  for (const AnsweredWord& one : answers) {
+    const double value = one.numbers[number];
+    if (!std::isfinite(value)) continue;
+    const bool has = one.*which == word;
+    (has ? with : without) += 1;
+    double &least = has ? least_with : least_without, &most = has ? most_with : most_without;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (with < fewest_words || without < fewest_words) return std::nullopt;
+  if (most_without < least_with) return WordLimit{true, most_without, least_with};
+  if (most_with < least_without) return WordLimit{false, most_with, least_without};
+  return std::nullopt;
+}
+
+// "`boundary` is answered from … on": the first number that decides on the word. Empty: the right
+// limit may be the one of the answers, or no number decides.
+std::string told(const std::vector<AnsweredWord>& answers, const std::string& word) {
+  const std::vector<std::string> names = number_names();
+  const auto place_in_words = [&](const WordLimit& limit, std::size_t number) {
+    const double border = roundest_between(limit.low, limit.high);
+    return limit.is_above ? fmt::format("from {} = {:g} on", names[number], border)
+                          : fmt::format("below {} = {:g}", names[number], border);
+  };
+  std::string right;
+  for (std::size_t number = 0; number < names.size() && right.empty(); ++number)
+    if (auto limit = limit_of(answers, number, word, &AnsweredWord::asked)) {
+      for (const double border : {0.01, 0.95, 0.99})  // of the words' definitions
+        if (limit->low <= border && border <= limit->high) limit->low = limit->high = border;
+      right = place_in_words(*limit, number);
+    }
+  for (std::size_t number = 0; number < names.size(); ++number) {
+    const auto got = limit_of(answers, number, word, &AnsweredWord::got);
+    if (!got) continue;
+    const auto asked = limit_of(answers, number, word, &AnsweredWord::asked);
+    if (asked && asked->low < got->high && got->low < asked->high) return {};
+    std::string text =
+        fmt::format(" The word `{}` is answered {}", word, place_in_words(*got, number));
+    if (!right.empty()) text += fmt::format("; it is right {}", right);
+    return text + '.';
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Diagnosis> diagnose_words(const std::string& function,
+                                      const std::vector<TestCase>& cases,
+                                      const Conversation& conversation) {
+  if (!is_operating_point(function)) return {};
+  std::map<std::string, std::vector<AnsweredWord>> fields;
+  std::map<std::string, std::string> quantities;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Reply& answer = conversation.answers[i];
+    if (cases[i].function != function || answer.outcome != Outcome::answered) continue;
+    std::optional<std::vector<double>> numbers;  // the point is solved once
+    for (const Expected& expected : cases[i].expected) {
+      const auto value = answer.fields.find(expected.field);
+      if (expected.word.empty() || value == answer.fields.end() || !value->is_string()) continue;
+      if (!numbers) numbers = deciding_numbers(right_numbers(question_of(cases[i])));
+      fields[expected.field].push_back({expected.word, value->get<std::string>(), *numbers});
+      quantities[expected.field] = expected.quantity;
+    }
+  }
+  std::vector<Diagnosis> found;
+  for (const auto& [field, answers] : fields) {
+    std::set<std::string> words;  // of wrong answers
+    std::size_t wrong = 0;
+    for (const AnsweredWord& one : answers) {
+      if (one.asked == one.got) continue;
+      ++wrong;
+      words.insert({one.asked, one.got});
+    }
+    std::string text;
+    for (const std::string& word : words) text += told(answers, word);
+    if (text.empty()) continue;
+    const std::string quantity = quantities[field];
+    found.push_back({quantity,
+                     {function},
+                     {},
+                     0,
+                     wrong,
+                     fmt::format("{} is another word in {} of {} cases.{}", quantity, wrong,
+                                 answers.size(), text),
+                     text});
+  }
+  return found;
+}
+
+}  // namespace tribo::conformance
