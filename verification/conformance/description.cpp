@@ -488,8 +488,8 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   text += '.';
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};
-  if (const std::string misread = misread_input(part); !misread.empty())
-    return {text + with(misread), true, misread, is_in_place};
+  if (const std::optional<Misread> misread = misread_input(part))
+    return {text + with(misread->text), true, misread->text, is_in_place};
   if (const std::string other = other_value(part); !other.empty())
     return {text + ' ' + other, true, {}, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);

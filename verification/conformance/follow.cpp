@@ -8,6 +8,7 @@
 
 #include "conformance/dependence.hpp"
 #include "conformance/description.hpp"
+#include "conformance/misread.hpp"
 #include "conformance/mistake_entry.hpp"
 #include "conformance/mistake_search.hpp"
 #include "conformance/variable.hpp"
@@ -131,6 +132,11 @@ void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
     std::vector<Factor> factors;
     for (const Part& part : parts_left(cases)) {
       Factor factor{part.place, part.branch, power_factor(part)};
+      if (!factor.at)
+        if (const std::optional<Misread> misread = misread_input(part))
+          factor.at = [answer = misread->answer, place = part.place](const Question& question) {
+            return answer(question, place) / right_numbers(question)[place];
+          };
       if (factor.at) {
         closeness_ = std::max(closeness_, closeness_of_formula);
       } else {

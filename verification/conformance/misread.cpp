@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -423,30 +424,34 @@ std::string other_default(const Part& part) {
                                    : default_of(part, wrong, inputs_of(part.function()));
 }
 
-std::string misread_input(const Part& part) {
+std::optional<Misread> misread_input(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
-  if (wrong.size() < fewest_cut) return {};
-  const std::vector<Input> inputs = inputs_of(part.function());
+  if (wrong.size() < fewest_cut) return std::nullopt;
+  // The readings keep the address of their inputs.
+  const auto inputs = std::make_shared<const std::vector<Input>>(inputs_of(part.function()));
   std::vector<Misreading> all;
   const bool is_one_factor = !vary(part);
   for (FittedNumbers& one : fitted_numbers(part))
     if (!is_one_factor || (one.count == 1 && one.is_plausible))
       all.push_back({one.is_plausible ? (one.count == 1 ? 2 : 6) : 7, std::move(one.text),
                      std::move(one.answer)});
-  if (!is_one_factor) add_misreadings_of(inputs, wrong, part.place, all);
+  if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);
   std::stable_sort(all.begin(), all.end(),
                    [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
   std::vector<std::string> texts;
-  int rank = 0;
+  const Misreading* first = nullptr;
   for (const Misreading& one : all) {
-    if (!texts.empty() && (one.rank > rank || texts.size() == 3)) break;
+    if (!texts.empty() && (one.rank > first->rank || texts.size() == 3)) break;
     if (std::find(texts.begin(), texts.end(), one.text) != texts.end() || !gives(one, part))
       continue;
-    rank = one.rank;
+    if (first == nullptr) first = &one;
     texts.push_back(one.text);
   }
-  if (texts.empty()) return {};
-  return fmt::format("{}", fmt::join(texts, "; or with "));
+  if (first == nullptr) return std::nullopt;
+  return Misread{fmt::format("{}", fmt::join(texts, "; or with ")),
+                 [inputs, answer = first->answer](const Question& asked, std::size_t place) {
+                   return answer(asked, place);
+                 }};
 }
 
 std::string other_value(const Part& part) {

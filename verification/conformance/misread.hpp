@@ -3,6 +3,9 @@
 // or of nothing that changes.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "conformance/wrong_numbers.hpp"
@@ -13,7 +16,11 @@ namespace tribo::conformance {
 // input where an answer is wrong; what comes is a multiple of the input, a number, a sum, another
 // input, or cut off, and has to give all other answers. "0.231 in place of 0.213": a number of the
 // law likewise, or two of them, or one and a factor of an input. Empty: nothing of this does.
-std::string misread_input(const Part& part);
+struct Misread {
+  std::string text;
+  std::function<double(const Question&, std::size_t place)> answer;  // with what is told first
+};
+std::optional<Misread> misread_input(const Part& part);
 
 // "k = 1.03 where it is left out": the wrong answers are those to questions that leave this out,
 // and are right with another default. Empty: no input is so.
