@@ -20,7 +20,10 @@ SAID = {
     "kelvins_taken_for_degrees": ("astm_d341_viscosity", "with each of T₁, T₂, T + 273.15 in place of"),
     "default_ellipticity": ("hamrock_dowson_central", "with k = 1.03 where it is left out"),
     "gupta_digits_exchanged": ("gupta_thermal_reduction", "with 0.231 in place of 0.213 ("),
-    "rigid_film_digits_exchanged": ("regime_film", "with 1.638 in place of 1.683 ("),
+    "index_digits_of_two_rows": ("viscosity_index", "with 5.7941 in place of 5.9741, and -57.07 in place of -50.77 ("),
+    "central_film_speed_and_load": ("hamrock_dowson_central", "with U^0.76 in place of U^0.67, and 2 F in place of F ("),
+    "boundary_word_from_ninety_percent": ("operating_point.regime",
+                                          "`boundary` is answered from asperity_load_share = 0.9 on; it is right from"),
 }
 
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -56,8 +57,8 @@ struct WordLimit {
 
 std::optional<WordLimit> limit_of(const std::vector<AnsweredWord>& answers, std::size_t number,
                                   const std::string& word, std::string AnsweredWord::*which) {
-  double least_with = INFINITY, most_with = -INFINITY, least_without = INFINITY,
-         most_without = -INFINITY;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  double least_with = far, most_with = -far, least_without = far, most_without = -far;
   std::size_t with = 0, without = 0;
   for (const AnsweredWord& one : answers) {
     const double value = one.numbers[number];
