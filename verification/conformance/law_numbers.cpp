@@ -178,16 +178,17 @@ struct ChangedLaw {
   LawOfNumbers law;
   std::vector<Change> changes;
 
-  double answer(Question asked, const Eigen::VectorXd& steps, std::size_t place) const {
+  double answer(const Question& asked, const Eigen::VectorXd& steps, std::size_t place) const {
+    Arguments arguments = asked.arguments;
     std::vector<double> numbers = law.right;
     for (std::size_t i = 0; i < changes.size(); ++i) {
       const double value = changes[i].value(steps[static_cast<Eigen::Index>(i)]);
       if (changes[i].is_input)
-        asked.arguments[changes[i].place] *= value;
+        arguments[changes[i].place] *= value;
       else
         numbers[changes[i].place] = value;
     }
-    const auto given = law.formula(asked.arguments, numbers);
+    const auto given = law.formula(arguments, numbers);
     return given ? (*given)[place] : unsaid;
   }
 };
@@ -244,7 +245,13 @@ std::optional<Eigen::VectorXd> steps_to(const ChangedLaw& changed,
   Eigen::VectorXd left(residuals.values());
   Eigen::LevenbergMarquardt<Residuals> search(residuals);
   search.setMaxfev(60);
-  search.minimize(steps);
+  if (search.minimizeInit(steps) == Eigen::LevenbergMarquardtSpace::ImproperInputParameters)
+    return std::nullopt;
+  const double at_first = search.fnorm();
+  for (int i = 0; i < 20; ++i) {
+    if (search.minimizeOneStep(steps) != Eigen::LevenbergMarquardtSpace::Running) break;
+    if (i >= 4 && search.fnorm() > 0.1 * at_first) return std::nullopt;  // it leads nowhere
+  }
   if (!steps.allFinite() || residuals(steps, left) < 0 ||
       left.lpNorm<Eigen::Infinity>() > of_answers)
     return std::nullopt;

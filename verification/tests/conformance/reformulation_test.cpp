@@ -1,0 +1,575 @@
+// SPDX-License-Identifier: Apache-2.0
+// No right solver is accused: thousands of ways to write the same formulas, in other units, by
+// other powers, roots, series and quadratures, by other conventions that are equivalent. Each is
+// drawn with numbers of its own and answers all cases of its function.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "conformance/conformance.hpp"
+#include "conformance/question.hpp"
+#include "conformance/readings.hpp"
+#include "support/judge.hpp"
+#include "tribo/starvation.hpp"
+#include "tribo/viscosity_index.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using catalogue::Arguments;
+using Answers = std::vector<double>;  // in the order of the function's results
+using Formula = std::function<Answers(const Arguments&)>;
+
+constexpr double pi = std::numbers::pi;
+const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
+
+// What is drawn anew for each way of writing.
+struct Draw {
+  std::mt19937_64 random;
+
+  int any(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random); }
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  }
+  // A unit: a power of ten with which an input is multiplied, and a result divided.
+  double unit() { return std::pow(10.0, any(13) - 6); }
+
+  // xⁿ by a power, a logarithm of some base, or a root.
+  std::function<double(double, double)> power() {
+    const double base = between(1.5, 12);
+    switch (any(4)) {
+      case 0:
+        return [](double x, double n) { return std::pow(x, n); };
+      case 1:
+        return [](double x, double n) { return std::exp(n * std::log(x)); };
+      case 2:
+        return [=](double x, double n) { return std::pow(base, n * std::log(x) / std::log(base)); };
+      default:
+        return [](double x, double n) { return 1 / std::pow(1 / x, n); };
+    }
+  }
+  // An integral over [from, to] by Gauss' rule on strips, or by Simpson's.
+  std::function<double(const std::function<double(double)>&, double, double)> integral(
+      int fewest_strips) {
+    const int strips = fewest_strips + any(fewest_strips), kind = any(2);
+    return [=](const std::function<double(double)>& of, double from, double to) {
+      const double h = (to - from) / strips;
+      double sum = 0;
+      for (int i = 0; i < strips; ++i) {
+        const double low = from + i * h;
+        if (kind == 0) {
+          sum += boost::math::quadrature::gauss<double, 15>::integrate(of, low, low + h);
+          continue;
+        }
+        constexpr int parts = 32;
+        for (int k = 0; k <= parts; ++k) {
+          const double weight = k == 0 || k == parts ? 1 : k % 2 == 1 ? 4 : 2;
+          sum += weight * of(low + k * h / parts) * h / parts / 3;
+        }
+      }
+      return sum;
+    };
+  }
+  // The root of a function that rises from below 0 at `low` to above 0 at `high`: by parts of the
+  // bracket, or by a method of higher order.
+  std::function<double(const std::function<double(double)>&, double, double)> root() {
+    const bool is_of_parts = any(2) == 0;
+    const double part = between(0.3, 0.7);
+    return [=](const std::function<double(double)>& of, double low, double high) {
+      if (!is_of_parts) {
+        std::uintmax_t steps = 200;
+        const auto found = boost::math::tools::toms748_solve(
+            of, low, high, boost::math::tools::eps_tolerance<double>(46), steps);
+        return (found.first + found.second) / 2;
+      }
+      while (high - low > 1e-13 * std::abs(high)) {
+        const double middle = low + part * (high - low);
+        (of(middle) < 0 ? low : high) = middle;
+      }
+      return (low + high) / 2;
+    };
+  }
+};
+
+Formula effective_modulus(Draw& draw) {
+  const double unit = draw.unit();
+  if (draw.any(2) == 0)
+    return [=](const Arguments& a) -> Answers {
+      const double first = a[0] * unit / ((1 - a[1]) * (1 + a[1]));
+      const double second = a[2] * unit / (1 - a[3] * a[3]);
+      return {first / (first + second) * second / unit};
+    };
+  return [=](const Arguments& a) -> Answers {
+    const double compliance =
+        2 * ((1 - a[1] * a[1]) / (a[0] / unit) + (1 - a[3] * a[3]) / (a[2] / unit));
+    return {2 / compliance * unit};
+  };
+}
+
+Formula reduced_radius(Draw& draw) {
+  const double unit = draw.unit();
+  const bool by_diameters = draw.any(2) == 0;
+  return [=](const Arguments& a) -> Answers {
+    const auto gap = [&](double one, double other) {
+      if (!by_diameters) return 1 / (unit / one + unit / other) * unit;
+      return 0.5 / (1 / (2 * one) + 1 / (2 * other));
+    };
+    const double x = gap(a[0], a[1]), y = gap(a[2], a[3]);
+    return {x, y, 1 / (1 / x + 1 / y)};
+  };
+}
+
+Formula hertz_point(Draw& draw) {
+  const auto power = draw.power();
+  const double unit = draw.unit();
+  return [=](const Arguments& a) -> Answers {
+    const double radius = power(0.75 * a[0] * (a[2] * unit) / a[1], 1.0 / 3) / power(unit, 1.0 / 3);
+    const double peak = power(6 * a[0] * a[1] * a[1] / (pi * pi * pi * a[2] * a[2]), 1.0 / 3);
+    return {radius, peak * 2 / 3, peak,
+            power(9 * a[0] * a[0] / (16 * a[2] * a[1] * a[1]), 1.0 / 3)};
+  };
+}
+
+Formula hertz_line(Draw& draw) {
+  const auto power = draw.power();
+  const double unit = draw.unit();
+  return [=](const Arguments& a) -> Answers {
+    const double twice = 2 * a[1] * unit;  // E′
+    const double half = power(8 * a[0] * unit * a[2] / (pi * twice), 0.5);
+    const double peak = power(a[0] * unit * twice / (2 * pi * a[2]), 0.5) / unit;
+    return {half, a[0] / (2 * half), peak, 0.30028310002449186 * peak};
+  };
+}
+
+// K and E of k by Legendre's, Carlson's, or the mean's way.
+Formula hertz_ellipse(Draw& draw) {
+  const int way = draw.any(3);
+  const auto root = draw.root();
+  const auto power = draw.power();
+  return [=](const Arguments& a) -> Answers {
+    const bool is_exchanged = a[3] < a[2];
+    const double ratio = std::max(a[2], a[3]) / std::min(a[2], a[3]);
+    const auto integrals = [way](double k) -> std::pair<double, double> {
+      const double modulus2 = (k - 1) * (k + 1) / (k * k), complement = 1 / (k * k);
+      if (way == 0)
+        return {boost::math::ellint_1(std::sqrt(modulus2)),
+                boost::math::ellint_2(std::sqrt(modulus2))};
+      if (way == 1) {
+        const double first = boost::math::ellint_rf(0.0, complement, 1.0);
+        return {first, first - modulus2 / 3 * boost::math::ellint_rd(0.0, complement, 1.0)};
+      }
+      double one = 1, other = 1 / k, sum = modulus2 / 2;
+      for (double weight = 1; std::abs(one - other) > 1e-15 * one; weight *= 2) {
+        const double difference = (one - other) / 2, mean = (one + other) / 2;
+        other = std::sqrt(one * other);
+        one = mean;
+        sum += weight * difference * difference;
+      }
+      return {pi / (2 * one), pi / (2 * one) * (1 - sum)};
+    };
+    // Near a circle the equation loses its digits, and k is (R_y/R_x)^(2/3).
+    const double k = ratio < 1 + 1e-5
+                         ? std::pow(ratio, 2.0 / 3)
+                         : root(
+                               [&](double trial) {
+                                 const auto [first, second] = integrals(trial);
+                                 return trial * trial * second - first - ratio * (first - second);
+                               },
+                               std::sqrt(ratio), std::pow(ratio, 0.8));
+    const auto [first, second] = integrals(k);
+    const double reduced = 1 / (1 / a[2] + 1 / a[3]);
+    const double minor = power(3 * second * a[0] * reduced / (pi * k * a[1]), 1.0 / 3),
+                 major = k * minor;
+    const double mean = a[0] / (pi * minor * major);
+    return {is_exchanged ? major : minor,
+            is_exchanged ? minor : major,
+            is_exchanged ? 1 / k : k,
+            mean,
+            1.5 * mean,
+            minor * minor * first / (2 * reduced * second)};
+  };
+}
+
+Formula subsurface_shear(Draw& draw) {
+  const bool by_stresses = draw.any(2) == 0;
+  const double unit = draw.unit();
+  return [=](const Arguments& a) -> Answers {
+    const double depth = a[2] / unit / (a[1] / unit), q = 1 / (1 + depth * depth);
+    const double arc = depth > 0 ? std::atan(1 / depth) : pi / 2;
+    const double radial = -(1 + a[3]) * (1 - depth * arc) + q / 2, axial = -q;
+    if (by_stresses) return {a[0] * std::abs(radial - axial) / 2};
+    return {a[0] * std::abs(0.75 * q - (1 + a[3]) / 2 * (1 - depth * arc))};
+  };
+}
+
+Formula jkr_radius(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& a) -> Answers {
+    const double stiffness = 4 * a[2] / 3, g = 3 * pi * a[1] * a[3];
+    return {power(a[3] / stiffness * (a[0] + g + std::sqrt(g * (2 * a[0] + g))), 1.0 / 3)};
+  };
+}
+
+Formula pull_off(Draw& draw) {
+  const double unit = draw.unit();
+  return [=](const Arguments& a) -> Answers {
+    return {(a[0] == 0 ? 3 * pi / 2 : 2 * pi) * (a[1] * unit) * a[2] / unit};
+  };
+}
+
+// Films as products of powers of the inputs, or in groups.
+Formula film(const catalogue::Function& function, Draw& draw) {
+  const auto power = draw.power();
+  const double unit = draw.unit();
+  const bool in_groups = draw.any(2) == 0;
+  const FilmLaw& law = *function.film_law;
+  const auto value = [](const Fraction& one) { return static_cast<double>(one.p) / one.q; };
+  const double c = value(law.constant), a = value(law.speed_exponent),
+               b = value(law.material_exponent), w = value(law.load_exponent),
+               m = value(law.side_leakage), n = value(law.side_decay);
+  const bool is_soft = function.parameters[2].name != "pressure_viscosity";
+  return [=, is_of_lines = law.is_of_lines](const Arguments& x) -> Answers {
+    const std::size_t load = is_soft ? 2 : 3;
+    const double modulus = 2 * x[load + 1], radius = x[load + 2], alpha = is_soft ? 1 : x[2];
+    const double side = m == 0 ? 1 : 1 - m * power(std::numbers::e, -n * x[load + 3]);
+    if (in_groups) {
+      const double radius_mm = radius * unit;
+      const double u = x[1] * x[0] * unit / (modulus * radius_mm);
+      const double load_group = x[load] / (modulus * radius * (is_of_lines ? 1 : radius));
+      return {c * power(u, a) * power(alpha * modulus, b) * power(load_group, w) * side *
+              radius_mm / unit};
+    }
+    const double by_radius = is_of_lines ? 1 - a - w : 1 - a - 2 * w;
+    return {c * power(x[0] * x[1], a) * power(alpha, b) * power(x[load], w) *
+            power(modulus, b - a - w) * power(radius, by_radius) * side};
+  };
+}
+
+Formula moes_line(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    const double modulus = 2 * x[4], u2 = 2 * x[0] * x[1] / (modulus * x[5]);
+    const double m = x[3] / (modulus * x[5]) / std::sqrt(u2), l = x[2] * modulus * power(u2, 0.25);
+    const double ri = 3 / m, ei = 2.621 * power(m, -0.2), rp = 1.287 * power(l, 2.0 / 3),
+                 ep = 1.311 * power(m, -0.125) * power(l, 0.75);
+    const double s = 1.4 + 1.6 * std::exp(-2 * ei / ri);
+    const double rigid = power(power(ri, 7.0 / 3) + power(ei, 7.0 / 3), 3 * s / 7);
+    const double thick = power(power(rp, -3.5) + power(ep, -3.5), -2 * s / 7);
+    return {power(rigid + thick, 1 / s) * x[5] * std::sqrt(u2)};
+  };
+}
+
+Formula regime_film(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    switch (static_cast<int>(x[0])) {
+      case 0: {
+        const double phi = 3 * x[3] / (3 * x[3] + 2);
+        return {128 * x[3] * power(phi * (0.131 * std::atan2(x[3], 2.0) + 1.683), 2)};
+      }
+      case 1:
+        return {1.66 * power(x[1], 2.0 / 3) * -std::expm1(-0.68 * x[4])};
+      case 2:
+        return {141 * power(x[1], 0.375) * -std::expm1(-0.0387 * x[3])};
+      case 3:
+        return {8.7 * power(x[2], 0.67) * (1 - 0.85 * power(std::numbers::e, -0.31 * x[4]))};
+      default:
+        return {3.42 * power(x[1], 0.49) * power(x[2], 0.17) * -std::expm1(-0.68 * x[4])};
+    }
+  };
+}
+
+Formula gupta(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    const double l = x[3] * x[4] / x[6] * x[5] * x[5];
+    const double slip = x[2] == 0 ? 0 : power(x[2], 0.83);
+    return {(1 - 6.6 * x[0] / x[1] * power(l, 0.42)) /
+            (1 + (0.213 + 0.47499 * slip) * power(l, 0.64))};
+  };
+}
+Formula murch_wilson(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    return {1 / (1 + power(x[0] * x[1] / x[3] * x[2] * x[2], 0.62) / 3.94)};
+  };
+}
+
+Formula starvation(Draw& draw) {
+  const auto root = draw.root();
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    const auto closure = static_cast<StarvationClosure>(static_cast<int>(x[0]));
+    if (closure == StarvationClosure::damiens) {
+      const double r = x[1], g = x[2];
+      return {r <= 1 ? power(1 + power(r, g), -1 / g) : power(1 + power(1 / r, g), -1 / g) / r};
+    }
+    if (closure == StarvationClosure::flooded_inlet && x[1] >= 1) return {0};
+    // In y, or in the angle πy/2, from tan of which ψ follows.
+    const auto excess = [&](double log_psi) {
+      const double psi = std::exp(log_psi), y = 2 / pi * std::atan(2.7 * psi);
+      const double crook = power(psi, 1.5) * 4 * std::numbers::sqrt2 / 3;
+      const double other = closure == StarvationClosure::flooded_inlet ? 1 : y;
+      return std::log(
+          x[1] * (other + (closure == StarvationClosure::printed_exponents ? crook * power(y, -1.25)
+                                                                           : crook)));
+    };
+    return {2 / pi * std::atan(2.7 * std::exp(root(excess, -200, 100)))};
+  };
+}
+
+double moment(
+    double order, double d,
+    const std::function<double(const std::function<double(double)>&, double, double)>& integral) {
+  if (order == 0) return std::erfc(d / std::numbers::sqrt2) / 2;
+  // With t² = s − d, so that half orders are smooth.
+  const double begin = std::sqrt(std::max(0.0, -9 - d));
+  const double end = std::sqrt(std::max(0.0, -d) + 40 / (std::max(d, 0.0) + 4));
+  return integral(
+      [=](double t) {
+        const double s = d + t * t;
+        return 2 * std::pow(t, 2 * order + 1) * std::exp(-s * s / 2) / std::sqrt(2 * pi);
+      },
+      begin, end);
+}
+Formula gaussian_moment(Draw& draw) {
+  const auto integral = draw.integral(10);
+  return [=](const Arguments& x) -> Answers { return {moment(x[0], x[1], integral)}; };
+}
+
+Formula density(Draw& draw) {
+  const double unit = draw.unit();
+  const int way = draw.any(3);
+  return [=](const Arguments& x) -> Answers {
+    const double p = x[0] * unit, of = 5.9e8 * unit;
+    if (way == 0) return {1 + 0.34 * p / (of + p)};
+    if (way == 1) return {(1 + 1.34 * p / of) / (1 + p / of)};
+    return {1.34 - 0.34 / (1 + p / of)};
+  };
+}
+Formula barus(Draw& draw) {
+  const double base = draw.between(2, 20);
+  return [=](const Arguments& x) -> Answers {
+    return {x[0] * std::pow(base, x[1] * x[2] / std::log(base))};
+  };
+}
+Formula roelands(Draw& draw) {
+  const int constant = draw.any(3), way = draw.any(2);
+  const double pole =
+      std::array{9.67, -std::log(6.31e-5), -std::log(6.315e-5)}[static_cast<std::size_t>(constant)];
+  const double base = draw.between(2, 20);
+  return [=](const Arguments& x) -> Answers {
+    const double scale = std::log(x[0]) + pole, z = x[1] * 1.96e8 / scale;
+    const double rise = std::pow(1 + x[2] / 1.96e8, z);
+    if (way == 0) return {std::pow(base, (std::log(x[0]) + scale * (rise - 1)) / std::log(base))};
+    return {std::exp(-pole) * std::exp(scale * rise)};
+  };
+}
+Formula carreau(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    const double number = x[2] * x[3],
+                 thinned = number == 0 ? 1 : power(1 + power(number, x[4]), (x[5] - 1) / x[4]);
+    return {x[0] * thinned + x[1] * (1 - thinned)};
+  };
+}
+Formula astm_d341(Draw& draw) {
+  const double base = draw.between(2, 20), inner = draw.between(2, 20);
+  return [=](const Arguments& x) -> Answers {
+    const auto log_to = [](double number, double to) { return std::log(number) / std::log(to); };
+    const auto z = [&](double viscosity) {
+      return log_to(log_to(1e6 * viscosity + 0.7, inner), base);
+    };
+    const double slope = (z(x[1]) - z(x[3])) / (log_to(x[2], base) - log_to(x[0], base));
+    const double height = z(x[1]) - slope * (log_to(x[4], base) - log_to(x[0], base));
+    return {(std::pow(inner, std::pow(base, height)) - 0.7) / 1e6};
+  };
+}
+Formula viscosity_index(Draw& draw) {
+  const double base = draw.between(2, 20);
+  return [=](const Arguments& x) -> Answers {
+    const auto oils = detail::index_oils(x[1]);
+    const double u = 1e6 * x[0];
+    if (u >= oils.hundred) return {100 * (1 - (u - oils.hundred) / (oils.zero - oils.hundred))};
+    const double n = (std::log(oils.hundred) - std::log(u)) / std::log(1e6 * x[1]);
+    return {100 + (std::pow(base, n * std::log(10) / std::log(base)) - 1) / 0.00715};
+  };
+}
+Formula summits(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    const double width = x[0] * x[2] / x[1] / x[1];
+    return {width, x[2] / x[1] / (6 * pi * std::sqrt(3)), 0.375 * power(pi / x[2], 0.5),
+            power(x[0] - 0.8968 * x[1] * x[1] / x[2], 0.5), 4 / power(pi * (width - 0.8968), 0.5)};
+  };
+}
+Formula plasticity(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers { return {x[0] / x[1] / power(x[3] / x[2], 0.5)}; };
+}
+Formula kogut_etsion(Draw& draw) {
+  const auto power = draw.power();
+  return [=](const Arguments& x) -> Answers {
+    const double w = x[0];
+    return {w < 1 ? power(w, 1.5) : w < 6 ? 1.03 * power(w, 1.425) : 1.4 * power(w, 1.263)};
+  };
+}
+Formula persson(Draw& draw) {
+  const double unit = draw.unit();
+  return [=](const Arguments& x) -> Answers {
+    const double p = x[0] * unit / (x[1] * unit * x[2]);
+    return {std::erf(2 * p / std::numbers::sqrt2)};
+  };
+}
+Formula patir_cheng(Draw& draw) {
+  const double base = draw.between(2, 20);
+  return [=](const Arguments& x) -> Answers {
+    return {1 - 0.9 * std::pow(base, -0.56 * x[0] / std::log(base))};
+  };
+}
+Formula lambda_ratio(Draw& draw) {
+  const double unit = draw.unit();
+  return [=](const Arguments& x) -> Answers {
+    const double rough = std::hypot(x[1] * unit, x[2] * unit) / unit;
+    return {rough, x[0] / rough};
+  };
+}
+Formula load_sharing(Draw& draw) {
+  const auto integral = draw.integral(5);
+  const auto root = draw.root();
+  return [=](const Arguments& x) -> Answers {
+    const double order = x[0] == 0 ? 2.5 : 1.5, q = x[0] == 0 ? 0.5 : 1;
+    const auto share = [&](double lambda) {
+      return std::pow(x[2] * moment(order, lambda - x[3], integral), q);
+    };
+    const auto excess = [&](double lambda) {
+      const double a = share(lambda);
+      return a >= 1 ? -1000 - a / (1 + a) : std::log(lambda / x[1]) + 0.14 * std::log1p(-a);
+    };
+    return {root(excess, x[1] * (1 - 1e-12), x[1] + x[3] + 60)};
+  };
+}
+
+struct Kind {
+  std::string_view function;
+  Formula (*draw)(Draw&);
+};
+constexpr Kind kinds[] = {{"effective_modulus", effective_modulus},
+                          {"reduced_radius", reduced_radius},
+                          {"hertz_point", hertz_point},
+                          {"hertz_line", hertz_line},
+                          {"hertz_ellipse", hertz_ellipse},
+                          {"subsurface_shear", subsurface_shear},
+                          {"jkr_radius", jkr_radius},
+                          {"pull_off_force", pull_off},
+                          {"moes_line", moes_line},
+                          {"regime_film", regime_film},
+                          {"gupta_thermal_reduction", gupta},
+                          {"murch_wilson_thermal_reduction", murch_wilson},
+                          {"starvation_ratio", starvation},
+                          {"gaussian_moment", gaussian_moment},
+                          {"dowson_higginson_density", density},
+                          {"barus_viscosity", barus},
+                          {"roelands_viscosity", roelands},
+                          {"carreau_yasuda_viscosity", carreau},
+                          {"astm_d341_viscosity", astm_d341},
+                          {"viscosity_index", viscosity_index},
+                          {"summits_from_spectral_moments", summits},
+                          {"plasticity_index", plasticity},
+                          {"kogut_etsion_load", kogut_etsion},
+                          {"persson_contact_area", persson},
+                          {"patir_cheng_pressure_flow", patir_cheng},
+                          {"lambda_ratio", lambda_ratio},
+                          {"load_sharing", load_sharing}};
+
+const std::vector<TestCase>& all_cases() {
+  static const std::vector<TestCase> cases = cases_for(
+      read_cases({reference + "/exact", reference + "/published"}), engineering_tolerance());
+  return cases;
+}
+
+// The verdicts on a solver that offers this function alone, by the formula.
+ConformanceResult verdict_on(const catalogue::Function& function, const Formula& formula) {
+  std::vector<TestCase> cases;
+  Conversation conversation;
+  for (const TestCase& one : all_cases()) {
+    if (one.function != function.name) continue;
+    const Answers answers = formula(question_of(one).arguments);
+    nlohmann::json fields;
+    for (std::size_t i = 0; i < function.results.size(); ++i)
+      fields[std::string(function.results[i].name)] = answers.at(i);
+    cases.push_back(one);
+    conversation.answers.push_back({Outcome::answered, std::move(fields), {}});
+  }
+  take_readings(cases, conversation, engineering_tolerance(), {});
+  return judge("reformulation", cases, std::move(conversation), engineering_tolerance());
+}
+
+void expect_held(const catalogue::Function& function, const Formula& formula, int number) {
+  for (const QuantityVerdict& one : verdict_on(function, formula).quantities) {
+    if (one.quantity.substr(0, one.quantity.find('.')) != function.name) continue;
+    EXPECT_EQ(one.status, Verdict::held)
+        << one.quantity << ", way " << number << ": " << one.worst.request.dump() << '\n'
+        << expected_text(one.worst.expected, one.worst.allowed) << ", got " << got_text(one.worst);
+    EXPECT_GT(one.judged(), 0U) << one.quantity;
+  }
+}
+
+constexpr int ways_of_each = 110;
+
+TEST(Reformulations, OfEachFunctionAreHeldInEachOfTheirWays) {
+  for (const Kind& kind : kinds)
+    for (int number = 0; number < ways_of_each && !HasFailure(); ++number) {
+      Draw draw{std::mt19937_64(static_cast<unsigned>(number))};
+      expect_held(*catalogue::function_named(kind.function), kind.draw(draw), number);
+    }
+}
+
+TEST(Reformulations, OfFilmsAreHeldInEachOfTheirWays) {
+  for (const catalogue::Function& function : catalogue::functions())
+    for (int number = 0; function.film_law != nullptr && number < ways_of_each && !HasFailure();
+         ++number) {
+      Draw draw{std::mt19937_64(static_cast<unsigned>(number))};
+      expect_held(function, film(function, draw), number);
+    }
+}
+
+TEST(Reformulations, AreNotHeldWithAnErrorOfATenThousandth) {
+  for (const Kind& kind : kinds) {
+    Draw draw{std::mt19937_64(1)};
+    const catalogue::Function& function = *catalogue::function_named(kind.function);
+    const Formula right = kind.draw(draw);
+    const auto result = verdict_on(function, [&](const Arguments& x) {
+      Answers answers = right(x);
+      for (double& one : answers) one *= 1 + 1e-4;
+      return answers;
+    });
+    const auto accused =
+        std::count_if(result.quantities.begin(), result.quantities.end(),
+                      [](const QuantityVerdict& one) { return one.status == Verdict::failed; });
+    EXPECT_GT(accused, 0) << kind.function;
+  }
+}
+
+TEST(Reformulations, CoverAllFunctions) {
+  for (const catalogue::Function& function : catalogue::functions()) {
+    const auto ways = std::count_if(std::begin(kinds), std::end(kinds),
+                                    [&](const Kind& one) { return one.function == function.name; });
+    EXPECT_EQ(ways, function.film_law == nullptr ? 1 : 0) << function.name;
+  }
+  EXPECT_GE((std::size(kinds) + 9) * ways_of_each, 3000U);
+}
+
+}  // namespace
+}  // namespace tribo::conformance
