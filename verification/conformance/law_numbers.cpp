@@ -336,6 +336,17 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) 
 
 namespace {
 
+std::size_t inputs_that_vary(const std::vector<Part::Number>& numbers) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < numbers.front().of->question.function->parameters.size(); ++i)
+    count += std::any_of(
+                 numbers.begin(), numbers.end(),
+                 [&](const Part::Number& one) { return one.input(i) != numbers.front().input(i); })
+                 ? 1
+                 : 0;
+  return count;
+}
+
 // Single numbers that give all wrong answers; inputs alone are no numbers of the law.
 std::vector<FittedNumbers> singles(const LawOfNumbers& law, const std::vector<Change>& changes,
                                    const std::vector<Part::Number>& wrong, std::size_t place) {
@@ -399,7 +410,10 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part) {
   std::vector<FittedNumbers> found = singles(*law, changes, wrong, part.place);
   const bool is_plausible = std::any_of(found.begin(), found.end(),
                                         [](const FittedNumbers& one) { return one.is_plausible; });
-  if (is_plausible || wrong.size() < fewest_of_pairs) return found;
+  // Two numbers are not told apart by questions that differ in one of several inputs alone.
+  const std::size_t least = std::min<std::size_t>(2, part.function()->parameters.size());
+  if (is_plausible || wrong.size() < fewest_of_pairs || inputs_that_vary(wrong) < least)
+    return found;
   for (std::size_t i = 0; i < changes.size() && changes.size() <= most_in_pairs; ++i)
     for (std::size_t k = i + 1; k < changes.size(); ++k)
       if (!changes[i].is_input || !changes[k].is_input)
