@@ -22,7 +22,7 @@ namespace tribo::conformance {
 namespace {
 
 // The end of a text without a cause.
-const std::string unknown = " None of the known mistakes gives these ";
+constexpr const char* unknown = " None of the known mistakes gives these ";
 constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr std::size_t fewest_followed = 3;

@@ -53,9 +53,10 @@ LawOfNumbers film_law_of_numbers(const catalogue::Function& function) {
   for (const Fraction& number : {law.constant, law.speed_exponent, law.material_exponent,
                                  law.load_exponent, law.side_leakage, law.side_decay}) {
     found.right.push_back(static_cast<double>(number.p) / number.q);
-    found.names.push_back(
-        {before[found.names.size()],
-         is_of_few_digits(found.right.back()) ? "" : fmt::format("({}/{})", number.p, number.q)});
+    const std::size_t last = found.right.size() - 1;
+    found.names[last] = {before[last], is_of_few_digits(found.right[last])
+                                           ? ""
+                                           : fmt::format("({}/{})", number.p, number.q)};
   }
   return found;
 }
@@ -193,7 +194,7 @@ struct ChangedLaw {
   }
 };
 
-// What is left of the wrong answers, for Eigen's least squares.
+// The differences between the law's answers and the wrong ones, for Eigen's least squares.
 struct Residuals : Eigen::DenseFunctor<double> {
   Residuals(const ChangedLaw& changed, const std::vector<Part::Number>& all, std::size_t of)
       : DenseFunctor(static_cast<int>(changed.changes.size()), static_cast<int>(all.size())),
@@ -236,6 +237,11 @@ struct Residuals : Eigen::DenseFunctor<double> {
 constexpr double of_answers = 1e-6;  // how closely the wrong ones have to be met
 constexpr double as_printed = 1e-6;  // a number that is nearer to its own is its own
 constexpr std::size_t most_in_pairs = 16, fewest_of_pairs = 4;
+// A search that finds the numbers converges quadratically; a rest that some steps have not made so
+// much smaller is no rest of a number.
+constexpr int steps_at_most = 20, steps_that_show = 5, evaluations_at_most = 60;
+constexpr double smaller_by_then = 0.1;
+constexpr double probed = 1e-3;  // of a number, to see whether answers depend on it
 
 // The steps with which the law gives these wrong answers; empty: the search finds none from there.
 std::optional<Eigen::VectorXd> steps_to(const ChangedLaw& changed,
@@ -244,13 +250,13 @@ std::optional<Eigen::VectorXd> steps_to(const ChangedLaw& changed,
   Residuals residuals(changed, wrong, place);
   Eigen::VectorXd left(residuals.values());
   Eigen::LevenbergMarquardt<Residuals> search(residuals);
-  search.setMaxfev(60);
+  search.setMaxfev(evaluations_at_most);
   if (search.minimizeInit(steps) == Eigen::LevenbergMarquardtSpace::ImproperInputParameters)
     return std::nullopt;
   const double at_first = search.fnorm();
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 1; i <= steps_at_most; ++i) {
     if (search.minimizeOneStep(steps) != Eigen::LevenbergMarquardtSpace::Running) break;
-    if (i >= 4 && search.fnorm() > 0.1 * at_first) return std::nullopt;  // it leads nowhere
+    if (i >= steps_that_show && search.fnorm() > smaller_by_then * at_first) return std::nullopt;
   }
   if (!steps.allFinite() || residuals(steps, left) < 0 ||
       left.lpNorm<Eigen::Infinity>() > of_answers)
@@ -291,50 +297,6 @@ std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change>
   };
   return found;
 }
-
-}  // namespace
-
-std::string LawOfNumbers::in_words(std::size_t place, double number) const {
-  const NumberName name = place < names.size() ? names[place] : NumberName{};
-  const bool is_right = number == right[place] && !name.right.empty();
-  return name.before + (is_right ? name.right : fmt::format("{:.6g}", number));
-}
-
-std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) {
-  if (function.film_law != nullptr) return film_law_of_numbers(function);
-  if (function.name == "regime_film")
-    return LawOfNumbers{film_of_regime,
-                        {regime_numbers.begin(), regime_numbers.end()},
-                        {{},
-                         {},
-                         {},
-                         {"", "2/3"},
-                         {},
-                         {"g_V^", "(2/3)"},
-                         {},
-                         {},
-                         {"g_V^", ""},
-                         {},
-                         {},
-                         {"g_E^", ""},
-                         {},
-                         {},
-                         {},
-                         {"g_V^", ""},
-                         {"g_E^", ""}}};
-  if (function.name == "viscosity_index") return index_law_of_numbers();
-  if (function.name == "starvation_ratio")
-    return LawOfNumbers{starved_film,
-                        {2.7, 4 * std::numbers::sqrt2 / 3, 1.5, 1.25},
-                        {{}, {"", "4√2/3"}, {"", "3/2"}, {"", "5/4"}}};
-  if (function.name == "summits_from_spectral_moments")
-    return LawOfNumbers{summits, {6, 0.375, 0.8968, 4}, {}};
-  const auto [formula, right] = formula_of_law(function.name);
-  if (formula == nullptr) return std::nullopt;
-  return LawOfNumbers{formula, {right.begin(), right.end()}, {}};
-}
-
-namespace {
 
 std::size_t inputs_that_vary(const std::vector<Part::Number>& numbers) {
   std::size_t count = 0;
@@ -390,17 +352,47 @@ std::vector<FittedNumbers> one_after_the_other(const LawOfNumbers& law,
 
 }  // namespace
 
+std::string LawOfNumbers::in_words(std::size_t place, double number) const {
+  const auto known = names.find(place);
+  const NumberName name = known == names.end() ? NumberName{} : known->second;
+  const bool is_right = number == right[place] && !name.right.empty();
+  return name.before + (is_right ? name.right : fmt::format("{:.6g}", number));
+}
+
+std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) {
+  if (function.film_law != nullptr) return film_law_of_numbers(function);
+  if (function.name == "regime_film")
+    return LawOfNumbers{film_of_regime,
+                        {regime_numbers.begin(), regime_numbers.end()},
+                        {{3, {"", "2/3"}},
+                         {5, {"g_V^", "(2/3)"}},
+                         {8, {"g_V^", ""}},
+                         {11, {"g_E^", ""}},
+                         {15, {"g_V^", ""}},
+                         {16, {"g_E^", ""}}}};
+  if (function.name == "viscosity_index") return index_law_of_numbers();
+  if (function.name == "starvation_ratio")
+    return LawOfNumbers{starved_film,
+                        {2.7, 4 * std::numbers::sqrt2 / 3, 1.5, 1.25},
+                        {{1, {"", "4√2/3"}}, {2, {"", "3/2"}}, {3, {"", "5/4"}}}};
+  if (function.name == "summits_from_spectral_moments")
+    return LawOfNumbers{summits, {6, 0.375, 0.8968, 4}, {}};
+  const auto [formula, right] = formula_of_law(function.name);
+  if (formula == nullptr) return std::nullopt;
+  return LawOfNumbers{formula, {right.begin(), right.end()}, {}};
+}
+
 std::vector<FittedNumbers> fitted_numbers(const Part& part) {
   const auto law = part.function() == nullptr ? std::nullopt : law_of_numbers(*part.function());
   if (!law) return {};
   std::vector<Part::Number> wrong;
   for (const Part::Number& one : part.all)
     if (one.answered->is_left()) wrong.push_back(one);
-  // Those that the wrong answers depend on.
+  // The changes on which wrong answers depend.
   std::vector<Change> changes;
   for (Change& one : changes_of(*part.function(), *law)) {
     const ChangedLaw changed{*law, {one}};
-    const Eigen::VectorXd step = Eigen::VectorXd::Constant(1, 1e-3);
+    const Eigen::VectorXd step = Eigen::VectorXd::Constant(1, probed);
     const bool matters = std::any_of(wrong.begin(), wrong.end(), [&](const Part::Number& number) {
       const double with = changed.answer(number.of->question, step, part.place);
       return std::abs(with - number.answered->expected->high) > number.answered->allowed;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,7 +24,7 @@ struct LawOfNumbers {
   struct NumberName {
     std::string before, right;  // "U^", and how the number is printed where it is no decimal
   };
-  std::vector<NumberName> names;  // of the first numbers, or of all
+  std::map<std::size_t, NumberName> names;  // of places; the others are decimals
 
   // "U^0.67"
   std::string in_words(std::size_t place, double number) const;

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "conformance/question.hpp"
@@ -17,26 +19,32 @@ namespace tribo::conformance {
 namespace {
 
 struct AnsweredWord {
-  std::string asked, got;       // the right word, and the answer
-  std::vector<double> numbers;  // of the right point, in the order of number_names()
+  std::string asked, got;  // the right word, and the answer
+  Numbers point;           // the right one
 };
 
 constexpr std::size_t fewest_words = 8;  // with the word, and without it
+constexpr double few_points = 0.1;       // of a limit: points on both sides are so far apart
 
-// Numbers of a point that may decide on a word; the last one is made of two.
-std::vector<std::string> number_names() {
-  std::vector<std::string> names;
-  for (const Output output : {Output::asperity_load_share, Output::fluid_load_share,
-                              Output::film_parameter, Output::real_area_ratio})
-    names.emplace_back(info(output).name);
-  names.emplace_back("film/film_flooded");
-  return names;
+// A number of a point that may decide on a word.
+struct Deciding {
+  std::string_view name;
+  double (*of)(const Numbers& point);
+};
+template <Output output>
+double number_of(const Numbers& point) {
+  return point[static_cast<std::size_t>(output)];
 }
-std::vector<double> deciding_numbers(const Numbers& point) {
-  const auto of = [&](Output output) { return point[static_cast<std::size_t>(output)]; };
-  return {of(Output::asperity_load_share), of(Output::fluid_load_share), of(Output::film_parameter),
-          of(Output::real_area_ratio), of(Output::film) / of(Output::film_flooded)};
+template <Output output>
+constexpr Deciding deciding_by() {
+  return {info(output).name, number_of<output>};
 }
+constexpr std::array deciding{
+    deciding_by<Output::asperity_load_share>(), deciding_by<Output::fluid_load_share>(),
+    deciding_by<Output::film_parameter>(), deciding_by<Output::real_area_ratio>(),
+    Deciding{"film/film_flooded", [](const Numbers& point) {
+               return number_of<Output::film>(point) / number_of<Output::film_flooded>(point);
+             }}};
 
 // The number with the fewest digits between two others.
 double roundest_between(double low, double high) {
@@ -55,13 +63,13 @@ struct WordLimit {
   double low, high;  // the limit lies between these
 };
 
-std::optional<WordLimit> limit_of(const std::vector<AnsweredWord>& answers, std::size_t number,
+std::optional<WordLimit> limit_of(const std::vector<AnsweredWord>& answers, const Deciding& number,
                                   const std::string& word, std::string AnsweredWord::*which) {
   constexpr double far = std::numeric_limits<double>::infinity();
   double least_with = far, most_with = -far, least_without = far, most_without = -far;
   std::size_t with = 0, without = 0;
   for (const AnsweredWord& one : answers) {
-    const double value = one.numbers[number];
+    const double value = number.of(one.point);
     if (!std::isfinite(value)) continue;
     const bool has = one.*which == word;
     (has ? with : without) += 1;
@@ -78,20 +86,23 @@ std::optional<WordLimit> limit_of(const std::vector<AnsweredWord>& answers, std:
 // "`boundary` is answered from … on": the first number that decides on the word. Empty: the right
 // limit may be the one of the answers, or no number decides.
 std::string told(const std::vector<AnsweredWord>& answers, const std::string& word) {
-  const std::vector<std::string> names = number_names();
-  const auto place_in_words = [&](const WordLimit& limit, std::size_t number) {
-    const double border = roundest_between(limit.low, limit.high);
-    return limit.is_above ? fmt::format("from {} = {:g} on", names[number], border)
-                          : fmt::format("below {} = {:g}", names[number], border);
+  // The limit may be anywhere between the points, of which two may be far from each other.
+  const auto place_in_words = [](const WordLimit& limit, const Deciding& number) {
+    const std::string border = limit.high - limit.low > few_points * limit.high
+                                   ? fmt::format("between {:.3g} and {:.3g}", limit.low, limit.high)
+                                   : fmt::format("= {:g}", roundest_between(limit.low, limit.high));
+    return limit.is_above ? fmt::format("from {} {} on", number.name, border)
+                          : fmt::format("below {} {}", number.name, border);
   };
   std::string right;
-  for (std::size_t number = 0; number < names.size() && right.empty(); ++number)
-    if (auto limit = limit_of(answers, number, word, &AnsweredWord::asked)) {
+  for (const Deciding& number : deciding)
+    if (auto limit = limit_of(answers, number, word, &AnsweredWord::asked);
+        limit && right.empty()) {
       for (const double border : {0.01, 0.95, 0.99})  // of the words' definitions
         if (limit->low <= border && border <= limit->high) limit->low = limit->high = border;
       right = place_in_words(*limit, number);
     }
-  for (std::size_t number = 0; number < names.size(); ++number) {
+  for (const Deciding& number : deciding) {
     const auto got = limit_of(answers, number, word, &AnsweredWord::got);
     if (!got) continue;
     const auto asked = limit_of(answers, number, word, &AnsweredWord::asked);
@@ -115,12 +126,12 @@ std::vector<Diagnosis> diagnose_words(const std::string& function,
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Reply& answer = conversation.answers[i];
     if (cases[i].function != function || answer.outcome != Outcome::answered) continue;
-    std::optional<std::vector<double>> numbers;  // the point is solved once
+    std::optional<Numbers> point;  // it is solved once
     for (const Expected& expected : cases[i].expected) {
       const auto value = answer.fields.find(expected.field);
       if (expected.word.empty() || value == answer.fields.end() || !value->is_string()) continue;
-      if (!numbers) numbers = deciding_numbers(right_numbers(question_of(cases[i])));
-      fields[expected.field].push_back({expected.word, value->get<std::string>(), *numbers});
+      if (!point) point = right_numbers(question_of(cases[i]));
+      fields[expected.field].push_back({expected.word, value->get<std::string>(), *point});
       quantities[expected.field] = expected.quantity;
     }
   }

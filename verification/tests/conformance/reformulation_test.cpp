@@ -34,7 +34,7 @@ using Formula = std::function<Answers(const Arguments&)>;
 constexpr double pi = std::numbers::pi;
 const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
 
-// What is drawn anew for each way of writing.
+// The choices that are drawn anew for each way of writing.
 struct Draw {
   std::mt19937_64 random;
 
