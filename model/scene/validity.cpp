@@ -304,7 +304,8 @@ struct Row {
 
 constexpr Row rows[] = {
     {"hertz_pressure",
-     "The bodies, of bearing steel, stay elastic under the peak pressure of Hertz.", "Pa", 0, 4e9,
+     "The bodies stay elastic under the peak pressure of Hertz, as bearing steel does.", "Pa", 0,
+     4e9,
      "ISO 76: 4 GPa of rollers, 4.2 GPa of balls, leave dents of some 1e-4 of the diameter; other "
      "steel yields at less",
      [](const State& state) { return state.hertz.peak_pressure; }, "everything", nullptr, false,
@@ -370,8 +371,9 @@ constexpr Row rows[] = {
     {"roelands_index", "Roelands' exponent z, from α and η₀, is one of an oil.", "", 0.2, 1.2,
      "common practice: mineral oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index,
      "friction"},
-    {"elastic_summits", "The summits, of bearing steel, stay elastic under their mean pressure.",
-     "Pa", 0, 0.4 * steel_hardness,
+    {"elastic_summits",
+     "The summits stay elastic under their mean pressure, as bearing steel does.", "Pa", 0,
+     0.4 * steel_hardness,
      "Tabor (1951): a sphere of yield stress Y begins to flow at a mean pressure of 1.1 Y, 0.4 of "
      "its hardness, which is 7 GPa of bearing steel",
      summit_pressure, "shares, friction", nullptr, false, true},
