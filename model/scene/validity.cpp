@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,10 @@ constexpr double not_assumed = std::numeric_limits<double>::quiet_NaN();
 
 // The hardness of rolling bearing steel of 60 HRC, some 700 HV, in Pa.
 constexpr double steel_hardness = 7e9;
+// E/(1 − ν²) of steel is 209 GPa or more; cast iron, bronze, titanium and all softer have less.
+constexpr double least_steel_modulus = 190e9;
+// √(kρc) of steel in J/(m² K √s): k = 46 W/(m K), ρ = 7800 kg/m³, c = 470 J/(kg K).
+constexpr double steel_thermal_contact = 13e3;
 // k_f of mineral oil in W/(m K).
 constexpr double oil_conductivity = 0.14;
 // β of an oil in 1/K, by common practice.
@@ -39,6 +44,8 @@ constexpr double flat_radius = 1e3;
 constexpr double greatest_groove_ratio = 1.2;
 // A ratio of two computed numbers may be this much below the bound that it is to meet.
 constexpr double but_for_rounding = 1 - 1e-9;
+// Below this viscosity in mm²/s ASTM D341 has more terms than its line has.
+constexpr double least_d341_viscosity = 2;
 // Where summits carry less of the load than this, their pressure does not matter.
 constexpr double least_share = 0.01;
 // Below this λ the load share of the summits is near to A(0).
@@ -60,6 +67,8 @@ struct State {
   double lambda_ratio = not_assumed;
   // A(0), where the film of one of these points lets it matter.
   double share_without_film = not_assumed;
+  // The greatest r = h_ff/h_oil at these points, of the closure whose film collapses at 1.
+  double flooded_over_inlet = not_assumed;
 
   std::span<const OperatingPoint<double>> ends() const { return std::span(points).first(count); }
   void add(const MixedContact<double>& contact, const OperatingPoint<double>& point) {
@@ -68,6 +77,13 @@ struct State {
       const double ratio =
           SmoothContact(contact).value(Output::lambda_ratio, point.speed, point.film);
       if (ratio > 0 && !(lambda_ratio <= ratio)) lambda_ratio = ratio;
+    }
+    if (contact.supply() != SupplyKind::flooded && point.film_flooded > 0 &&
+        scene.closures.starvation == StarvationClosure::flooded_inlet) {
+      const double inlet_film =
+          contact.inlet_film_parameter(point.speed) * contact.summit_height_sd();
+      const double r = point.film_flooded / inlet_film;
+      if (!(flooded_over_inlet >= r)) flooded_over_inlet = r;
     }
     const double lambda = point.film_parameter;
     if (has_summits() && lambda > 0 && lambda < film_parameter_near_none)
@@ -91,6 +107,79 @@ double least_at_ends(const State& state, double OperatingPoint<double>::*number)
   for (const OperatingPoint<double>& point : state.ends())
     if (point.*number > 0 && !(least <= point.*number)) least = point.*number;
   return least;
+}
+
+// Of the ends at which friction makes heat the one with the most of a number, and that number.
+struct Hottest {
+  double value = not_assumed;
+  const OperatingPoint<double>* point = nullptr;
+};
+template <class Number>
+Hottest hottest(const State& state, const Number& number) {
+  Hottest found;
+  if (!(state.numbers.slide_roll_ratio > 0)) return found;
+  for (const OperatingPoint<double>& point : state.ends()) {
+    const double value = point.friction > 0 ? number(point) : not_assumed;
+    if (value > 0 && !(found.value >= value)) found = {value, &point};
+  }
+  return found;
+}
+
+// How much hotter the middle of the film is than the faces, τSuh/(8k_f), if the oil is sheared
+// alike in all its thickness and the faces take its heat. τA_H is the oil's part of friction
+// (model/README.md, section 8).
+double heat_of_film(const State& state) {
+  const double given = state.scene.lubricant.conductivity;
+  const double conductivity = given > 0 ? given : oil_conductivity;
+  return hottest(state,
+                 [&](const OperatingPoint<double>& point) {
+                   const auto& n = state.numbers;
+                   const double solid = n.boundary_coefficient * point.asperity_load_share;
+                   const double area = state.hertz.nominal_area * (1 - point.real_area_ratio);
+                   const double stress = n.load * (point.friction - solid) / area;
+                   const double film = std::max(point.film, 0.0);
+                   return stress * n.slide_roll_ratio * point.speed * film / (8 * conductivity);
+                 })
+      .value;
+}
+
+// The heat of friction, μFSu in W.
+Hottest heat_of_contact(const State& state) {
+  return hottest(state, [&state](const OperatingPoint<double>& point) {
+    return point.friction * state.numbers.load * state.numbers.slide_roll_ratio * point.speed;
+  });
+}
+
+// What the bodies would be heated by if they were of steel: Blok's 1.11 q √(2b)/(√(kρc)(√u₁ + √u₂))
+// of a band whose heat q is spread as Hertz' pressure is; q is π/4 of its greatest.
+std::string advice_on_flash(const State& state) {
+  const Hottest heat = heat_of_contact(state);
+  const double slip = state.numbers.slide_roll_ratio, speed = heat.point->speed;
+  const double greatest = heat.point->friction * state.hertz.peak_pressure * slip * speed;
+  const double speeds =
+      std::sqrt(speed) * (std::sqrt(1 + slip / 2) + std::sqrt(std::abs(1 - slip / 2)));
+  const double flash = 1.11 * std::numbers::pi / 4 * greatest *
+                       std::sqrt(2 * state.hertz.semi_axis_x) / (steel_thermal_contact * speeds);
+  return "the contact makes this heat at " + scene_detail::rounded_text(speed) +
+         " m/s with S = " + scene_detail::rounded_text(slip) +
+         ", and a scene has no conductivity of the bodies: faces of steel would be hotter by "
+         "some " +
+         scene_detail::rounded_text(flash) + " K; friction and film leave that out";
+}
+
+// The plane modulus E/(1 − ν²) of the softer body; where only E* is known, its greatest, 2E*.
+double softer_modulus(const State& state) {
+  double softer = 2 * state.numbers.effective_modulus;
+  for (const Body& body : state.scene.bodies.bodies)
+    if (body.modulus > 0)
+      softer = std::min(softer, body.modulus / (1 - body.poisson_ratio * body.poisson_ratio));
+  return softer;
+}
+
+std::string advice_on_softer(const State& state) {
+  return "the bound is one of bearing steel, and a body is softer than steel (E/(1 − ν²) is " +
+         scene_detail::rounded_text(softer_modulus(state) / 1e9) +
+         " GPa or less): what it bears is not known, as a scene has no yield stress";
 }
 
 // The mean pressure on the summits: their load over their real area. By load sharing A of
@@ -171,8 +260,11 @@ std::string advice_on_heating(const State& state) {
       factor > 0 ? "by some " + scene_detail::number_text(std::round(100 * (1 - factor))) + " %"
                  : "by more than Gupta's factor can tell";
   return "at the fastest speed heat makes the film thinner " + part +
-         " with β = " + scene_detail::number_text(oil_temperature_coefficient) +
-         "/K and no sliding, and by more with sliding; " +
+         " with β = " + scene_detail::number_text(oil_temperature_coefficient) + "/K" +
+         (given > 0 ? ""
+                    : " and k_f = " + scene_detail::number_text(oil_conductivity) +
+                          " W/(m K) of mineral oil (water has 0.6)") +
+         " and no sliding, and by more with sliding; " +
          (state.solves_film() ? "the solved film leaves heat out"
                               : "lubricant.thermal = \"gupta\" computes it");
 }
@@ -207,12 +299,17 @@ struct Row {
   // The meaning of passing it, and the remedy.
   std::string (*advice)(const State&) = nullptr;
   bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
+  bool is_of_steel = false;     // the bounds are not known of bodies that are softer
 };
 
 constexpr Row rows[] = {
-    {"hertz_pressure", "The bodies stay elastic under the peak pressure of Hertz.", "Pa", 0, 4e9,
-     "ISO 76: 4 GPa of rollers, 4.2 GPa of balls, leave dents of some 1e-4 of the diameter",
-     [](const State& state) { return state.hertz.peak_pressure; }},
+    {"hertz_pressure",
+     "The bodies stay elastic under the peak pressure of Hertz, as bearing steel does.", "Pa", 0,
+     4e9,
+     "ISO 76: 4 GPa of rollers, 4.2 GPa of balls, leave dents of some 1e-4 of the diameter; other "
+     "steel yields at less",
+     [](const State& state) { return state.hertz.peak_pressure; }, "everything", nullptr, false,
+     true},
     {"half_space", "The contact is far smaller than the radii: a/R is small.", "", 0, 0.5,
      "Johnson, Contact Mechanics (1985), chapter 4: Hertz takes each body for a half-space; the "
      "bound is common practice",
@@ -246,7 +343,7 @@ constexpr Row rows[] = {
      },
      "film", nullptr, true},
     {"film_law_regime", "The film law is one of the contact's regime: their films are alike.", "",
-     0, 1.2,
+     0, greatest_factor_of_regimes,
      "the maps of regimes: Hamrock (1991) of points, Moes (1992) of lines; next to a border both "
      "films are alike, and formulas scatter by as much",
      [](const State& state) {
@@ -258,7 +355,8 @@ constexpr Row rows[] = {
      "e^30 = 1e13: with η₀ = 0.1 Pa·s the viscosity α gives is that of a glass, 1e12 Pa·s by "
      "common practice",
      [](const State& state) {
-       return state.numbers.pressure_viscosity * state.hertz.peak_pressure;
+       const bool is_used = state.follows(ViscosityLaw::barus);
+       return is_used ? state.numbers.pressure_viscosity * state.hertz.peak_pressure : not_assumed;
      },
      "friction"},
     {"barus", "The viscosity rises by Barus' law up to the pressure in the film.", "Pa", 0, 1e9,
@@ -273,11 +371,12 @@ constexpr Row rows[] = {
     {"roelands_index", "Roelands' exponent z, from α and η₀, is one of an oil.", "", 0.2, 1.2,
      "common practice: mineral oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index,
      "friction"},
-    {"elastic_summits", "The summits stay elastic under their mean pressure.", "Pa", 0,
+    {"elastic_summits",
+     "The summits stay elastic under their mean pressure, as bearing steel does.", "Pa", 0,
      0.4 * steel_hardness,
      "Tabor (1951): a sphere of yield stress Y begins to flow at a mean pressure of 1.1 Y, 0.4 of "
      "its hardness, which is 7 GPa of bearing steel",
-     summit_pressure, "shares, friction"},
+     summit_pressure, "shares, friction", nullptr, false, true},
     {"summit_roughness", "nβσ_s of the summits is one of a ground or polished face.", "", 1e-3, 1,
      "common practice: 0.03 to 0.05 is quoted of Greenwood and Tripp (1970)",
      [](const State& state) {
@@ -362,6 +461,77 @@ constexpr Row rows[] = {
        return state.numbers.viscosity * speed * speed / (given > 0 ? given : oil_conductivity);
      },
      "film", advice_on_heating},
+    {"thermal_reduction", "Gupta's factor is far from its 0: 13.2 (p₀/E′) L^0.42 is small.", "", 0,
+     0.5,
+     "Gupta and others (1992): at 1 the factor, a fit, is 0, and no film is left; half of that is "
+     "this project's bound",
+     [](const State& state) {
+       const bool is_heated = state.scene.lubricant.thermal == ThermalInlet::gupta;
+       if (!is_heated || state.solves_film() || !(state.speeds.high > 0)) return not_assumed;
+       const auto& n = state.numbers;
+       const double heating = n.temperature_coefficient * n.viscosity * state.speeds.high *
+                              state.speeds.high / n.conductivity;
+       return 13.2 * state.hertz.peak_pressure / (2 * n.effective_modulus) *
+              std::pow(heating, 0.42);
+     },
+     "film",
+     [](const State&) {
+       return std::string("at 1 and above the film is undefined; ask for lower speeds");
+     }},
+    {"film_heating", "Sliding does not heat the oil in the contact: τSuh/(8k_f) is a few kelvin.",
+     "K", 0, 10,
+     "Crook, Phil. Trans. R. Soc. A 254 (1961) 237: oil that is sheared alike in all its thickness "
+     "is hotter by this in its middle "
+     "than at the faces; the bound is that of inlet_heating",
+     heat_of_film, "friction",
+     [](const State& state) {
+       return std::string("friction comes out too high, as hot oil is thinner") +
+              (state.scene.lubricant.conductivity > 0
+                   ? ""
+                   : "; k_f is that of mineral oil, as lubricant.conductivity is not given");
+     }},
+    {"flash_temperature", "The faces stay as cold as the oil: sliding does not heat them.", "W", 0,
+     unbounded,
+     "Blok, Proc. Inst. Mech. Eng. Gen. Disc. Lubr. 2 (1937) 222: the flash temperature of a band, "
+     "which needs √(kρc) of both bodies",
+     [](const State& state) { return heat_of_contact(state).value; }, "friction", advice_on_flash},
+    {"opposite_motion", "Both faces move in the same direction: S is 2 or less.", "", 0, 2,
+     "at S = 2 one face stands; beyond it films have dimples: Kaneta and others, J. Tribol. 118 "
+     "(1996) 886, Guo and others, J. Tribol. 123 (2001) 816",
+     [](const State& state) {
+       const bool is_heated = state.scene.lubricant.thermal != ThermalInlet::none;
+       const bool is_used = is_heated || state.scene.outputs.contains(Output::friction);
+       return is_used && !state.solves_film() ? state.numbers.slide_roll_ratio : not_assumed;
+     },
+     "film",
+     [](const State&) {
+       return std::string(
+           "this is S, sliding over the mean speed, and no percentage; if the faces move in "
+           "opposite directions indeed, no law of films here is fitted to that");
+     }},
+    {"inlet_supply", "The oil before the contact is enough for a film: h_ff/h_oil is below 1.", "",
+     0, 1, "model/README.md, section 7: the film of flooded_inlet collapses at 1",
+     [](const State& state) { return state.flooded_over_inlet; }, "everything",
+     [](const State&) {
+       return std::string(
+           "the film has collapsed: closures.starvation is flooded_inlet, the default, which is of "
+           "an inlet with nearly enough oil; starved_inlet and damiens leave a film");
+     }},
+    {"oil_viscosity", "The oil's viscosity is one of the line of ASTM D341.", "mm²/s",
+     least_d341_viscosity, unbounded,
+     "ASTM D341: below 2 mm²/s its line in log log (ν + 0.7) has more terms, which are left out",
+     [](const State& state) {
+       const Oil& oil = state.scene.lubricant.oil;
+       if (!oil.is_given()) return not_assumed;
+       double least = 1e6 * state.numbers.viscosity / oil.density;
+       for (const KinematicViscosity& one : oil.viscosities)
+         if (one.viscosity > 0) least = std::min(least, 1e6 * one.viscosity);
+       return least;
+     },
+     "everything",
+     [](const State&) {
+       return std::string("give lubricant.viscosity as it is measured at this temperature");
+     }},
 };
 
 // --- The ranges of fields.
@@ -413,11 +583,12 @@ bool accepts(const Scene& scene, std::string_view word) {
 }
 
 // The outputs that limits on points are computed from.
-OutputSet validity_outputs() {
+OutputSet validity_outputs(const Scene& scene) {
   OutputSet outputs;
-  for (const Output output :
-       {Output::film, Output::film_parameter, Output::asperity_load_share, Output::real_area_ratio})
+  for (const Output output : {Output::film_flooded, Output::film, Output::film_parameter,
+                              Output::asperity_load_share, Output::real_area_ratio})
     outputs.insert(output);
+  if (scene.outputs.contains(Output::friction)) outputs.insert(Output::friction);
   return outputs;
 }
 
@@ -428,9 +599,9 @@ State state_of(const Scene& scene, SceneUse use) {
       scene, use, shape, numbers, hertz_contact(shape, numbers), detail::speed_span(scene.speeds)};
   if (state.solves_film() || !(state.speeds.low > 0)) return state;
   const MixedContact<double> contact(scene);
-  state.add(contact, contact.solve(state.speeds.low, validity_outputs()));
+  state.add(contact, contact.solve(state.speeds.low, validity_outputs(scene)));
   if (state.speeds.high > state.speeds.low)
-    state.add(contact, contact.solve(state.speeds.high, validity_outputs()));
+    state.add(contact, contact.solve(state.speeds.high, validity_outputs(scene)));
   return state;
 }
 
@@ -448,6 +619,13 @@ void take_assumptions(const State& state, Which which, const Take& take) {
       least = least_fitted_ellipticity(law);
       greatest = law.greatest_ellipticity;
     }
+    auto advice = row.advice;
+    if (row.is_of_steel && softer_modulus(state) < least_steel_modulus) {
+      least = 0;
+      greatest = unbounded;
+      advice = advice_on_softer;
+    }
+    const bool is_known = least != 0 || greatest < unbounded;
     const bool holds = value >= least && value <= greatest;
     if (which == Which::not_kept && holds) continue;
     take(Validity{
@@ -459,7 +637,7 @@ void take_assumptions(const State& state, Which which, const Take& take) {
         .unit = row.unit,
         .source = row.source,
         .touches = state.solves_film() && row.touches == "friction" ? "pressure" : row.touches,
-        .advice = holds || row.advice == nullptr ? std::string() : row.advice(state),
+        .advice = (is_known && holds) || advice == nullptr ? std::string() : advice(state),
         .is_accepted = accepts(state.scene, row.word)});
   }
 }

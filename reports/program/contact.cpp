@@ -25,6 +25,7 @@
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/smooth_contact.hpp"
+#include "tribo/thermal_reduction.hpp"
 
 // Sources are compiled together: names that others have too are in a namespace of their own.
 namespace tribo::cli::contact_account {
@@ -102,6 +103,9 @@ constexpr Reason no_roughness{
     "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0"};
 constexpr Reason no_summits{"no summits are given"};
 
+// The note of a number that has its default: that it was taken.
+constexpr std::string_view is_default = "the default";
+
 Facts contact_of(const Asked& asked) {
   // In the order of ContactShape.
   constexpr std::array<std::string_view, 3> shapes{"circle", "ellipse", "line"};
@@ -163,6 +167,13 @@ Facts surfaces_of(const Asked& asked) {
   facts.push_back(number("stiffness", "K", "stiffness of the summits", sharing.stiffness()));
   facts.push_back(
       number("offset", "δ", "plane of heights to plane of summits, over σ_s", sharing.offset()));
+  if (asked.numbers().summit_plane_offset > 0) {
+    const int planes = asked.scene.surface.offset_planes;
+    facts.push_back({"offset_planes", "m", "faces that bring the offset of the summits", planes});
+    if (planes == 1) facts.back().note = is_default;
+    if (planes == 1 && asked.scene.closures.asperity == AsperityModel::greenwood_tripp)
+      facts.back().note += ", of one face; where both faces are rough alike, both bring it";
+  }
   const double share = sharing.asperity_share(0);
   facts.push_back(
       number("share_without_film", "A(0)", "load share of the summits without a film", share));
@@ -190,9 +201,21 @@ Facts lubricant_of(const Asked& asked) {
       number("viscosity", "η₀", "viscosity at ambient pressure", scene.viscosity, "Pa·s"));
   facts.push_back(number("pressure_viscosity", "α", "how pressure thickens the oil",
                          scene.pressure_viscosity, "1/Pa"));
-  if (asked.scene.lubricant.thermal != ThermalInlet::none)
-    facts.push_back(number("slide_roll_ratio", "S", "sliding over speed, which heats the inlet",
-                           scene.slide_roll_ratio));
+  const bool is_heated = asked.scene.lubricant.thermal != ThermalInlet::none;
+  if (is_heated || asked.scene.outputs.contains(Output::friction)) {
+    facts.push_back(number(
+        "slide_roll_ratio", "S",
+        is_heated ? "sliding over speed, which heats the inlet" : "sliding over speed, of friction",
+        scene.slide_roll_ratio));
+    if (scene.slide_roll_ratio == 1)
+      facts.back().note = fmt::format("{}, as much sliding as rolling", is_default);
+  }
+  if (asked.scene.supply.kind != SupplyKind::flooded) {
+    const StarvationClosure closure = asked.scene.closures.starvation;
+    facts.push_back({"starvation", "", "law of the inlet with little oil",
+                     starvation_closure_words[static_cast<std::size_t>(closure)]});
+    if (closure == StarvationClosure::flooded_inlet) facts.back().note = is_default;
+  }
   return facts;
 }
 
@@ -208,12 +231,18 @@ bool is_range_known(const FilmLaw& law, double ellipticity) {
 }
 
 // Why the contact is not in the range of a film law, or why that is not known; empty where it is.
-std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime) {
+std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime,
+                      double factor) {
   if (!(ellipticity >= least_fitted_ellipticity(law) && ellipticity <= law.greatest_ellipticity))
     return fmt::format("k is {}, and it was fitted to {} to {}", readable(ellipticity),
                        readable(law.least_ellipticity), readable(law.greatest_ellipticity));
   const LubricationRegime own = regime_of(law);
-  if (own != regime) return fmt::format("the law is of {} contacts", name(own));
+  if (own != regime) {
+    const std::string_view near = factor <= greatest_factor_of_regimes
+                                      ? ", next to the border: films of both regimes are alike"
+                                      : "";
+    return fmt::format("the law is of {} contacts{}", name(own), near);
+  }
   if (!is_range_known(law, ellipticity))
     return fmt::format("k is {}, and the range that it was fitted to is not known",
                        readable(ellipticity));
@@ -237,10 +266,12 @@ std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegim
     else if (is_of_shape) {
       const double ellipticity = asked.is_line() ? 1 : scene.ellipticity;
       const bool is_known = regime_of(*law) != regime || is_range_known(*law, ellipticity);
+      const double factor = factor_between(regime, regime_of(*law), asked.shape(), scene,
+                                           similarity_of(asked.shape(), scene, speed));
       films.push_back({function.name, is_of_minimum(function),
                        smooth_film(*law, asked.shape(), scene, speed),
-                       beyond_of(*law, ellipticity, regime), is_known, law == &asked.contact.film(),
-                       function.source});
+                       beyond_of(*law, ellipticity, regime, factor), is_known,
+                       law == &asked.contact.film(), function.source});
     }
     if (function.name == "moes_line" && asked.is_line())
       films.push_back(
@@ -275,24 +306,38 @@ AtSpeed account_at(const Asked& asked, double speed) {
     account.numbers.push_back(
         number("elasticity_parameter", "g_E", "number of the bodies' flattening", map.elasticity));
   }
-  account.numbers.push_back(
-      {"regime", "",
-       asked.is_line() ? "regime of the film (Moes' map)" : "regime of the film (Hamrock's map)",
-       name(regime)});
+  account.numbers.push_back({"regime", "",
+                             asked.is_line() ? "EHL regime, of the film (Moes' map)"
+                                             : "EHL regime, of the film (Hamrock's map)",
+                             name(regime)});
   OutputSet outputs;
-  for (const Output output : {Output::film, Output::film_parameter}) outputs.insert(output);
+  for (const Output output : {Output::film, Output::film_parameter, Output::inlet})
+    outputs.insert(output);
   const OperatingPoint<double> point = asked.contact.solve(speed, outputs);
-  account.ratios = {
-      number("film", "h*", "the scene's film, with load sharing and its inlet", point.film, "m"),
-      asked.scene.surface.is_smooth()
-          ? Fact{"film_parameter", "λ", "h*/σ_s", nullptr, "", no_summits}
-          : number("film_parameter", "λ", "h*/σ_s", point.film_parameter),
-      number("minimum_film", "h_min", "least film, beside h*",
-             asked.smooth.minimum_film(speed, point.film), "m")};
+  if (asked.scene.lubricant.thermal != ThermalInlet::none)
+    account.ratios.push_back(
+        number("thermal_reduction", "φ_T", "film of the heated inlet over that of a cold one",
+               gupta_thermal_reduction(asked.contact.hertz().peak_pressure, scene.effective_modulus,
+                                       scene.slide_roll_ratio, scene.temperature_coefficient,
+                                       scene.viscosity, speed, scene.conductivity)));
+  account.ratios.insert(
+      account.ratios.end(),
+      {number("film", "h*", "the scene's film, with load sharing and its inlet", point.film, "m"),
+       asked.scene.surface.is_smooth()
+           ? Fact{"film_parameter", "λ", "h*/σ_s", nullptr, "", no_summits}
+           : number("film_parameter", "λ", "h*/σ_s", point.film_parameter),
+       number("minimum_film", "h_min", "least film, beside h*",
+              asked.smooth.minimum_film(speed, point.film), "m")});
+  const bool has_collapsed = point.inlet == Inlet::collapsed;
+  if (has_collapsed) {
+    const auto is_film = [](const Fact& fact) { return fact.name == "film"; };
+    std::find_if(account.ratios.begin(), account.ratios.end(), is_film)->note =
+        "the film has collapsed, as the inlet has too little oil";
+  }
   if (scene.rms_roughness > 0) {
     const double ratio = asked.smooth.value(Output::lambda_ratio, speed, point.film);
     account.ratios.push_back(number("lambda_ratio", "Λ", "h_min/Rq", ratio));
-    if (std::isfinite(ratio)) account.ratios.back().note = word_of_lambda(ratio);
+    if (std::isfinite(ratio) && !has_collapsed) account.ratios.back().note = word_of_lambda(ratio);
   } else
     account.ratios.push_back({"lambda_ratio", "Λ", "h_min/Rq", nullptr, "", no_roughness});
   return account;

@@ -258,6 +258,60 @@ class Ranges(ContactTest):
         self.assertLess(share["value"], 1)
         self.assertIn(f"at most {100*share['value']:.0f} % of the load", share["note"])
 
+    def test_a_default_that_matters_is_told_as_one(self):
+        def notes(tree):
+            told = self.told(tree)
+            return {one["name"]: one["note"] for one in told["surfaces"] + told["lubricant"]}
+        told = notes(quiet_scene(speed=0.1))
+        self.assertEqual(told["slide_roll_ratio"], "the default, as much sliding as rolling")
+        self.assertEqual(told["starvation"], "the default")
+        self.assertEqual(told["offset_planes"], "the default, of one face; where both faces are rough alike, both bring it")
+        chosen = quiet_scene(speed=0.1, closures={"starvation": "damiens", "asperity": "greenwood_williamson"})
+        chosen = with_field(with_field(chosen, "friction.slide_roll_ratio", 0.02), "surface.offset_planes", 2)
+        told = notes(chosen)
+        self.assertEqual([told[name] for name in ("slide_roll_ratio", "starvation", "offset_planes")], ["", "", ""])
+        self.assertEqual(notes(with_field(chosen, "surface.offset_planes", 1))["offset_planes"], "the default")
+        still = notes(without_field(with_field(chosen, "surface.summit_plane_offset", 0), "supply") | {"outputs": ["film"]})
+        self.assertEqual({"slide_roll_ratio", "starvation", "offset_planes"} & set(still), set())
+
+    def test_a_film_that_has_collapsed_is_told_and_has_no_word_of_lambda(self):
+        tree = with_field(with_field(quiet_scene(), "surface.rms_roughness", 1e-7), "supply", {"inlet_film": 1e-8})
+        for closure, note, word in (("flooded_inlet", "the film has collapsed, as the inlet has too little oil", ""),
+                                    ("starved_inlet", "", "boundary or mixed lubrication")):
+            ratios = {one["name"]: one for one in self.at(with_field(tree, "closures.starvation", closure), 1)["ratios"]}
+            self.assertEqual((ratios["film"]["note"], ratios["lambda_ratio"]["note"]), (note, word))
+
+    def test_the_factor_of_a_heated_inlet_is_told(self):
+        hot = {"viscosity": 0.0202, "pressure_viscosity": 2e-8, "thermal": "gupta", "conductivity": 0.14, "temperature_coefficient": 0.04}
+        tree = quiet_scene("smooth", lubricant=hot, friction={"slide_roll_ratio": 0.1}, outputs=["film"])
+        tree = without_field(without_field(tree, "supply"), "surface")
+        ratios = values(self.at(tree, 3)["ratios"])
+        peak = values(self.told(tree)["contact"])["peak_pressure"]
+        heat = 0.04 * 0.0202 * 9 / 0.14
+        self.assert_near(ratios["thermal_reduction"], (1 - 13.2 * peak / (2 * 107.9e9) * heat ** 0.42)
+                         / (1 + 0.213 * (1 + 2.23 * 0.1 ** 0.83) * heat ** 0.64), 1e-12)
+        cold = with_field(tree, "lubricant", {"viscosity": 0.0202, "pressure_viscosity": 2e-8})
+        self.assertNotIn("thermal_reduction", values(self.at(cold, 3)["ratios"]))
+        self.assert_near(ratios["film"] / values(self.at(cold, 3)["ratios"])["film"], ratios["thermal_reduction"], 1e-12)
+
+    def test_next_to_a_border_of_regimes_a_law_says_that_films_are_alike(self):
+        gear = run("contact", str(ROOT / "reference/scenes/gear_flank.toml"), "--speed", "100", "--format", "json").json()["scenes"][0]
+        holds = {one["word"]: one["holds"] for one in gear["validity"]}
+        beyond = {film["law"]: film["beyond"] for film in gear["speeds"][0]["films"]}
+        self.assertEqual(holds["film_law_regime"], "yes")
+        self.assertTrue(beyond["dowson_toyoda_central"].endswith("next to the border: films of both regimes are alike"))
+        rubber = quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3})
+        far = {film["law"]: film["beyond"] for film in self.at(rubber, 0.1)["films"]}
+        self.assertEqual(far["hamrock_dowson_central"], "the law is of piezoviscous_elastic contacts")
+
+    def test_the_heat_of_sliding_is_told_and_never_judged(self):
+        told = self.told(with_field(quiet_scene(speed=3), "friction.slide_roll_ratio", 2))
+        flash = {one["word"]: one for one in told["validity"]}["flash_temperature"]
+        self.assertEqual((flash["holds"], flash["least"], flash["greatest"], flash["unit"]), ("not known", None, None, "W"))
+        self.assertIn("faces of steel would be hotter by some", flash["advice"])
+        rolling = self.told(with_field(quiet_scene(speed=3), "friction.slide_roll_ratio", 0))
+        self.assertNotIn("flash_temperature", {one["word"] for one in rolling["validity"]})
+
     def test_the_table_has_the_units_that_people_use(self):
         result = run("contact", self.folder.write("scene.toml", with_field(scene(speed=0.1), "surface.average_roughness", 1e-7)))
         for part in ("1.077 GPa", "148.9 µm", "107.9 GPa", "125.3 nm", "32.6 nm", "catalogues of bearings"):

@@ -40,6 +40,10 @@ constexpr LubricationRegime regime_of(const FilmLaw& law) {
                                       : LubricationRegime::piezoviscous_elastic;
 }
 
+// Films of two regimes that differ by no more than this factor are alike: formulas scatter by as
+// much, next to a border of the maps.
+inline constexpr double greatest_factor_of_regimes = 1.2;
+
 // How many times the films of two regimes at these numbers differ, on the map of the contact's
 // shape: 1 where both are the same, else 1 or more.
 template <class T>

@@ -86,7 +86,7 @@ def limits_passed(program, places):
             row = rows.setdefault(limit["word"], {name: limit[name] for name in (
                 "word", "assumption", "unit", "least", "greatest", "source")} | {"values": {}, "is_passed": False})
             row["values"][surface] = limit["value"]
-            row["is_passed"] |= limit["holds"] != "yes"
+            row["is_passed"] |= limit["holds"] not in ("yes", "not known")
     return [{name: value for name, value in row.items() if name != "is_passed"} for row in rows.values() if row["is_passed"]]
 
 
