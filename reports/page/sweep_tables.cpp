@@ -117,8 +117,8 @@ TextTable number_table(const SceneResult& scene, const SweepCells& cells) {
     const ColumnResult& column = scene.columns[c];
     if (!column.words.empty()) continue;
     const ReadableUnit unit = unit_of(column);
-    add_rows(fmt::format("all {}", cells.count), column, unit);
     for (const SweepCell& cell : cells.cells) add_rows(cell.where, cell.columns[c], unit);
+    add_rows(fmt::format("all {}", cells.count), column, unit);
   }
   if (is_grid && scene.has_points) table.caption += "; sweep show --cases has each";
   if (cells.count > 1) {
@@ -166,8 +166,8 @@ TextTable word_table(const SceneResult& scene, std::size_t column_place, const S
       table.rows.push_back(std::move(row));
     }
   };
-  add_rows(fmt::format("all {}", cells.count), column);
   for (const SweepCell& cell : cells.cells) add_rows(cell.where, cell.columns[column_place]);
+  add_rows(fmt::format("all {}", cells.count), column);
   return table;
 }
 

@@ -25,7 +25,7 @@ struct ReadableUnit {
 ReadableUnit readable_unit(const std::string& unit, double greatest);
 
 // The numbers, the words and the Sobol indices of each scene; of grids crossed with distributions a
-// row for each set of grid values. `cells`: of each scene.
+// row for each set of grid values, and below them one of all. `cells`: of each scene.
 std::vector<TextTable> sweep_tables(const sweep::SweepResult& result,
                                     const std::vector<SweepCells>& cells);
 
@@ -53,9 +53,10 @@ void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile
                        CaseFormat format, const std::function<void(std::string_view)>& told);
 
 // Draws the summaries as SVG and PNG into a folder, with their data beside them; makes the folder
-// if it is missing. `source`: the result, from which kept points are read where a picture needs
-// them.
-Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
+// if it is missing. `cells`: of each scene, which are drawn apart where they are few. `source`: the
+// result, from which kept points are read where a picture needs them.
+Rendering draw_sweep_pictures(const sweep::SweepResult& result,
+                              const std::vector<SweepCells>& cells, const sweep::ResultFile& source,
                               const std::string& folder);
 
 }  // namespace tribo::report

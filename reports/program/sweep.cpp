@@ -134,11 +134,8 @@ Warnings warnings_of(const sweep::SweepResult& result) {
   return warnings;
 }
 
-void write_result(const sweep::SweepResult& result, const sweep::ResultFile& file,
+void write_result(const sweep::SweepResult& result, const std::vector<report::SweepCells>& cells,
                   const std::string& format, Text& to) {
-  std::vector<report::SweepCells> cells;
-  for (const sweep::SceneResult& scene : result.scenes)
-    cells.push_back(report::cells_of(scene, file));
   if (format == "json") {
     nlohmann::ordered_json members = report::sweep_json(result, cells);
     members["warnings"] = warnings_of(result).json();
@@ -186,14 +183,19 @@ bool tell_of_films(const sweep::SweepResult& result) {
 int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, bool is_new,
                 OutputStream& output) {
   const sweep::SweepResult result = file.read();
+  std::vector<report::SweepCells> cells;
+  if (!arguments.cases || !arguments.pictures.empty())
+    for (const sweep::SceneResult& scene : result.scenes)
+      cells.push_back(report::cells_of(scene, file));
   if (arguments.cases)
     write_cases(result, file, arguments.format, output);
   else
-    write_result(result, file, arguments.format, output.text());
+    write_result(result, cells, arguments.format, output.text());
   output.flush();
   const int code = tell_of_films(result) || !is_new ? exit_done : exit_failed;
   if (arguments.pictures.empty()) return code;
-  const report::Rendering drawn = report::draw_sweep_pictures(result, file, arguments.pictures);
+  const report::Rendering drawn =
+      report::draw_sweep_pictures(result, cells, file, arguments.pictures);
   for (const std::string& picture : drawn.written) complain("drew " + picture);
   for (const std::string& why : drawn.undrawn) complain(why);
   if (drawn.written.empty() && drawn.undrawn.empty())

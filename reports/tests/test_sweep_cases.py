@@ -90,7 +90,7 @@ class Cases(SweepTest):
         self.assertLess(films["load 50 N"], films["load 20 N"])
         table = run("sweep", "show", self.path("out.h5")).out
         self.assertEqual(len([line for line in table.splitlines() if line.startswith("film ") and "load " in line]), 2, table)
-        self.assertRegex(table, r"\nfilm +all 2 ")
+        self.assertRegex(table, r"\nfilm +load 20 N .*\nfilm +load 50 N .*\nfilm +all 2 ")
         self.swept(sweep(drawn | {"load": "[20, 50]"}, draws=512, keep='"summaries"'), "--force")
         done = run("sweep", "show", self.path("out.h5"))
         self.assertIn("; over all 2 sets of grid values", done.out)
