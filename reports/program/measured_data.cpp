@@ -34,28 +34,26 @@ using report::ReportError;
 constexpr std::size_t most_bytes = std::size_t{1} << 22;
 constexpr std::size_t most_faults = 20;  // lines that are printed
 
-constexpr std::string_view per_cent_unit = "%";  // of outputs without a unit
-
 std::string units_for(std::string_view si) {
   return si.empty() ? "- or %, or no unit" : std::string(scene_detail::usual_units(si));
 }
 
 // The number of a cell, in SI units; nothing where it is no number, or the unit does not fit.
 std::optional<double> number_in(std::string_view cell, std::string_view unit, std::string_view si) {
-  const bool is_per_cent = si.empty() && unit == per_cent_unit;
+  const std::string_view written = si.empty() && unit == "%" ? unit : si;
   std::string text(cell);
-  if (!si.empty()) {
-    auto decimal = scene_detail::si_decimal(fmt::format("{} {}", cell, unit), si);
+  if (!written.empty()) {
+    auto decimal = scene_detail::si_decimal(fmt::format("{} {}", cell, unit), written);
     if (!decimal) return std::nullopt;
     text = std::move(*decimal);
-  } else if (!is_per_cent && !unit.empty() && unit != "-") {
+  } else if (!unit.empty() && unit != "-") {
     return std::nullopt;
   }
   double number = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
-  return is_per_cent ? number / 100 : number;
+  return number;
 }
 
 std::string_view trimmed(std::string_view text) {
