@@ -159,6 +159,13 @@ class About(SolveTest):
         table = self.solved(quiet_scene(), "--about").out
         self.assertIn("\n  friction.slide_roll_ratio     1 [-], the default\n", table)
 
+    def test_a_blank_stands_behind_the_longest_name(self):
+        tree = quiet_scene(speed=1, friction={"boundary_coefficient": 0.13, "slide_roll_ratio": 1})
+        tree["lubricant"] |= {"thermal": "gupta", "conductivity": 0.14, "temperature_coefficient": 0.04}
+        lines = [line for line in self.solved(tree, "--about").out.splitlines() if line.startswith("  lubricant.")]
+        self.assertIn("  lubricant.temperature_coefficient 0.04 [1/K]", lines)
+        self.assertEqual({len(line) - len(line[36:].lstrip()) for line in lines}, {36})
+
     def test_numbers_of_bodies_and_profiles_follow_from_these(self):
         tree = scene() | dict(surface={"m0": 1e-14, "m2": 1e-3, "m4": 4e8}, bodies={
             "first_modulus": 2e11, "first_poisson_ratio": 0.3, "second_modulus": 2e11, "second_poisson_ratio": 0.3,
