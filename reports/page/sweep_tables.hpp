@@ -42,6 +42,9 @@ const sweep::Bounded& quantile(const sweep::ColumnResult::Value& value, double l
 // In how many cases a column of words had each of its words.
 std::vector<std::uint64_t> word_counts(const sweep::ColumnResult::Value& value, std::size_t words);
 
+// Are all scenes grids alone, of so few points that a screen has room for each of them?
+bool is_small_grid(const sweep::SweepResult& result);
+
 // The kept points of a sweep's result, a row each: what varies, the speed, and each output.
 enum class CaseFormat : std::uint8_t { table, csv, json };
 

@@ -207,6 +207,10 @@ int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, 
     write_cases(result, file, arguments.format, output);
   else
     write_result(result, cells, arguments.format, output.text());
+  if (!arguments.cases && arguments.format == "table" && report::is_small_grid(result)) {
+    append(output.text(), "\n");
+    write_cases(result, file, arguments.format, output);
+  }
   output.flush();
   const int code = tell_of_films(result) || !is_new ? exit_done : exit_failed;
   if (arguments.pictures.empty()) return code;

@@ -67,6 +67,19 @@ class Cases(SweepTest):
         self.assertNotIn("mean", told)
         self.assertIn("mean", self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}), "--force").out)
 
+    def test_each_point_of_a_small_grid_stands_below_its_summary(self):
+        told = self.swept(GRID).out
+        self.assertNotIn("--cases", told)
+        self.assertTrue(told.endswith("\n" + self.cases()), told)
+        self.assertEqual(len(self.cases().splitlines()), 2 + 12)
+        self.assertEqual(run("sweep", "show", self.path("out.h5")).out, told)
+        for text in (sweep({"load": "{ from = 10, to = 20, count = 41 }", "speed": "0.1"}),
+                     sweep({"load": "[10, 20]", "lubricant.viscosity": UNIFORM, "speed": "0.1"}, draws=2)):
+            self.assertNotIn("case  ", self.swept(text, "--force").out)
+        for form in ("csv", "json"):
+            self.swept(GRID, "--force")
+            self.assertNotIn("case  ", run("sweep", "show", self.path("out.h5"), "--format", form).out)
+
     def test_a_grid_crossed_with_a_distribution_has_quantiles_for_each_set_of_its_values(self):
         """Each is that of a sweep of this load alone, whose draws are the same."""
         drawn = {"lubricant.viscosity": UNIFORM, "speed": "0.1"}
