@@ -196,7 +196,7 @@ class SceneBinder {
     const std::optional<Fault::Rule> rule = broken_rule(info, value);
     if (!rule) return value.number + 0.0;  // −0 becomes 0
     if (rule == Fault::kind)
-      problems_.error(name, no_number(value, info.unit, allowed_text(info)));
+      problems_.error(name, no_number(value, written_unit(info), allowed_text(info)));
     else
       problems_.error(name, {*rule, value_text(value), "", allowed_text(info)});
     return std::nullopt;

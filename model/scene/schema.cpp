@@ -332,12 +332,14 @@ constexpr auto rows = std::to_array<Row>({
 
     {{.path = "friction.boundary_coefficient",
       .exclusive_minimum = false,
+      .takes_per_cent = true,
       .needed_by = Output::friction,
       .plausible_maximum = 1,
       .meaning = "μ_b, friction coefficient where summits touch"},
      at_number<&Numbers::boundary_coefficient, &Scene::friction, &Friction::boundary_coefficient>},
     {{.path = "friction.slide_roll_ratio",
       .exclusive_minimum = false,
+      .takes_per_cent = true,
       .default_text = "1",
       .plausible_maximum = 100,
       .meaning =

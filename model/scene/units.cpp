@@ -70,7 +70,8 @@ constexpr auto spellings = std::to_array<Spelling>({{"m", "*m", 1},
                                                     {"kg/m³", "kg/dm3", 0, 3},
                                                     {"kg/m³", "kg/l", 0, 3},
                                                     {"kg/m³", "kg/L", 0, 3},
-                                                    {"W/(m·K)", "*W/(m.K)", 1}});
+                                                    {"W/(m·K)", "*W/(m.K)", 1},
+                                                    {"%", "%", 0, -2}});
 
 // Units that engineers use, for messages.
 struct Usual {
@@ -88,7 +89,8 @@ constexpr auto usual = std::to_array<Usual>({{"m", "nm, µm, mm or m"},
                                              {"K", "°C or K"},
                                              {"1/K", "1/K"},
                                              {"kg/m³", "kg/m³ or g/cm³"},
-                                             {"W/(m·K)", "W/(m K) or mW/(m K)"}});
+                                             {"W/(m·K)", "W/(m K) or mW/(m K)"},
+                                             {"%", "%"}});
 
 // Signs that stand for others in a unit.
 struct Alias {
@@ -283,9 +285,13 @@ Fault no_number(const Value& value, std::string_view unit, std::string allowed) 
   return fault;
 }
 
+std::string_view written_unit(const FieldInfo& field) {
+  return field.takes_per_cent ? "%" : field.unit;
+}
+
 bool takes_units(const FieldInfo& field) {
   const bool is_number = field.type == FieldType::number || field.type == FieldType::speeds;
-  return is_number && !field.unit.empty();
+  return is_number && !written_unit(field).empty();
 }
 
 std::optional<Entry> in_si(const Entry& entry, const FieldInfo& field) {
@@ -294,8 +300,9 @@ std::optional<Entry> in_si(const Entry& entry, const FieldInfo& field) {
                               std::none_of(entry.elements.begin(), entry.elements.end(), is_text)))
     return std::nullopt;
   Entry result = entry;
-  result.value = in_si(entry.value, field.unit);
-  for (Value& element : result.elements) element = in_si(element, field.unit);
+  const std::string_view unit = written_unit(field);
+  result.value = in_si(entry.value, unit);
+  for (Value& element : result.elements) element = in_si(element, unit);
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace tribo::scene_detail {
 enum class Measure : std::uint8_t { value, distance };
 
 // The decimal number in the SI unit, "20.2e-3" for "20.2 mPa s" in Pa·s; nothing where the text is
-// not a number with a unit that fits. `unit` is that of a field, as FieldInfo has it.
+// not a number with a unit that fits. `unit` is that of a field, or "%" of a number without one.
 std::optional<std::string> si_decimal(std::string_view text, std::string_view unit,
                                       Measure measure = Measure::value);
 
@@ -32,6 +32,8 @@ std::string_view usual_units(std::string_view unit);
 // The fault of a value that is no number of the field.
 Fault no_number(const Value& value, std::string_view unit, std::string allowed);
 
+// The unit that si_decimal() knows a field's numbers by: its own, or "%" of a number without one.
+std::string_view written_unit(const FieldInfo& field);
 // May the field be given as a text with a unit?
 bool takes_units(const FieldInfo& field);
 // A copy of a field's entry with numbers in place of texts with units, in its lists too; nothing

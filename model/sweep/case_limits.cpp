@@ -20,14 +20,18 @@ SceneUse use_of(const SceneSweep& sweep) {
 // How far a value is beyond its limit, as a factor or its inverse.
 double excess(const Validity& limit) { return std::abs(std::log(limit.value / limit.limit())); }
 
-void count(std::vector<Validity>& counted, const std::vector<Validity>& passed) {
+void count(std::vector<Validity>& counted, const std::vector<Validity>& passed,
+           std::uint64_t number) {
   for (const Validity& limit : passed) {
     // Both ends of a range of speeds may pass one limit.
     if (&limit != &*std::ranges::find(passed, limit.word, &Validity::word)) continue;
     auto known = std::ranges::find(counted, limit.word, &Validity::word);
-    if (known == counted.end()) known = counted.insert(known, limit);
-    const std::uint64_t cases = known->cases + 1;
-    if (excess(limit) > excess(*known)) *known = limit;
+    const std::uint64_t cases = known == counted.end() ? 1 : known->cases + 1;
+    if (known == counted.end()) known = counted.insert(known, Validity{});
+    if (cases == 1 || excess(limit) > excess(*known)) {
+      *known = limit;
+      known->furthest_case = number;
+    }
     known->cases = cases;
   }
 }
@@ -52,12 +56,14 @@ std::vector<Validity> limits_of_cases(const SweepReading& reading) {
     for (std::size_t i = 0; i < draws; ++i) {
       for (std::size_t v = 0; v < variables; ++v)
         sweep.variables[v].store(scene, values[i * group_size + v]);
-      count(counted, passed_limits(scene, use_of(sweep)));
+      count(counted, passed_limits(scene, use_of(sweep)),
+            (place * sweep.draws + i) * sweep.cases_kept_per_group());
     }
   }
   const std::uint64_t judged = cells * draws;
   for (Validity& one : counted) {
     one.judged_cases = judged;
+    one.all_cases = sweep.cases();
     const bool is_told =
         static_cast<double>(one.cases) >= least_told_part * static_cast<double>(judged);
     const auto known = std::ranges::find(limits, one.word, &Validity::word);

@@ -167,6 +167,13 @@ void Distribution::quantiles_of_normals(Rows<const double> z, Rows<double> value
   });
 }
 
+double Distribution::part_beyond(double x, bool above) const {
+  const double z = kind_ == DistributionKind::log_normal ? std::log(x / first_) / second_
+                                                         : (x - first_) / second_;
+  const double part = above ? part_above(z) - above_to_ : part_below(z) - below_from_;
+  return std::clamp(part / between_, 0.0, 1.0);
+}
+
 double Distribution::least() const { return quantile(least_unit_number); }
 double Distribution::greatest() const { return quantile(1 - least_unit_number); }
 

@@ -59,6 +59,9 @@ class Distribution {
   double least() const;
   double greatest() const;
 
+  // The part of the draws of a normal kind that lies below x, or above it.
+  double part_beyond(double x, bool above) const;
+
   DistributionKind kind() const { return kind_; }
   // "normal, mean 0.0202, sd 0.001, from 0.01 to 0.04"
   std::string text() const;

@@ -385,7 +385,8 @@ class SweepBinder {
         Fault::reach,
         (is_printed ? "this printed number" : "this " + std::string(name(kind)) + " distribution") +
             (value < 0 ? " reaches −" : " reaches ") + scene_detail::rounded_text(std::abs(value)),
-        has_tails ? ": truncate it with `" + std::string(end) + "`" + bound_text(variable, value)
+        has_tails ? ": truncate it with `" + std::string(end) + "`" + bound_text(variable, value) +
+                        beyond_text(variable, value, allowed)
                   : "",
         allowed};
   }
@@ -397,7 +398,21 @@ class SweepBinder {
     if (variable.distribution.kind() != DistributionKind::normal || !(value <= 0 && mean > 0))
       return {};
     const double bound = std::max(mean - 0.5 * (mean - value), mean / 100);
-    return ", as from = " + scene_detail::rounded_text(bound);
+    return ", as from = " + scene_detail::rounded_text(bound) + ", which cuts off " +
+           scene_detail::rounded_text(variable.distribution.part_beyond(bound, false)) + " of it";
+  }
+
+  // How much of a distribution with tails is beyond the range of its field; empty where another
+  // number limits it.
+  static std::string beyond_text(const Variable& variable, double value,
+                                 const std::string& allowed) {
+    const FieldInfo& field = scene_fields()[scene_detail::field_at(variable.path)];
+    if (allowed != scene_detail::allowed_text(field)) return {};
+    const bool above = value > variable.nominal;
+    const double part = variable.distribution.part_beyond(
+        above ? field.maximum.value_or(value) : field.minimum, above);
+    return part > 0 ? "; " + scene_detail::rounded_text(part) + " of it lies beyond that range"
+                    : "";
   }
 
   // --- Correlation.

@@ -61,6 +61,7 @@ class VariableReader {
     variable_.path = field.path;
     variable_.unit = field.unit;
     variable_.meaning = field.meaning;
+    written_unit_ = scene_detail::written_unit(field);
     variable_.store = scene_detail::store_of(scene_detail::field_at(field.path));
   }
 
@@ -111,7 +112,7 @@ class VariableReader {
   }
 
   void read_element(std::size_t i) {
-    const Value value = scene_detail::in_si(entry_.elements[i], field_.unit);
+    const Value value = scene_detail::in_si(entry_.elements[i], written_unit_);
     const std::string name = std::string(field_.path) + '[' + std::to_string(i) + ']';
     if (takes_numbers()) {
       if (value.kind == ValueKind::number && value.fault == scene_detail::NumberFault::none)
@@ -122,7 +123,7 @@ class VariableReader {
         return variable_.grid.push_back(static_cast<double>(word - variable_.words.begin()));
     }
     problems_.error(
-        name, scene_detail::no_number(value, field_.unit, scene_detail::allowed_text(field_)));
+        name, scene_detail::no_number(value, written_unit_, scene_detail::allowed_text(field_)));
     problem_ = true;
   }
 
@@ -160,8 +161,8 @@ class VariableReader {
     if (!only(table, {"from", "to", "count", "spacing"})) return;
     const auto spacing =
         table.has("spacing") ? table.word("spacing", spacing_words) : std::optional<std::size_t>(0);
-    const auto from = table.needed_number("from", "a number", field_.unit);
-    const auto to = table.needed_number("to", "a number above from", field_.unit);
+    const auto from = table.needed_number("from", "a number", written_unit_);
+    const auto to = table.needed_number("to", "a number above from", written_unit_);
     const std::string count_text = "a whole number from 2 to " + std::to_string(most_grid_values);
     if (!table.has("count")) table.refuse("count", {Fault::presence, "", "", count_text});
     const auto count = table.whole("count", 2, most_grid_values, count_text);
@@ -186,12 +187,13 @@ class VariableReader {
 
   void read_printed_number(TableReader& table) {
     if (!only(table, {"printed"})) return;
-    const std::string_view units = scene_detail::usual_units(field_.unit);
+    const std::string_view units = scene_detail::usual_units(written_unit_);
     const std::string allowed = "a number as it is printed, as a text: \"0.0202\"" +
                                 (units.empty() ? "" : ", or in " + std::string(units));
     const auto text = table.text("printed", allowed);
     if (!text) return;
-    const auto printed = read_printed(scene_detail::si_decimal(*text, field_.unit).value_or(*text));
+    const auto printed =
+        read_printed(scene_detail::si_decimal(*text, written_unit_).value_or(*text));
     if (!printed)
       return table.refuse("printed",
                           {Fault::other, "", '"' + printable(*text) + "\" is no number", allowed});
@@ -226,8 +228,8 @@ class VariableReader {
   std::optional<Range> read_ends(TableReader& table, bool needed) {
     constexpr std::string_view below = "a number below to", above = "a number above from";
     const auto end = [&](std::string_view name, std::string_view allowed) {
-      return needed ? table.needed_number(name, allowed, field_.unit)
-                    : table.number(name, allowed, field_.unit);
+      return needed ? table.needed_number(name, allowed, written_unit_)
+                    : table.number(name, allowed, written_unit_);
     };
     const auto from = end("from", below);
     const auto to = end("to", above);
@@ -258,10 +260,10 @@ class VariableReader {
     const std::string_view middle_name = logarithmic ? "median" : "mean";
     const std::string_view sd_name = logarithmic ? "log_sd" : "sd";
     if (!only(table, {"distribution", middle_name, sd_name, "from", "to"})) return;
-    const auto middle = logarithmic ? positive(table, middle_name, field_.unit)
-                                    : table.needed_number(middle_name, "a number", field_.unit);
+    const auto middle = logarithmic ? positive(table, middle_name, written_unit_)
+                                    : table.needed_number(middle_name, "a number", written_unit_);
     const auto sd = logarithmic ? positive(table, sd_name, "")
-                                : positive(table, sd_name, field_.unit, Measure::distance);
+                                : positive(table, sd_name, written_unit_, Measure::distance);
     const auto range = read_ends(table, false);
     if (!middle || !sd || !range) return;
     const double from = logarithmic ? std::max(range->from, 0.0) : range->from;
@@ -288,6 +290,7 @@ class VariableReader {
   const Entry& entry_;
   const FieldInfo& field_;
   Problems& problems_;
+  std::string_view written_unit_;
   Variable variable_;
   bool problem_ = false;
 };

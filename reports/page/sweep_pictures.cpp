@@ -67,14 +67,17 @@ ordered_json grid_json(const sweep::SceneResult& scene, const sweep::ResultFile&
 
 }  // namespace
 
-Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
+Rendering draw_sweep_pictures(const sweep::SweepResult& result,
+                              const std::vector<SweepCells>& cells, const sweep::ResultFile& source,
                               const std::string& folder) {
   try {
     make_folder(folder);
-    ordered_json json = sweep_json(result, std::vector<SweepCells>(result.scenes.size()));
-    for (std::size_t i = 0; i < result.scenes.size(); ++i)
+    ordered_json json = sweep_json(result, cells);
+    for (std::size_t i = 0; i < result.scenes.size(); ++i) {
+      json["scenes"][i]["sets"] = cells[i].count;
       if (is_grid(result.scenes[i]))
         json["scenes"][i]["grid"] = grid_json(result.scenes[i], source);
+    }
     const sweep::PartFile file(std::filesystem::path(folder) / "result.json");  // goes again
     file.write(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
     return run_script(usual_places(), "sweep_pictures.py", {file.path(), folder});

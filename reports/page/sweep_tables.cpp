@@ -83,7 +83,7 @@ std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
 }
 
 // A grid has no mean: its values were chosen, not drawn.
-TextTable number_table(const SceneResult& scene, const SweepCells& cells) {
+TextTable number_table(const SceneResult& scene, const SweepCells& cells, bool all_are_shown) {
   const bool with_speed = has_speeds(scene);
   const bool is_grid = scene.design == "factorial";
   TextTable table{fmt::format("{}: {} cases, {} points{}", scene.id, grouped(scene.cases),
@@ -117,10 +117,11 @@ TextTable number_table(const SceneResult& scene, const SweepCells& cells) {
     const ColumnResult& column = scene.columns[c];
     if (!column.words.empty()) continue;
     const ReadableUnit unit = unit_of(column);
-    add_rows(fmt::format("all {}", cells.count), column, unit);
     for (const SweepCell& cell : cells.cells) add_rows(cell.where, cell.columns[c], unit);
+    add_rows(fmt::format("all {}", cells.count), column, unit);
   }
-  if (is_grid && scene.has_points) table.caption += "; sweep show --cases has each";
+  if (is_grid && scene.has_points && !all_are_shown)
+    table.caption += "; sweep show --cases has each";
   if (cells.count > 1) {
     table.headings.insert(table.headings.begin() + 1, "grid values");
     table.is_number.insert(table.is_number.begin() + 1, false);
@@ -166,8 +167,8 @@ TextTable word_table(const SceneResult& scene, std::size_t column_place, const S
       table.rows.push_back(std::move(row));
     }
   };
-  add_rows(fmt::format("all {}", cells.count), column);
   for (const SweepCell& cell : cells.cells) add_rows(cell.where, cell.columns[column_place]);
+  add_rows(fmt::format("all {}", cells.count), column);
   return table;
 }
 
@@ -249,12 +250,23 @@ ReadableUnit readable_unit(const std::string& unit, double greatest) {
   return greatest < 1e-5 ? ReadableUnit{"nm", 1e9} : ReadableUnit{"µm", 1e6};
 }
 
+bool is_small_grid(const SweepResult& result) {
+  constexpr std::uint64_t most_shown = 40;
+  std::uint64_t points = 0;
+  for (const SceneResult& scene : result.scenes) {
+    if (scene.design != "factorial" || !scene.has_points) return false;
+    points += scene.points;
+  }
+  return points <= most_shown;
+}
+
 std::vector<TextTable> sweep_tables(const SweepResult& result,
                                     const std::vector<SweepCells>& cells) {
   std::vector<TextTable> tables;
   for (std::size_t s = 0; s < result.scenes.size(); ++s) {
     const SceneResult& scene = result.scenes[s];
-    if (TextTable numbers = number_table(scene, cells[s]); !numbers.rows.empty())
+    if (TextTable numbers = number_table(scene, cells[s], is_small_grid(result));
+        !numbers.rows.empty())
       tables.push_back(std::move(numbers));
     for (std::size_t c = 0; c < scene.columns.size(); ++c)
       if (!scene.columns[c].words.empty()) tables.push_back(word_table(scene, c, cells[s]));

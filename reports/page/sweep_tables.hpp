@@ -25,7 +25,7 @@ struct ReadableUnit {
 ReadableUnit readable_unit(const std::string& unit, double greatest);
 
 // The numbers, the words and the Sobol indices of each scene; of grids crossed with distributions a
-// row for each set of grid values. `cells`: of each scene.
+// row for each set of grid values, and below them one of all. `cells`: of each scene.
 std::vector<TextTable> sweep_tables(const sweep::SweepResult& result,
                                     const std::vector<SweepCells>& cells);
 
@@ -42,6 +42,9 @@ const sweep::Bounded& quantile(const sweep::ColumnResult::Value& value, double l
 // In how many cases a column of words had each of its words.
 std::vector<std::uint64_t> word_counts(const sweep::ColumnResult::Value& value, std::size_t words);
 
+// Are all scenes grids alone, of so few points that a screen has room for each of them?
+bool is_small_grid(const sweep::SweepResult& result);
+
 // The kept points of a sweep's result, a row each: what varies, the speed, and each output.
 enum class CaseFormat : std::uint8_t { table, csv, json };
 
@@ -53,9 +56,10 @@ void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile
                        CaseFormat format, const std::function<void(std::string_view)>& told);
 
 // Draws the summaries as SVG and PNG into a folder, with their data beside them; makes the folder
-// if it is missing. `source`: the result, from which kept points are read where a picture needs
-// them.
-Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
+// if it is missing. `cells`: of each scene, which are drawn apart where they are few. `source`: the
+// result, from which kept points are read where a picture needs them.
+Rendering draw_sweep_pictures(const sweep::SweepResult& result,
+                              const std::vector<SweepCells>& cells, const sweep::ResultFile& source,
                               const std::string& folder);
 
 }  // namespace tribo::report

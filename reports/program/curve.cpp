@@ -111,7 +111,9 @@ int curve(const CurveArguments& arguments, OutputStream& output) {
     write_curves(arguments, loaded, output);
   } else {
     const Scene& scene = loaded.scenes.front();
-    const MeasuredPoints measured = read_measured(arguments.data, scene.outputs);
+    const MeasuredPoints measured = read_measured(arguments.data, scene);
+    for (const std::string& one : measured.contradictions)
+      complain(fmt::format("{}: {}", arguments.data, one));
     if (!measured.ignored.empty())
       complain(fmt::format("{}: columns that are not compared: {}", arguments.data,
                            fmt::join(measured.ignored, ", ")));
@@ -144,9 +146,10 @@ line names the columns with their units, separated by commas, semicolons or tabs
   0.1,,0.046
 Columns beside the speed are those `outputs` of the scene that are numbers, in units as a scene takes
 them: nm, GPa, and so on; numbers without a unit also in %. A unit stands in [ ], in ( ) or behind
-a /. Usual names will do as well: rolling, entrainment or mean speed or velocity, u, ue; film
+a /. Usual names will do as well: rolling, entrainment or mean speed or velocity, u, ue, v; film
 thickness, h; CoF, μ, mu, friction or traction coefficient; and a name with its symbol, as "Rolling
-Speed U". Other columns are named in one line and not read. An empty cell
+Speed U". A column of the load, of the slide-roll ratio (SRR) or of the oil's temperature is compared
+with the scene's, and one line tells how many rows have another. Other columns are named in one line and not read. An empty cell
 was not measured, a line that begins with # is not read. Between semicolons or tabs a number may
 have a decimal comma. In place of the curve each number is printed with the model's at that speed,
 and with their deviation, (computed − measured)/measured, where more than 0 was measured; a speed

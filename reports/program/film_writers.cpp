@@ -172,14 +172,17 @@ void append_profile(Text& to, const FilmCase& film) {
 void append_table(Text& to, const FilmCase& film, bool with_profile) {
   append_title(to, fmt::format("{}: line contact at {} m/s", film.id, readable(film.speed)));
   const auto add = [&](std::string_view words, const std::string& value, const std::string& error,
-                       std::string_view unit) {
-    append(to, fmt::format("  {:<30} {:>14} {:>9}  [{}]\n", words, value, error, unit));
+                       std::string_view unit, const std::string& part = {}) {
+    append(to, fmt::format("  {:<30} {:>14} {:>9}  [{}]{}\n", words, value, error, unit, part));
   };
   for (const Given& one : given) add(one.words, readable(film.*one.value), "", one.unit);
   for (const Quantity& one : quantities) {
     const Measured& measured = film.*one.value;
     if (std::isfinite(measured.value))
-      add(one.words, with_digits(measured), fmt::format("± {:.1e}", measured.error), one.unit);
+      add(one.words, with_digits(measured), fmt::format("± {:.1e}", measured.error), one.unit,
+          one.is_of_spike
+              ? ""
+              : fmt::format(", ± {:.1g} %", 100 * measured.error / std::abs(measured.value)));
   }
   append_formulas(to, film);
   append_notes(to, film);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -33,28 +34,26 @@ using report::ReportError;
 constexpr std::size_t most_bytes = std::size_t{1} << 22;
 constexpr std::size_t most_faults = 20;  // lines that are printed
 
-constexpr std::string_view per_cent_unit = "%";  // of outputs without a unit
-
 std::string units_for(std::string_view si) {
   return si.empty() ? "- or %, or no unit" : std::string(scene_detail::usual_units(si));
 }
 
 // The number of a cell, in SI units; nothing where it is no number, or the unit does not fit.
 std::optional<double> number_in(std::string_view cell, std::string_view unit, std::string_view si) {
-  const bool is_per_cent = si.empty() && unit == per_cent_unit;
+  const std::string_view written = si.empty() && unit == "%" ? unit : si;
   std::string text(cell);
-  if (!si.empty()) {
-    auto decimal = scene_detail::si_decimal(fmt::format("{} {}", cell, unit), si);
+  if (!written.empty()) {
+    auto decimal = scene_detail::si_decimal(fmt::format("{} {}", cell, unit), written);
     if (!decimal) return std::nullopt;
     text = std::move(*decimal);
-  } else if (!is_per_cent && !unit.empty() && unit != "-") {
+  } else if (!unit.empty() && unit != "-") {
     return std::nullopt;
   }
   double number = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
-  return is_per_cent ? number / 100 : number;
+  return number;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -90,6 +89,7 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"mean speed", std::nullopt},
     {"mean entrainment speed", std::nullopt},
     {"u", std::nullopt},
+    {"v", std::nullopt},
     {"ue", std::nullopt},
     {"u e", std::nullopt},
     {"um", std::nullopt},
@@ -149,6 +149,44 @@ std::optional<ColumnName> column_name(std::string_view plain) {
   return known;
 }
 
+// What a rig holds, and a scene too: each row is to have the scene's number. Names in small
+// letters.
+struct HeldColumn {
+  std::string_view field, unit;
+  std::span<const std::string_view> names;
+  std::optional<double> (*value_of)(const Scene&);  // nothing: the scene does not have it
+  double tolerance;                                 // a part of the number; of a temperature in K
+};
+constexpr auto load_names = std::to_array<std::string_view>(
+    {"load", "normal load", "normal force", "applied load", "f", "fn", "f n", "w"});
+constexpr auto ratio_names = std::to_array<std::string_view>(
+    {"srr", "slide roll ratio", "slide-roll ratio", "slide to roll ratio"});
+constexpr auto temperature_names =
+    std::to_array<std::string_view>({"temperature", "oil temperature", "temp", "t"});
+constexpr double tolerance_of_rigs = 0.02, tolerance_of_kelvins = 1;
+constexpr auto held_columns = std::to_array<HeldColumn>({
+    {"load", "N", load_names, [](const Scene& scene) { return std::optional(scene.load); },
+     tolerance_of_rigs},
+    {"friction.slide_roll_ratio", "", ratio_names,
+     [](const Scene& scene) { return std::optional(scene.friction.slide_roll_ratio); },
+     tolerance_of_rigs},
+    {"lubricant.temperature", "K", temperature_names,
+     [](const Scene& scene) {
+       const Oil& oil = scene.lubricant.oil;
+       return oil.is_given() ? std::optional(oil.temperature) : std::nullopt;
+     },
+     tolerance_of_kelvins},
+});
+
+const HeldColumn* held_column(std::string_view plain) {
+  const std::string_view field = plain;
+  for (const HeldColumn& held : held_columns)
+    if (std::ranges::find(held.names, plain) != held.names.end() ||
+        plain_name(held.field.substr(held.field.find('.') + 1)) == field)
+      return &held;
+  return nullptr;
+}
+
 // A heading as "film [nm]", "film (nm)" or "film / nm".
 struct Heading {
   std::string_view name, unit;
@@ -173,6 +211,9 @@ struct DataColumn {
   bool is_known = true;          // else it is not read
   std::optional<Output> output;  // none: the speed
   std::string unit;
+  const HeldColumn* held = nullptr;  // not null: it is not read but compared with the scene
+  std::size_t held_rows = 0, other_rows = 0;
+  double least = 0, greatest = 0;  // of the other rows, in SI units
   bool is_speed() const { return is_known && !output; }
   std::string_view si() const { return output ? info(*output).unit : "m/s"; }
 };
@@ -186,7 +227,8 @@ std::string allowed_names(OutputSet asked) {
 
 class MeasuredReader {
  public:
-  MeasuredReader(const std::string& path, OutputSet asked) : path_(path), asked_(asked) {}
+  MeasuredReader(const std::string& path, const Scene& scene)
+      : path_(path), scene_(scene), asked_(scene.outputs) {}
 
   void read(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -217,9 +259,11 @@ class MeasuredReader {
       faults_.push_back(fmt::format("{}: {} more mistakes", path_, more));
     }
     if (!faults_.empty()) throw ReportError(std::move(faults_));
-    MeasuredPoints points{std::move(measurements_), {}};
-    for (const DataColumn& column : columns_)
-      if (!column.is_known) points.ignored.push_back(column.heading);
+    MeasuredPoints points{std::move(measurements_), {}, {}};
+    for (const DataColumn& column : columns_) {
+      if (column.other_rows > 0) points.contradictions.push_back(contradiction(column));
+      if (!column.is_known && column.held_rows == 0) points.ignored.push_back(column.heading);
+    }
     return points;
   }
 
@@ -244,10 +288,57 @@ class MeasuredReader {
     const auto is_speed = [](const DataColumn& column) { return column.is_speed(); };
     const auto is_measured = [](const DataColumn& column) { return column.output.has_value(); };
     if (std::none_of(columns_.begin(), columns_.end(), is_speed))
-      refuse("there is no column speed", "speed [m/s] or speed [mm/s], beside what was measured");
+      refuse(
+          "there is no column speed" + sliding_remark(),
+          "speed, entrainment speed, rolling speed, mean speed, velocity, u or v, with its unit, "
+          "as speed [mm/s], beside what was measured");
     else if (std::none_of(columns_.begin(), columns_.end(), is_measured))
       refuse("there is no column of what was measured",
-             allowed_names(asked_) + ", each with its unit, as film [nm]");
+             allowed_names(asked_) +
+                 ", each with its unit, as film [nm]; of friction also CoF, mu, μ, friction "
+                 "coefficient, of film also h, film thickness");
+  }
+
+  // Where a file has the sliding speed alone.
+  std::string sliding_remark() const {
+    const auto is_sliding = [](const DataColumn& column) {
+      return plain_name(parts_of(column.heading).name).starts_with("sliding speed");
+    };
+    return std::ranges::any_of(columns_, is_sliding)
+               ? ": the sliding speed is that of the faces against each other, slide_roll_ratio "
+                 "times the mean speed of both faces"
+               : "";
+  }
+
+  // Compares a cell with the scene's number. An empty one, or a text, tells nothing.
+  void hold(DataColumn& column, std::string_view cell) const {
+    auto number = number_in(with_point(cell), column.unit, column.held->unit);
+    const double own = *column.held->value_of(scene_);
+    if (!number) return;
+    if (column.held->unit.empty()) number = std::abs(*number);
+    ++column.held_rows;
+    const double tolerance = column.held->tolerance * (column.held->unit == "K" ? 1 : own);
+    if (std::abs(*number - own) <= tolerance) return;
+    column.least = column.other_rows == 0 ? *number : std::min(column.least, *number);
+    column.greatest = column.other_rows == 0 ? *number : std::max(column.greatest, *number);
+    ++column.other_rows;
+  }
+
+  std::string contradiction(const DataColumn& column) const {
+    const auto text = [&](double number) {
+      return column.held->unit == "K"    ? readable(number - 273.15) + " °C"
+             : column.held->unit.empty() ? readable(number)
+                                         : readable(number) + ' ' + std::string(column.held->unit);
+    };
+    return fmt::format(
+        "column {}: {} of {} rows have {}, and the scene has {} = {}; these points are compared "
+        "with "
+        "the scene as it stands",
+        column.heading, column.other_rows, column.held_rows,
+        column.least == column.greatest
+            ? text(column.least)
+            : fmt::format("{} to {}", text(column.least), text(column.greatest)),
+        column.held->field, text(*column.held->value_of(scene_)));
   }
 
   void add_column(std::string_view heading) {
@@ -261,7 +352,8 @@ class MeasuredReader {
         !number_in("1", parts.unit, known->output ? info(*known->output).unit : "m/s"))
       known.reset();
     const DataColumn column{std::string(heading), known.has_value(),
-                            known ? known->output : std::nullopt, std::string(parts.unit)};
+                            known ? known->output : std::nullopt, std::string(parts.unit),
+                            known ? nullptr : held_here(plain, parts)};
     columns_.push_back(column);
     if (!column.is_known) return;
     if (column.output && !asked_.contains(*column.output))
@@ -279,6 +371,14 @@ class MeasuredReader {
                     units_for(column.si()) + ", in brackets or after a / behind the name");
   }
 
+  // What the column holds; null where its unit does not fit, or the scene does not have it.
+  const HeldColumn* held_here(std::string_view plain, const Heading& parts) const {
+    const HeldColumn* const held = held_column(plain);
+    const bool fits = held != nullptr && parts.is_closed &&
+                      number_in("1", parts.unit, held->unit) && held->value_of(scene_);
+    return fits ? held : nullptr;
+  }
+
   void read_row(std::string_view line) {
     const std::vector<std::string_view> cells = cells_in(line, separator_);
     if (cells.size() != columns_.size())
@@ -288,7 +388,8 @@ class MeasuredReader {
     std::vector<MeasuredNumber> row;
     double speed = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const DataColumn& column = columns_[i];
+      DataColumn& column = columns_[i];
+      if (column.held != nullptr) hold(column, cells[i]);
       if (!column.is_known || (cells[i].empty() && column.output)) continue;
       const std::optional<double> number = number_at(cells[i], i);
       if (!number) continue;
@@ -329,6 +430,7 @@ class MeasuredReader {
   }
 
   const std::string& path_;
+  const Scene& scene_;
   OutputSet asked_;
   std::size_t line_ = 0;
   char separator_ = ',';
@@ -451,7 +553,7 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
 
 }  // namespace
 
-MeasuredPoints read_measured(const std::string& path, OutputSet asked) {
+MeasuredPoints read_measured(const std::string& path, const Scene& scene) {
   std::ifstream file(path, std::ios::binary);
   std::string text(most_bytes + 1, ' ');
   if (file.is_open()) file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -460,7 +562,7 @@ MeasuredPoints read_measured(const std::string& path, OutputSet asked) {
                                   std::generic_category().message(errno)));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > most_bytes) throw ReportError(fmt::format("{}: the file is over 4 MiB", path));
-  MeasuredReader reader(path, asked);
+  MeasuredReader reader(path, scene);
   reader.read(text);
   return reader.finish();
 }

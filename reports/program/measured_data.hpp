@@ -11,7 +11,7 @@
 
 #include "messages.hpp"
 #include "protocol/answers.hpp"
-#include "tribo/outputs.hpp"
+#include "tribo/scene.hpp"
 
 namespace tribo::cli {
 
@@ -25,15 +25,17 @@ struct MeasuredNumber {
 
 struct MeasuredPoints {
   std::vector<MeasuredNumber> numbers;
-  std::vector<std::string> ignored;  // headings of the columns that no output stands for
+  std::vector<std::string> ignored;  // headings of the columns that are not read
+  // Of the columns that a scene has a number for, as its load: which rows have another.
+  std::vector<std::string> contradictions;
 };
 
 // Reads a file of which each line is a point. The first line has the names of the columns with
 // their units: `speed [m/s],film [nm],friction`; names are those of outputs that are numbers, and
 // those that test rigs use for them. An empty cell was not measured. Blank lines, and lines that
 // begin with #, are skipped. Throws report::ReportError with one line for each mistake; an output
-// that is not `asked` for is a mistake.
-MeasuredPoints read_measured(const std::string& path, OutputSet asked);
+// that the scene does not ask for is a mistake.
+MeasuredPoints read_measured(const std::string& path, const Scene& scene);
 
 struct Comparison {
   MeasuredNumber measured;

@@ -42,11 +42,6 @@ std::optional<double> number_in(const std::string& text) {
 
 // The number of an option, with or without the unit that it may have.
 std::optional<double> number_of(const std::string& text, std::string_view unit) {
-  if (unit == "%" && text.ends_with('%')) {
-    const std::size_t last = text.find_last_not_of(" %");
-    const auto number = number_in(text.substr(0, last + 1));
-    return number ? std::optional(*number / 100) : std::nullopt;
-  }
   const auto decimal = unit.empty() ? std::nullopt : scene_detail::si_decimal(text, unit);
   return number_in(decimal ? *decimal : text);
 }

@@ -23,6 +23,22 @@ std::vector<Column> columns_of(std::span<const Scene> scenes) {
   return columns;
 }
 
+// Why friction is not among the outputs of a scene that asks for all that it can have; empty where
+// it is, or where the scene names its outputs.
+std::string_view why_without_friction(const Scene& scene) {
+  OutputSet outputs = scene.outputs;
+  if (outputs.contains(Output::friction)) return {};
+  outputs.insert(Output::friction);
+  outputs.insert(Output::film_parameter);  // smooth bodies have none
+  if (outputs != OutputSet::all()) return {};
+  if (scene.lubricant.eyring_stress)
+    return "not computed, as friction.boundary_coefficient is not given";
+  return scene.friction.boundary_coefficient
+             ? "not computed, as lubricant.eyring_stress is not given"
+             : "not computed, as lubricant.eyring_stress and friction.boundary_coefficient are not "
+               "given";
+}
+
 }  // namespace
 
 PointWriter::PointWriter(std::string_view format, OutputStream& output,
@@ -38,6 +54,8 @@ void PointWriter::begin_scene(const Scene& scene, const MixedContact<double>& co
   cells_.assign(columns.size(), {});
   rows_.begin(scene.id, fmt::format("{}: {} speed{}", scene.id, count, count == 1 ? "" : "s"),
               columns);
+  if (const std::string_view why = why_without_friction(scene); !why.empty())
+    rows_.note("friction", why);
 }
 
 void PointWriter::add(const OperatingPoint<double>& point) {

@@ -217,18 +217,21 @@ void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts
     if (&facts != &parts.front()) to.push_back('\n');
     append_title(to, fmt::format("{}: {}{}", scene.id, facts.part,
                                  facts.part == "work" ? ", steps that the points took" : ""));
+    std::size_t width = 30;
+    for (const Fact& one : facts.all)
+      if (!one.value.is_null()) width = std::max(width, one.name.size() + 1);
     for (const Fact& one : facts.all) {
       if (one.value.is_null()) continue;
       if (one.value.is_boolean()) {  // an output
-        append_line(
-            to, fmt::format("  {:<30}{}", one.name, one.value.get<bool>() ? "asked" : "not asked"));
+        append_line(to, fmt::format("  {:<{}}{}", one.name, width,
+                                    one.value.get<bool>() ? "asked" : "not asked"));
         continue;
       }
       const std::string unit =
           one.value.is_number_float() && one.unit.empty() ? "-" : std::string(one.unit);
       const std::string value = text_of(one, readable);
       const bool is_default = !one.default_text.empty() && value == one.default_text;
-      append_line(to, fmt::format("  {:<30}{}{}{}", one.name, value,
+      append_line(to, fmt::format("  {:<{}}{}{}{}", one.name, width, value,
                                   unit.empty() ? "" : fmt::format(" [{}]", unit),
                                   is_default ? ", the default" : ""));
     }

@@ -22,6 +22,7 @@
 #include "scene_arguments.hpp"
 #include "stop_signal.hpp"
 #include "sweep/case_limits.hpp"
+#include "sweep/case_scene.hpp"
 #include "sweep/needs.hpp"
 #include "sweep/on_threads.hpp"
 #include "sweep/part.hpp"
@@ -41,16 +42,30 @@ struct SweepArguments {
   sweep::RunSettings run;
   std::string shard, pictures;
   std::string format = "table";
+  std::optional<std::uint64_t> one_case;
   bool without_fma = false, estimate = false, cases = false, is_strict = false;
 };
 
 // --- Reading.
+
+// How to see a case beyond limits: the furthest, or any where only the ends of grids are known.
+std::string where_of(const std::string& file, const sweep::SceneSweep& sweep,
+                     const std::vector<Validity>& passed) {
+  const auto counted =
+      std::ranges::find_if(passed, [](const Validity& limit) { return limit.judged_cases > 0; });
+  return fmt::format(
+      "`tribocheck sweep {} --case {} | tribocheck {}` tells all limits of {}", file,
+      counted == passed.end() ? "N" : std::to_string(counted->furthest_case),
+      sweep.asks_at_speeds() && !sweep.outputs.empty() ? "solve - --explain" : "contact -",
+      counted == passed.end() ? "case N" : "that case");
+}
 
 // The plan of the files, if they are good. Counts the warnings.
 std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files, bool told,
                                           std::size_t& warned) {
   std::vector<sweep::SceneSweep> scenes;
   Warnings warnings;
+  std::string where;
   bool good = true;
   for (const std::string& file : files) {
     sweep::SweepReading reading = sweep::read_sweep(file);
@@ -63,9 +78,10 @@ std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files,
     warned += reading.warnings.size() + passed.size();
     if (!reading.sweep) continue;
     warnings.add(file, reading.sweep->scene.id, passed);
+    if (where.empty() && !passed.empty()) where = where_of(file, *reading.sweep, passed);
     scenes.push_back(std::move(*reading.sweep));
   }
-  if (told) warnings.tell("`tribocheck solve --explain` has them all");
+  if (told) warnings.tell(where);
   if (!good) return std::nullopt;
   return sweep::make_plan(std::move(scenes));
 }
@@ -134,11 +150,8 @@ Warnings warnings_of(const sweep::SweepResult& result) {
   return warnings;
 }
 
-void write_result(const sweep::SweepResult& result, const sweep::ResultFile& file,
+void write_result(const sweep::SweepResult& result, const std::vector<report::SweepCells>& cells,
                   const std::string& format, Text& to) {
-  std::vector<report::SweepCells> cells;
-  for (const sweep::SceneResult& scene : result.scenes)
-    cells.push_back(report::cells_of(scene, file));
   if (format == "json") {
     nlohmann::ordered_json members = report::sweep_json(result, cells);
     members["warnings"] = warnings_of(result).json();
@@ -186,14 +199,23 @@ bool tell_of_films(const sweep::SweepResult& result) {
 int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, bool is_new,
                 OutputStream& output) {
   const sweep::SweepResult result = file.read();
+  std::vector<report::SweepCells> cells;
+  if (!arguments.cases || !arguments.pictures.empty())
+    for (const sweep::SceneResult& scene : result.scenes)
+      cells.push_back(report::cells_of(scene, file));
   if (arguments.cases)
     write_cases(result, file, arguments.format, output);
   else
-    write_result(result, file, arguments.format, output.text());
+    write_result(result, cells, arguments.format, output.text());
+  if (!arguments.cases && arguments.format == "table" && report::is_small_grid(result)) {
+    append(output.text(), "\n");
+    write_cases(result, file, arguments.format, output);
+  }
   output.flush();
   const int code = tell_of_films(result) || !is_new ? exit_done : exit_failed;
   if (arguments.pictures.empty()) return code;
-  const report::Rendering drawn = report::draw_sweep_pictures(result, file, arguments.pictures);
+  const report::Rendering drawn =
+      report::draw_sweep_pictures(result, cells, file, arguments.pictures);
   for (const std::string& picture : drawn.written) complain("drew " + picture);
   for (const std::string& why : drawn.undrawn) complain(why);
   if (drawn.written.empty() && drawn.undrawn.empty())
@@ -328,12 +350,29 @@ void cap_threads(int& threads) {
   threads = most;
 }
 
+// Prints one case as a scene.
+int print_case(const SweepArguments& arguments, OutputStream& output) {
+  if (arguments.files.size() != 1)
+    return fail(exit_bad, "--case is of one sweep; allowed: one SWEEP.toml");
+  const sweep::SweepReading reading = sweep::read_sweep(arguments.files.front());
+  for (const InputProblem& error : reading.errors) complain(error.line());
+  if (!reading.sweep) return exit_bad;
+  const std::uint64_t cases = reading.sweep->cases();
+  if (*arguments.one_case >= cases)
+    return fail(exit_bad, fmt::format("--case {}: there is no such case; allowed: 0 to {}",
+                                      *arguments.one_case, cases - 1));
+  append(output.text(), sweep::case_scene(*reading.sweep, *arguments.one_case));
+  output.flush();
+  return exit_done;
+}
+
 int run_sweep(SweepArguments& arguments, OutputStream& output) {
   if (const std::string meant = subcommand_meant(arguments); !meant.empty()) {
     complain("unknown command \"sweep " + printable(arguments.files.front()) +
              "\", and there is no such file; did you mean " + meant + "?");
     return exit_bad;
   }
+  if (arguments.one_case) return print_case(arguments, output);
   cap_threads(arguments.run.threads);
   if (arguments.files.empty() || (arguments.run.result.empty() && !arguments.estimate)) {
     complain(arguments.files.empty()
@@ -428,7 +467,8 @@ Example:
   tribocheck sweep reference/published/sweeps/film_map.toml --estimate
   tribocheck sweep reference/published/sweeps/film_map.toml --shard 1/2 -o first.shard
   tribocheck sweep reference/published/sweeps/film_map.toml --shard 2/2 -o second.shard
-  tribocheck sweep merge first.shard second.shard -o film_map.h5)";
+  tribocheck sweep merge first.shard second.shard -o film_map.h5
+  tribocheck sweep reference/published/sweeps/film_map.toml --case 7 | tribocheck solve -)";
 
 constexpr const char* merge_footer = R"(Example:
   tribocheck sweep reference/published/sweeps/film_map.toml --shard 1/2 -o first.shard
@@ -484,6 +524,8 @@ Command add_sweep(CLI::App& program) {
   add_strict_option(*app, arguments->is_strict);
   app->add_flag("--estimate", arguments->estimate,
                 "only say how many points, how long, how much memory and how large a file");
+  app->add_option("--case", arguments->one_case,
+                  "only print this case as a scene, by its number in `sweep show --cases`");
   CLI::Option* const resume =
       app->add_flag("--resume", arguments->run.resume, "go on with what a stopped run has left");
   CLI::Option* const force =
@@ -536,6 +578,10 @@ Command add_sweep(CLI::App& program) {
             {{"--format", "--pictures", "--shard", "--resume", "--join", "--force", "--mixed-fma"},
              arguments->estimate,
              "with --estimate, which writes nothing"},
+            {{"-o", "--format", "--pictures", "--threads", "--strict", "--estimate", "--resume",
+              "--force", "--join", "--shard", "--without-fma", "--mixed-fma"},
+             arguments->one_case.has_value(),
+             "with --case, which only prints a scene"},
             {{"--format", "--pictures"},
              !arguments->shard.empty(),
              "with --shard, as `sweep merge` shows the result"},

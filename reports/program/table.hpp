@@ -85,6 +85,10 @@ class RowWriter {
 
   // The next rows are about this scene, with these of the columns.
   void begin(std::string_view id, std::string_view title, std::vector<Column> columns);
+  // Says below the table of this scene why it has no such column.
+  void note(std::string_view name, std::string_view reason) {
+    if (is_table_) notes_.emplace_back(name, reason);
+  }
   // A cell for each column of the scene. Their texts are to stay until the call returns, but for
   // Reasons::below until the next begin().
   void add(std::span<const protocol::OutputValue> cells);

@@ -59,7 +59,12 @@ std::string passed_text(const Validity& limit) {
   std::string text = fmt::format("{}{} {} ({}", name, limit.value_follows ? ", which follows," : "",
                                  number_of(limit, limit.value), bounds_text(limit));
   if (limit.judged_cases > 0)
-    text += fmt::format("; the furthest of {} of {} cases", limit.cases, limit.judged_cases);
+    text +=
+        fmt::format("; in {} of {} cases{}, furthest in case {}", limit.cases, limit.judged_cases,
+                    limit.judged_cases < limit.all_cases
+                        ? fmt::format(" looked at, a sample of {}", limit.all_cases)
+                        : "",
+                    limit.furthest_case);
   if (limit.touches != "everything") text += fmt::format("; touches {}", limit.touches);
   if (!limit.advice.empty()) text += fmt::format("; {}", limit.advice);
   if (!limit.likely_unit.empty()) text += fmt::format("; perhaps {} was meant", limit.likely_unit);

@@ -56,7 +56,7 @@ def paper(report):
     yield ("carry half each at " + of_surfaces(sig(one["equal_share_speed"], 3) + " m/s" for one in own) +
            f": later on a rougher surface {judged('C5')}.")
     yield (f"carry least at the onset, {told('asperity_load_share', 3, 'onset')}, and more again at {fast} m/s, "
-           f"{told('asperity_load_share', 3, 'fastest')} {judged('C6')}.")
+           f"{told('asperity_load_share', 3, 'fastest')}, – where the film has collapsed {judged('C6')}.")
     yield "A(0), is " + of_surfaces(sig(one["contact_share"], 3) for one in own) + "."
     yield "at the onset (●): " + of_surfaces(f"{sig(1e9 * one['onset']['film'], 3)} nm at {sig(one['onset']['speed'], 4)} m/s" for one in own) + "."
     yield (f"{reported['C1.rough']}, {reported['C1.medium']} and {reported['C1.smooth']} m/s (C1: "
@@ -114,7 +114,7 @@ def of_ledger(report):
     took = [CHOICES[one] for one in film + [one for one in best["departures"].split(" ") if one not in film]]
     yield f"one example, which takes {', '.join(took[:-1])} and {took[-1]}. The sum of the speeds"
     yield (f"{many(ranking['best_ties'])} of {many(ranking['readings'])} readings tie at {ranking['best_score']} of {counted} claims; none reproduces more.")
-    yield f"The corrected reading reproduces {ledger['readings'][0]['score']} claims. It is a fit"
+    yield f"The corrected reading reproduces {ledger['readings'][0]['score']} claims. “Best 1” is a fit, not a proof."
     at = [f"{sig(items['C1.' + name]['readings']['best 1']['computed'], 3)} (paper: {whole(items['C1.' + name]['reported'])})" for name in SURFACES[::-1]]
     yield f"With best 1 starvation sets in at {at[0]}, {at[1]} and {at[2]} m/s." + ("" if met_by else " No combination gives all three speeds.")
     yield (f"Results: the paper {min(scores)} to {max(scores)} of the paper's {counted} claims are reproduced, by how E9 is read: {scores[0]} with m = 1, {scores[1]} "

@@ -95,7 +95,8 @@ class Data(CurveTest):
                      "speed [mm/s]\tfilm [µm]\tfriction [%]\n10\t0.007\t5\n", '"speed [m/s]","film [um]","friction [-]"\n"1e-2","7e-3","0.05"\n',
                      "film [mm] , friction , speed [mm/s]\n 7e-6 , 0.05 , 10 \n", "Rolling Speed U [mm/s],h [nm],CoF\n10,7,0.05\n",
                      "ue [m/s],Film Thickness h (nm),μ\n0.01,7,0.05\n", "Entrainment Velocity (m/s),hc [nm],Friction Coefficient mu\n0.01,7,0.05\n",
-                     "Mean Entrainment Velocity U_e [mm/s],h_c [nm],mu\n10,7,0.05\n"):
+                     "Mean Entrainment Velocity U_e [mm/s],h_c [nm],mu\n10,7,0.05\n",
+                     "v [m/s],h [nm],CoF\n0.01,7,0.05\n", "Velocity v (mm/s),h [nm],coefficient of friction\n10,7,0.05\n"):
             with self.subTest(text):
                 self.assertEqual(numbers(text), wanted)
 
@@ -114,7 +115,9 @@ class Data(CurveTest):
                 ("speed [m/s],friction [nm]\n", "line 1, column 2 (friction [nm]): this unit does not fit"),
                 ("speed [m/s],film [nm],film [m]\n", "line 1, column 3 (film [m]): this column is there twice"),
                 ("film [nm]\n7\n", "line 1: there is no column speed"), ("U [V],CoF\n", "line 1: there is no column speed"),
-                ("speed h [m/s],CoF\n", "line 1: there is no column speed"), ("ue,CoF\n", "line 1, column 1 (ue): its unit is missing"),
+                ("v [V],CoF\n", "line 1: there is no column speed"),
+                ("sliding speed [m/s],CoF\n", "line 1: there is no column speed: the sliding speed is that of the faces against each other"),
+                ("speed h [m/s],CoF\n", "line 1: there is no column speed;"), ("ue,CoF\n", "line 1, column 1 (ue): its unit is missing"),
                 ("speed [m/s],h [hPa]\n", "line 1: there is no column of what was measured"), ("speed [m/s]\n7\n", "line 1: there is no column of what was measured"),
                 (HEAD + "0.1,20\n0.2,20,0.1,3\n", "line 2: 2 cells", "line 3: 4 cells"),
                 (HEAD + "0,20,0.1\n-1,20,x\n,20,0.1\n", "line 2, column 1 (speed [m/s]): 0 is not allowed",
@@ -140,6 +143,29 @@ class Data(CurveTest):
         table = run("curve", self.write(quiet_scene("smooth")), "--data", path).out.splitlines()
         self.assertEqual([line.split()[-1] for line in table[4:6]], ["-", "outside"])
         self.assertIn("  - outside: the speed is not among those of the scene's curve", table)
+
+    def test_rows_that_contradict_the_scene_are_told_in_a_line_of_each_column(self):
+        tree = quiet_scene("smooth", load=50, friction={"boundary_coefficient": 0.13, "slide_roll_ratio": 0.5})
+        tree["lubricant"] = {key: value for key, value in tree["lubricant"].items() if key != "viscosity"} | {
+            "iso_vg": 32, "viscosity_index": 95, "density": 870, "temperature": "60 °C"}
+        def said(head, *rows):
+            path = self.folder.write("measured.csv", f"u [m/s],CoF,{head}\n" + "".join(f"0.01,0.05,{row}\n" for row in rows))
+            result = run("curve", self.write(tree), "--data", path, "--format", "csv")
+            self.assertEqual((result.code, len(result.rows())), (0, len(rows) + 1), result.err)
+            return result.err.replace(f"tribocheck: {path}: ", "")
+        for head, rows, words in (
+                ("load [kN]", ("0.05", "0.02", "0.1"), "column load [kN]: 2 of 3 rows have 20 N to 100 N, and the scene has load = 50 N"),
+                ("Normal Force (N)", ("20", "50.5", ""), "column Normal Force (N): 1 of 2 rows have 20 N, and"),
+                ("SRR [%]", ("50", "-50", "2"), "column SRR [%]: 1 of 3 rows have 0.02, and the scene has friction.slide_roll_ratio = 0.5"),
+                ("slide_roll_ratio", ("50", "50"), "column slide_roll_ratio: 2 of 2 rows have 50, and"),
+                ("Oil Temperature [°C]", ("60.4", "40"), "column Oil Temperature [°C]: 1 of 2 rows have 40 °C, and the scene has lubricant.temperature = 60 °C")):
+            with self.subTest(head):
+                told = said(head, *rows)
+                self.assertTrue(told.startswith(words) and told.count("\n") == 1, told)
+        for head, row in (("load [N]", "50"), ("load [kN]", "0.0505"), ("SRR [-]", "-0.5"), ("T [°C]", "60.9"), ("load [N],SRR", "50,0.5")):
+            with self.subTest(head):
+                self.assertEqual(said(head, row), "")
+        self.assertEqual(said("load [s],SRR [N]", "50,0.5"), "columns that are not compared: load [s], SRR [N]\n")
 
     def test_many_mistakes_are_twenty_lines_and_their_number(self):
         path = self.folder.write("measured.csv", HEAD + "x,1,1\n" * 30)

@@ -195,6 +195,9 @@ class Formats(FilmTest):
             self.assertEqual([float(row[name]), float(row[name + "_error"])], list(film[name].values()))
             self.assertAlmostEqual(value, film[name]["value"], delta=error)
             self.assertAlmostEqual(error/film[name]["error"], 1, delta=0.06)
+        parts = [float(one) for one in re.findall(r"  \[m\], ± (\S+) %\n", table)]
+        for part, name in zip(parts, QUANTITIES, strict=True):
+            self.assertAlmostEqual(part / (100 * film[name]["error"] / film[name]["value"]), 1, delta=0.35)
         for one in film["formulas"]:
             self.assertEqual(float(row[one["name"]]), one["film"])
             told = [one["deviation_percent"], one["this_liquid_deviation_percent"]]

@@ -65,7 +65,7 @@ VALUES = {
     "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--for": ["gitlab"],
     "--out": ["DIR/other"],
     "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
-    "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
+    "--pictures": ["DIR/pictures"], "--cases": [], "--case": ["1"], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
     "--seconds": ["0.3"], "--function": ["hertz_line"], "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--modulus": ["E'"], "--ellipticity": ["radii"], "--tool": ["perf"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
     "--start-timeout": ["0.01", "--case-timeout", "0.01"], "--timeout": ["0.01"], "--require": ["operating_point"],
     "--show": ["h0001"], "--save-cases": ["DIR/saved"], "--baseline": ["DIR/no_such.json"],

@@ -64,6 +64,21 @@ class Numbers(SolveTest):
         point = self.points(scene(speed=1, friction=None))[0]
         self.assertEqual(list(point), ["id", "speed"] + [o for o in OUTPUTS if o != "friction"])
 
+    def test_a_table_says_why_it_has_no_friction(self):
+        whole = scene("rough")
+        stress = {key: value for key, value in whole["lubricant"].items() if key != "eyring_stress"}
+        both = "lubricant.eyring_stress and friction.boundary_coefficient are"
+        for tree, missing in ((scene("rough", lubricant=stress), "lubricant.eyring_stress is"),
+                              (scene("rough", friction={}), "friction.boundary_coefficient is"),
+                              (scene("rough", lubricant=stress, friction={}), both),
+                              (whole, ""), (scene("rough", lubricant=stress, outputs=["film"]), "")):
+            for command in ("solve", "curve"):
+                told = run(command, self.folder.write("scene.toml", tree)).out
+                lines = [line for line in told.splitlines() if line.startswith("  - friction: not")]
+                self.assertEqual(lines, [f"  - friction: not computed, as {missing} not given"] if missing else [], told)
+        for form in ("csv", "json"):
+            self.assertNotIn("not computed", run("solve", self.folder.write("scene.toml", scene("rough", friction={})), "--format", form).out)
+
     def test_the_id_is_the_files_name_where_the_scene_has_none(self):
         self.assertEqual(self.points(scene(id=None, speed=1))[0]["id"], "scene")
         result = run("solve", "-", "--format", "csv", stdin=json_value(scene(id=None, speed=1)))
@@ -143,6 +158,13 @@ class About(SolveTest):
         self.assertEqual((told["speed"], told["speed.from"], told["speed.to"]), (None, 0.5, 2))
         table = self.solved(quiet_scene(), "--about").out
         self.assertIn("\n  friction.slide_roll_ratio     1 [-], the default\n", table)
+
+    def test_a_blank_stands_behind_the_longest_name(self):
+        tree = quiet_scene(speed=1, friction={"boundary_coefficient": 0.13, "slide_roll_ratio": 1})
+        tree["lubricant"] |= {"thermal": "gupta", "conductivity": 0.14, "temperature_coefficient": 0.04}
+        lines = [line for line in self.solved(tree, "--about").out.splitlines() if line.startswith("  lubricant.")]
+        self.assertIn("  lubricant.temperature_coefficient 0.04 [1/K]", lines)
+        self.assertEqual({len(line) - len(line[36:].lstrip()) for line in lines}, {36})
 
     def test_numbers_of_bodies_and_profiles_follow_from_these(self):
         tree = scene() | dict(surface={"m0": 1e-14, "m2": 1e-3, "m4": 4e8}, bodies={

@@ -67,6 +67,19 @@ class Cases(SweepTest):
         self.assertNotIn("mean", told)
         self.assertIn("mean", self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}), "--force").out)
 
+    def test_each_point_of_a_small_grid_stands_below_its_summary(self):
+        told = self.swept(GRID).out
+        self.assertNotIn("--cases", told)
+        self.assertTrue(told.endswith("\n" + self.cases()), told)
+        self.assertEqual(len(self.cases().splitlines()), 2 + 12)
+        self.assertEqual(run("sweep", "show", self.path("out.h5")).out, told)
+        for text in (sweep({"load": "{ from = 10, to = 20, count = 41 }", "speed": "0.1"}),
+                     sweep({"load": "[10, 20]", "lubricant.viscosity": UNIFORM, "speed": "0.1"}, draws=2)):
+            self.assertNotIn("case  ", self.swept(text, "--force").out)
+        for form in ("csv", "json"):
+            self.swept(GRID, "--force")
+            self.assertNotIn("case  ", run("sweep", "show", self.path("out.h5"), "--format", form).out)
+
     def test_a_grid_crossed_with_a_distribution_has_quantiles_for_each_set_of_its_values(self):
         """Each is that of a sweep of this load alone, whose draws are the same."""
         drawn = {"lubricant.viscosity": UNIFORM, "speed": "0.1"}
@@ -90,11 +103,47 @@ class Cases(SweepTest):
         self.assertLess(films["load 50 N"], films["load 20 N"])
         table = run("sweep", "show", self.path("out.h5")).out
         self.assertEqual(len([line for line in table.splitlines() if line.startswith("film ") and "load " in line]), 2, table)
-        self.assertRegex(table, r"\nfilm +all 2 ")
+        self.assertRegex(table, r"\nfilm +load 20 N .*\nfilm +load 50 N .*\nfilm +all 2 ")
         self.swept(sweep(drawn | {"load": "[20, 50]"}, draws=512, keep='"summaries"'), "--force")
         done = run("sweep", "show", self.path("out.h5"))
         self.assertIn("; over all 2 sets of grid values", done.out)
         self.assertNotIn("load 20 N", done.out)
+
+    def test_a_case_printed_as_a_scene_has_the_answers_of_the_sweep(self):
+        varied = {"lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]", "load": '{ distribution = "uniform", from = "20 N", to = "0.05 kN" }',
+                  "id": '"a \\"name\\""', "bodies.reduced_radius": '"9.5 mm"'}
+        for name, more, settings in (("drawn", {"closures.starvation": '["flooded_inlet", "damiens"]'}, {"draws": 8}),
+                                     ("two matrices", {}, {"draws": 64, "sensitivity": "true"})):
+            with self.subTest(name):
+                done = self.sweep(sweep(varied | more, **settings), "--force")
+                self.assertEqual(done.code, 0, done.err)
+                rows = self.rows()
+                for case in (0, 1, 13):
+                    printed = run("sweep", self.path("sweep.toml"), "--case", str(case))
+                    self.assertEqual((printed.code, printed.err), (0, ""))
+                    solved = run("solve", "-", "--format", "csv", stdin=printed.out)
+                    self.assertEqual(solved.code, 0, solved.err)
+                    of_case = [row for row in rows if row["case"] == str(case)]
+                    for row, point in zip(of_case, solved.rows(), strict=True):
+                        self.assertEqual(point["id"], f'a "name", case {case}')
+                        self.assertEqual([row["film [m]"], row["friction"], row["regime"]],
+                                         [point["film"], point["friction"], point["regime"]])
+
+    def test_a_case_keeps_the_pairs_of_an_oil_and_what_its_speed_is(self):
+        self.folder.write("oil.toml", sweep({"lubricant.viscosity": None, "lubricant.density": "870", "lubricant.temperature": '["40 °C", "60 °C"]',
+                                             "lubricant.kinematic_viscosity": '[["40 °C", "46 mm²/s"], ["100 °C", "6.8 mm²/s"]]',
+                                             "speed": UNIFORM}, draws=4))
+        self.assertEqual(run("sweep", self.path("oil.toml"), "-o", self.path("out.h5")).code, 0)
+        row = self.rows()[6]
+        point, = run("solve", "-", "--format", "csv", stdin=run("sweep", self.path("oil.toml"), "--case", "6").out).rows()
+        self.assertEqual([row["speed [m/s]"], row["film [m]"]], [point["speed"], point["film"]])
+
+    def test_there_is_no_case_beyond_the_last(self):
+        path = self.folder.write("few.toml", sweep({"load": "[20, 50]", "speed": "0.1"}))
+        self.assertEqual(run("sweep", path, "--case", "1").code, 0)
+        done = run("sweep", path, "--case", "2")
+        self.assertEqual((done.code, done.out, done.err), (2, "", "tribocheck: --case 2: there is no such case; allowed: 0 to 1\n"))
+        self.assertEqual(run("sweep", path, path, "--case", "1").code, 2)
 
     def test_a_result_of_summaries_alone_has_no_cases(self):
         self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}, keep='"summaries"'))

@@ -221,6 +221,29 @@ class Pictures(SweepTest):
             for scene, one in zip(scenes, plot.series[-2:], strict=True):
                 self.assertEqual(one.title.split(":")[0], scene["id"])
 
+    def test_each_value_of_a_grid_has_a_band_and_a_lane_of_its_own(self):
+        drawn = {"lubricant.viscosity": UNIFORM, "load": "[20, 50, 200]", "speed": SPEEDS, "outputs": '["film"]'}
+        self.drawn(sweep(drawn, draws=64, onset='["film_maximum"]'))
+        scene, = run("sweep", "show", self.path("out.h5"), "--format", "json").json()["scenes"]
+        _, names, *curves = self.blocks("curve_band_film")
+        self.assertEqual([row["legend"] for row in names], ["load 20 N", "load 50 N", "load 200 N"])
+        for cell, curve in zip(scene["cells"], curves, strict=True):
+            film = next(column for column in cell["columns"] if column["name"] == "film")
+            for value, row in zip(film["values"], curve, strict=True):
+                for level in (0.025, 0.5, 0.975):
+                    self.assertTrue(math.isclose(float(row[f"quantile_{level}"]), 1e9 * quantile(value, level), rel_tol=1e-12))
+        lanes = self.blocks("onset_distribution")[1]
+        self.assertEqual([row["scene"] for row in lanes], ["load 200 N", "load 50 N", "load 20 N"])
+        self.assertEqual(len({row["median"] for row in lanes}), 3)
+        self.assertNotIn("sets of grid values", self.svg_text("curve_band_film") + self.svg_text("onset_distribution"))
+
+    def test_a_band_over_too_many_values_of_a_grid_says_so(self):
+        drawn = {"lubricant.viscosity": UNIFORM, "speed": SPEEDS, "outputs": '["film"]'}
+        self.drawn(sweep(drawn | {"load": "{ from = 20, to = 200, count = 9 }"}, draws=32, onset='["film_maximum"]'))
+        for name in ("curve_band_film", "onset_distribution"):
+            self.assertIn(", over all 9 sets of grid values, which widen it", self.svg_text(name))
+        self.assertEqual(len(self.blocks("curve_band_film")[1]), 1)
+
     def test_a_film_map_has_each_film_of_the_grid(self):
         grid = "{ from = 1e-8, to = 1e-7, count = 12 }"
         self.drawn(sweep({"surface.summit_height_sd": grid, "speed": SPEEDS}))

@@ -213,8 +213,9 @@ class Sweeps(ValidityTest):
         drawn = {"load": '{ distribution = "uniform", from = 1700, to = 3000 }', "speed": "0.1"}
         done = self.run_sweep(drawn, "--format", "json", "--strict")
         self.assertEqual(done.code, 1)
-        cases, judged = re.search(r"hertz_pressure [^;]*; the furthest of (\d+) of (\d+) cases", done.warned).groups()
-        self.assertEqual(judged, "1024")
+        cases, judged, of_all = re.search(r"hertz_pressure [^;]*; in (\d+) of (\d+) cases looked at, a sample of (\d+), furthest in case \d+",
+                                          done.warned).groups()
+        self.assertEqual((judged, of_all), ("1024", "16384"))
         self.assertAlmostEqual(int(cases) / 1024, (3000 - 2564) / 1300, delta=0.01)
         found = {one["word"]: one for one in done.json()["warnings"]}
         self.assertGreater(found["hertz_pressure"]["value"], 4.1e9)
@@ -227,7 +228,31 @@ class Sweeps(ValidityTest):
 
     def test_a_value_of_a_grid_whose_cases_alone_are_beyond_is_counted(self):
         done = self.run_sweep({"load": "[50, 5000]", "lubricant.viscosity": UNIFORM, "speed": "0.1"}, "--format", "json")
-        self.assertRegex(done.warned, r"hertz_pressure 5 GPa \(at most 4 GPa; the furthest of 512 of 1024 cases\)")
+        self.assertRegex(done.warned, r"hertz_pressure 5 GPa \(at most 4 GPa; in 512 of 1024 cases looked at, a sample of 32768, furthest in case 16384\)")
+
+    def test_all_cases_are_no_sample(self):
+        path = self.folder.write("few.toml", sweep({"load": "5000", "lubricant.viscosity": UNIFORM, "speed": "0.1"}, draws=64))
+        done = run("sweep", path, "--estimate")
+        self.assertIn("hertz_pressure 5 GPa (at most 4 GPa; in 64 of 64 cases, furthest in case 0)", done.said)
+        self.assertNotIn("sample", done.said)
+
+    def test_the_command_that_a_warning_names_repeats_the_case(self):
+        drawn = {"load": '{ distribution = "uniform", from = 1700, to = 3000 }', "speed": "0.1"}
+        for settings, last in (({}, "solve - --explain"), ({"onset": '["film_maximum"]'}, "contact -")):
+            with self.subTest(last):
+                path = self.folder.write("drawn.toml", sweep(drawn, **settings))
+                said = run("sweep", path, "--estimate").said
+                value, = re.search(r"hertz_pressure ([\d.]+) GPa \(", said).groups()
+                first, case, second = re.search(r"`tribocheck (sweep \S+ --case (\d+)) \| tribocheck ([^`]*)` tells", said).groups()
+                self.assertEqual((second, first.split()[1]), (last, path))
+                table = run(*second.split(), stdin=run(*first.split()).out).out
+                self.assertRegex(table, rf"(?m)^no +{value} GPa +at most 4 GPa .* hertz_pressure ")
+
+    def test_a_grid_alone_has_no_case_that_is_furthest(self):
+        path = self.folder.write("grid.toml", sweep({"load": "[50, 5000]", "speed": "0.1"}))
+        said = run("sweep", path, "--estimate").said
+        self.assertIn(f"`tribocheck sweep {path} --case N | tribocheck solve - --explain` tells all limits of case N", said)
+        self.assertNotIn("furthest", said)
 
     def test_strict_is_exit_code_one_after_the_result(self):
         varied = {"lubricant.viscosity": "[0.02, 20.2]", "speed": "0.1"}

@@ -39,6 +39,7 @@ struct FieldInfo {
   bool exclusive_minimum = true;       // numbers: is `minimum` itself refused?
   std::optional<double> maximum = {};  // numbers: the greatest value, if there is one
   bool is_radius_of_face = false;      // any number but 0, and ±∞ in TOML: a flat face
+  bool takes_per_cent = false;         // a number without a unit, which people also give in %
   bool takes_both_faces = false;       // also a list of two, of which √(x₁² + x₂²) is meant
   std::span<const std::string_view> choices = {};  // choice: the legal words
   std::string_view default_text = "";              // empty: no default

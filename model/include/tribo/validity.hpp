@@ -37,8 +37,8 @@ struct Validity {
   std::string advice = "";     // what passing it means, and what to do; empty: nothing to add
   bool value_follows = false;  // of a field: from others that the scene gives
   bool is_accepted = false;    // by the scene, whether it is passed or not
-  // So many of a sweep's judged cases pass it; `value` is that furthest beyond.
-  std::uint64_t cases = 0, judged_cases = 0;
+  // So many of a sweep's judged cases pass it; `value` is that of the furthest, by its number.
+  std::uint64_t cases = 0, judged_cases = 0, all_cases = 0, furthest_case = 0;
 
   bool is_known() const { return least != 0 || greatest < std::numeric_limits<double>::infinity(); }
   bool holds() const { return value >= least && value <= greatest; }

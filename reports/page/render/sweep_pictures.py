@@ -7,7 +7,7 @@
   film_map…             the film over speed and one field, where a scene is a grid of that field alone, has three
                         speeds or more and keeps its points; the film over the two fields of a grid of two
   film_curves…          the film over one field of a grid, where there are too few values for a map
-  curve_band_<column>   median and 95 % band of an output over speed, where fields are drawn
+  curve_band_<column>   median and 95 % band of an output over speed, where fields are drawn; of a grid one for each value
 
 `tribocheck sweep --pictures` calls this; the report draws two of them. RESULT is what
 `tribocheck sweep show --format json` prints, with the cases of `grid`; - is stdin. Prints what was drawn, as JSON.
@@ -120,6 +120,37 @@ def column_of(scene, name):
     return next((column for column in scene["columns"] if column["name"] == name), None)
 
 
+# --- Grids crossed with distributions.
+
+MOST_CURVES = 8
+
+
+def apart(result):
+    """The result with a scene for each set of grid values: a band over all of them would be as wide as the grid. Where they are
+    too many, or their cases are not kept, the scene is left as it is."""
+    cells = [scene.get("cells", []) for scene in result["scenes"]]
+    if sum(max(1, len(of_scene)) for of_scene in cells) > MOST_CURVES:
+        return result
+    scenes = []
+    for scene, of_scene in zip(result["scenes"], cells):
+        for one in of_scene:
+            values = re.sub(r"(^|, )\w+\.", r"\1", one["values"])  # without the tables' names
+            scenes.append({**scene, "id": values if len(cells) == 1 else f"{scene['id']}, {values}", "of_grid": values,
+                           "cases": scene["cases"] // len(of_scene), "columns": one["columns"], "sets": 1})
+        scenes += [] if of_scene else [scene]
+    return {**result, "scenes": scenes}
+
+
+def mixed_words(scenes):
+    """What else the spread of the cases is of: a remark for a subtitle."""
+    sets = max((scene.get("sets", 1) for scene in scenes), default=1)
+    return f", over all {sets} sets of grid values, which widen it" if sets > 1 else ""
+
+
+def legend(scene):
+    return cell(scene["id"], 60 if "of_grid" in scene else 24)
+
+
 # --- The spread of onset speeds.
 
 NAME_ROOM, GAP, PEAK = 0.55, 0.15, 0.82  # in units of a lane: a scene's name, and the room below its lanes
@@ -166,6 +197,7 @@ def no_onset_in(value):
 
 def onset_distribution(result, reported=()):
     """`reported`: the printed onset speed of a scene, with the least and the greatest number that round to it."""
+    result = apart(result)
     colour = colours(result)
     base, lanes, scenes, outlines, ends, cases = 0, [], [], [], [], 0
     for scene, own in reversed(list(zip(result["scenes"], colour))):
@@ -186,7 +218,7 @@ def onset_distribution(result, reported=()):
         mark = next((one for one in reported if one["scene"] == scene["id"]), None)
         marks = [mark["value"], mark["low"], mark["high"]] if mark else [NAN] * 3
         ends += marks[1:] if mark else []
-        scenes.append(row(cell(scene["id"], 16), base + 0.2, bottom, base, *marks, own))
+        scenes.append(row(cell(scene["id"], 24 if "of_grid" in scene else 16), base + 0.2, bottom, base, *marks, own))
         cases += scene["cases"]
         base += NAME_ROOM + GAP
     ends = [one for one in ends if one > 0]
@@ -199,7 +231,7 @@ def onset_distribution(result, reported=()):
               "\n\n# scene\tname_at\tbottom\ttop\treported\treported_low\treported_high\tcolour\n" + "".join(scenes) +
               "".join(outlines))
     return Picture("onset_distribution", "sweep_onset_distribution.gp", "How the onset speeds scatter",
-                   f"{grouped(cases)} cases, over the logarithm of the speed; each lane to the same height",
+                   f"{grouped(cases)} cases, over the logarithm of the speed; each lane to the same height{mixed_words(result['scenes'])}",
                    round(78 + 92 + 50 * (top + 0.12)), blocks)
 
 
@@ -307,6 +339,7 @@ def linear_range(low, high):
 
 
 def curve_band(result, name):
+    result = apart(result)
     bands = [(scene, column_of(scene, name), colour) for scene, colour in zip(result["scenes"], colours(result))]
     bands = [one for one in bands if is_band(*one[:2])]
     if not bands:
@@ -316,7 +349,7 @@ def curve_band(result, name):
                         for _, column, _ in bands), key=lambda one: one[1])
     speeds, shown, scenes, curves = [], [], "", ""
     for number, (scene, column, colour) in enumerate(bands, 1):
-        scenes += row(number, cell(scene["id"], 24), colour, cell(scene["id"], 24) + without_value(column["values"]))
+        scenes += row(number, legend(scene), colour, legend(scene) + without_value(column["values"]))
         curves += "\n\n# speed\tquantile_0.025\tquantile_0.5\tquantile_0.975\n"
         for value in column["values"]:
             # Where most cases have no value, the quantiles of the rest do not describe the scene.
@@ -334,7 +367,7 @@ def curve_band(result, name):
     is_part = any(value["undefined"] for _, column, _ in bands for value in column["values"])
     return Picture(file_name("curve_band", name), "sweep_curve_band.gp", with_capital(words + " over speed"),
                    "lines: medians; bands: 95 % of the cases " +
-                   ("that have a value, where most cases have one" if is_part else "at each speed"), 640,
+                   ("that have a value, where most cases have one" if is_part else "at each speed") + mixed_words([scene for scene, _, _ in bands]), 640,
                    "# low\thigh\tbottom\ttop\tlog\tlabel\tlabel_across\n" +
                    row(min(speeds), max(speeds), *ends, 1 if is_log else 0, axis_label(words, unit), "entrainment speed u (m/s)") +
                    "\n\n# number\tscene\tcolour\tlegend\n" + scenes + curves)
@@ -386,7 +419,6 @@ def is_face(path):
 
 FILMS = {"film": "film h*", "solved_film.central": "solved central film", "solved_film.minimum": "solved minimum film"}
 LEAST_VALUES = 3  # of an axis of a map
-MOST_CURVES = 8
 SMOOTH = 48  # A map of fewer values is interpolated between them, so that its colours look smooth.
 
 

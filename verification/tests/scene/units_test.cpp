@@ -185,7 +185,8 @@ TEST(Units, NumbersBeyondDoubleAreToldAsSuch) {
 TEST(Units, EveryFieldWithAUnitTakesThoseThatItsMessageNames) {
   for (const FieldInfo& field : scene_fields()) {
     if (!scene_detail::takes_units(field)) continue;
-    const std::string usual(scene_detail::usual_units(field.unit));
+    const std::string_view written = scene_detail::written_unit(field);
+    const std::string usual(scene_detail::usual_units(written));
     ASSERT_FALSE(usual.empty()) << field.path;
     const SceneText base = SceneText::good_with(field);
     std::size_t start = 0;
@@ -194,7 +195,7 @@ TEST(Units, EveryFieldWithAUnitTakesThoseThatItsMessageNames) {
       end = std::min(end, usual.size());
       const std::string unit = usual.substr(start, end - start);
       start = usual.compare(end, 2, ", ") == 0 ? end + 2 : end + 4;
-      const auto number = si_decimal("3 " + unit, field.unit);
+      const auto number = si_decimal("3 " + unit, written);
       ASSERT_TRUE(number) << field.path << ' ' << unit;
       SceneText with_unit = base, in_si_units = base;
       with_unit.set(field.path, "\"3 " + unit + '"');
@@ -238,10 +239,27 @@ TEST(Units, AnotherQuantityIsNamed) {
                       "a sweep takes lists: tribocheck sweep"));
 }
 
-TEST(Units, NumbersWithoutAUnitHaveNone) {
+TEST(Units, PerCentFitsCoefficientsAndRatiosOfSpeedsAlone) {
+  SceneText text = SceneText::good();
+  text.set("friction.boundary_coefficient", "\"13 %\"");
+  text.set("friction.slide_roll_ratio", "\"40%\"");
+  for (const Format format : formats) {
+    const SceneReading scene = read(format, text);
+    ASSERT_TRUE(scene.scene) << lines_of(scene.errors);
+    EXPECT_EQ(scene.scene->friction.boundary_coefficient, 0.13);
+    EXPECT_EQ(scene.scene->friction.slide_roll_ratio, 0.4);
+  }
   EXPECT_TRUE(refused(SceneText::good().set("friction.boundary_coefficient", "\"0.13 Pa\""),
                       "friction.boundary_coefficient",
-                      "\"0.13 Pa\" is a text, and this number has no unit"));
+                      "\"0.13 Pa\" is not in a unit that fits; allowed: "));
+  EXPECT_TRUE(refused(SceneText::good().set("load", "\"40 %\""), "load",
+                      "\"40 %\" is not in a unit that fits"));
+}
+
+TEST(Units, NumbersWithoutAUnitHaveNone) {
+  EXPECT_TRUE(refused(SceneText::good().set("surface.summit_plane_offset", "\"40 %\""),
+                      "surface.summit_plane_offset",
+                      "\"40 %\" is a text, and this number has no unit"));
   EXPECT_TRUE(refused(SceneText::good().set("surface.offset_planes", "\"1 m\""),
                       "surface.offset_planes", "is a text, and this number has no unit"));
 }
