@@ -57,7 +57,10 @@ class Diagnoser {
         below_(std::move(below)),
         named_before_(named_before) {
     for (const AnsweredCase& one : cases_)
-      for (const AnsweredNumber& number : one.numbers) wrong_ += number.is_wrong ? 1 : 0;
+      for (const AnsweredNumber& number : one.numbers) {
+        wrong_ += number.is_wrong ? 1 : 0;
+        if (number.is_wrong) with_wrong_numbers_.insert(one.question.asked);
+      }
   }
 
   std::vector<Diagnosis> run() {
@@ -67,6 +70,8 @@ class Diagnoser {
     describe_rest();
     return std::move(found_);
   }
+
+  const std::set<const TestCase*>& cases_with_wrong_numbers() const { return with_wrong_numbers_; }
 
   // The function as others that are computed from it see it.
   WrongFunction as_below() const {
@@ -456,6 +461,7 @@ class Diagnoser {
   std::deque<Expected> shifted_;             // what follows from them is expected
   const std::map<std::string, std::string>& named_before_;  // mistakes, with their functions
   std::size_t wrong_ = 0;
+  std::set<const TestCase*> with_wrong_numbers_;
   bool is_followed_ = false;           // some answers follow by number
   std::vector<const Mistake*> named_;  // of the first choice of each cause
   std::vector<Diagnosis> found_;
@@ -512,10 +518,9 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
       for (const std::string& mistake : one.mistakes) named[mistake] = function;
       add(found, std::move(one));
     }
-    // Words follow from the numbers: they are told where these are right.
-    if (of_function.empty())
-      for (Diagnosis& one : diagnose_words(function, cases, conversation))
-        add(found, std::move(one));
+    for (Diagnosis& one :
+         diagnose_words(function, cases, conversation, diagnoser.cases_with_wrong_numbers()))
+      add(found, std::move(one));
   }
   for (Diagnosis& one : found) one.text += shared_text(one);
   return found;

@@ -140,14 +140,14 @@ void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
       if (factor.at) {
         closeness_ = std::max(closeness_, closeness_of_formula);
       } else {
+        // A branch of which nothing is known is known at no point.
         const auto depends = dependence_of(part);
-        if (!depends) return;
-        factor.at = depends->factor;
-        closeness_ = closeness_of_curve;
+        factor.at = depends ? depends->factor : [](const Question&) { return unsaid; };
+        if (depends) closeness_ = closeness_of_curve;
       }
       factors.push_back(std::move(factor));
     }
-    if (factors.empty()) return;
+    if (closeness_ == 0) return;
     slip.instead = [factors](const Question& question) {
       Numbers numbers = right_numbers(question);
       for (const Factor& one : factors)

@@ -154,6 +154,40 @@ bool is_printed_like(double value, double other) {
                              1e-8 * std::abs(value));
 }
 
+// The digits of a number, without its exponent and zeros.
+std::string digits_in(double value, int digits) {
+  std::string written = fmt::format("{:.{}e}", std::abs(value), digits - 1);
+  written.resize(written.find('e'));
+  std::erase(written, '.');
+  return written;
+}
+
+// Whether the number has the digits of another one in another order: "1.95" for "1.59".
+bool has_exchanged_digits(double value, double other) {
+  const int digits = digits_of(other);
+  if (digits > 6 ||
+      std::floor(std::log10(std::abs(value))) != std::floor(std::log10(std::abs(other))))
+    return false;
+  const std::string now = digits_in(value, digits), then = digits_in(other, digits);
+  return now != then && std::is_permutation(now.begin(), now.end(), then.begin(), then.end()) &&
+         is_printed_like(value, other);
+}
+
+// What comes where two digits of a number are exchanged.
+std::vector<double> with_exchanged_digits(double number) {
+  std::vector<double> found;
+  const int digits = digits_of(number);
+  const std::string right = fmt::format("{:.{}e}", number, digits - 1);
+  for (std::size_t i = 0; digits <= 6 && i < right.find('e'); ++i)
+    for (std::size_t k = i + 1; k < right.find('e'); ++k) {
+      std::string exchanged = right;
+      std::swap(exchanged[i], exchanged[k]);
+      if (exchanged != right && right[i] != '.' && right[k] != '.' && right[i] != '-')
+        found.push_back(std::stod(exchanged));
+    }
+  return found;
+}
+
 struct Change {
   std::string symbol;
   std::size_t place;  // in the law's numbers, or in the function's arguments
@@ -236,7 +270,7 @@ struct Residuals : Eigen::DenseFunctor<double> {
 
 constexpr double of_answers = 1e-6;  // how closely the wrong ones have to be met
 constexpr double as_printed = 1e-6;  // a number that is nearer to its own is its own
-constexpr std::size_t most_in_pairs = 16, fewest_of_pairs = 4;
+constexpr std::size_t most_in_pairs = 16, fewest_of_pairs = 4, fewest_of_three = 8;
 // A search that finds the numbers converges quadratically; a rest that some steps have not made so
 // much smaller is no rest of a number.
 constexpr int steps_at_most = 20, steps_that_show = 5, evaluations_at_most = 60;
@@ -276,7 +310,7 @@ std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change>
       solved = steps_to(changed, wrong, place, *one);
   if (!solved) return std::nullopt;
   Eigen::VectorXd& steps = *solved;
-  FittedNumbers found{changed.changes.size(), true, {}, {}, {}};
+  FittedNumbers found{changed.changes.size(), true, true, {}, {}, {}};
   for (std::size_t i = 0; i < changed.changes.size(); ++i) {
     const Change& one = changed.changes[i];
     double& step = steps[static_cast<Eigen::Index>(i)];
@@ -286,6 +320,8 @@ std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change>
         one.is_input ? times_in_words(value, one.symbol) : law.in_words(one.place, value);
     found.is_plausible = found.is_plausible &&
                          (one.is_input ? is_familiar(value) : is_printed_like(value, one.right));
+    found.is_exchange =
+        found.is_exchange && (one.is_input || has_exchanged_digits(value, one.right));
     found.values.push_back(value);
     // The number as people write it is meant, and not what the search came near to.
     if (!one.is_input && is_printed_like(value, one.right))
@@ -350,6 +386,49 @@ std::vector<FittedNumbers> one_after_the_other(const LawOfNumbers& law,
   return {};
 }
 
+// A number with two digits exchanged, and a known factor of an input beside it. Where all answers
+// are off by one factor, this is more than a factor of which nothing is known.
+std::vector<FittedNumbers> exchanges_with_factors(const LawOfNumbers& law,
+                                                  const std::vector<Change>& changes,
+                                                  const std::vector<Part::Number>& wrong,
+                                                  std::size_t place) {
+  std::vector<FittedNumbers> found;
+  for (const Change& one : changes)
+    for (const double value :
+         one.is_input ? std::vector<double>() : with_exchanged_digits(one.right)) {
+      LawOfNumbers changed = law;
+      changed.right[one.place] = value;
+      for (const Change& input : changes) {
+        auto second = input.is_input ? fitted(changed, {input}, wrong, place) : std::nullopt;
+        if (!second || !second->is_plausible) continue;
+        second->count = 2;
+        second->text = fmt::format("{} in place of {}, and {}", law.in_words(one.place, value),
+                                   one.symbol, second->text);
+        found.push_back(std::move(*second));
+      }
+    }
+  return found;
+}
+
+// Three numbers with exchanged digits.
+std::vector<FittedNumbers> three_exchanges(const LawOfNumbers& law,
+                                           const std::vector<Change>& changes,
+                                           const std::vector<Part::Number>& wrong,
+                                           std::size_t place) {
+  constexpr std::size_t most_numbers = 8;
+  std::vector<Change> numbers;
+  for (const Change& one : changes)
+    if (!one.is_input) numbers.push_back(one);
+  std::vector<FittedNumbers> found;
+  for (std::size_t i = 0; i < numbers.size() && numbers.size() <= most_numbers; ++i)
+    for (std::size_t k = i + 1; k < numbers.size(); ++k)
+      for (std::size_t m = k + 1; m < numbers.size(); ++m)
+        if (auto three = fitted(law, {numbers[i], numbers[k], numbers[m]}, wrong, place);
+            three && three->is_exchange)
+          found.push_back(std::move(*three));
+  return found;
+}
+
 }  // namespace
 
 std::string LawOfNumbers::in_words(std::size_t place, double number) const {
@@ -382,7 +461,7 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) 
   return LawOfNumbers{formula, {right.begin(), right.end()}, {}};
 }
 
-std::vector<FittedNumbers> fitted_numbers(const Part& part) {
+std::vector<FittedNumbers> fitted_numbers(const Part& part, bool is_one_factor) {
   const auto law = part.function() == nullptr ? std::nullopt : law_of_numbers(*part.function());
   if (!law) return {};
   std::vector<Part::Number> wrong;
@@ -402,6 +481,8 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part) {
   std::vector<FittedNumbers> found = singles(*law, changes, wrong, part.place);
   const bool is_plausible = std::any_of(found.begin(), found.end(),
                                         [](const FittedNumbers& one) { return one.is_plausible; });
+  if (!is_plausible && is_one_factor)
+    return exchanges_with_factors(*law, changes, wrong, part.place);
   // Two numbers are not told apart by questions that differ in one of several inputs alone.
   const std::size_t least = std::min<std::size_t>(2, part.function()->parameters.size());
   if (is_plausible || wrong.size() < fewest_of_pairs || inputs_that_vary(wrong) < least)
@@ -415,6 +496,8 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part) {
   if (changes.size() > most_in_pairs)
     for (FittedNumbers& pair : one_after_the_other(*law, changes, wrong, part.place))
       found.push_back(std::move(pair));
+  if (found.empty() && wrong.size() >= fewest_of_three)
+    return three_exchanges(*law, changes, wrong, part.place);
   return found;
 }
 

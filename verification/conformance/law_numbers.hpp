@@ -34,14 +34,17 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function);
 
 // The law with other numbers in place of its own, or with factors of inputs beside them.
 struct FittedNumbers {
-  std::size_t count;           // of what is changed: 1 or 2
+  std::size_t count;           // of what is changed: 1 to 3
+  bool is_exchange;            // each number has the digits of its own in another order
   bool is_plausible;           // the numbers have few digits, and the factors are known ones
   std::vector<double> values;  // in place of the right ones
   std::string text;            // "0.231 in place of 0.213, and E*/2 in place of E*"
   std::function<double(const Question&, std::size_t place)> answer;
 };
-// Those that give the wrong answers of the part, single numbers first, and pairs only where no
-// plausible single number does; the caller looks whether the right answers stay right.
-std::vector<FittedNumbers> fitted_numbers(const Part& part);
+// Those that give the wrong answers of the part, single numbers first, pairs only where no
+// plausible single number does, and three with exchanged digits only where no pair does; the caller
+// looks whether the right answers stay right. Where all wrong answers are off by one factor, only
+// what that can be is sought.
+std::vector<FittedNumbers> fitted_numbers(const Part& part, bool is_one_factor);
 
 }  // namespace tribo::conformance

@@ -27,6 +27,7 @@ constexpr std::size_t fewest_wrong = 3, fewest_cut = 2;  // answers that decide
 constexpr double of_change = 1e-4;  // of what the misreading changes: how closely it has to be met
 constexpr double one_value = 1e-9;  // of values that are one and the same
 constexpr double missed = 0.02;     // of the answers
+constexpr int digits_of_defaults = 2;  // at most, where one answer decides
 
 // --- Inputs
 
@@ -185,8 +186,8 @@ struct Misreading {
   int rank;  // the simplest is the least
   std::string text;
   std::function<double(Question, std::size_t place)> answer;
-  bool cuts = false;        // the input at a border: other questions are not touched
-  bool is_default = false;  // the input where it is left out
+  std::size_t fewest = fewest_wrong;  // wrong answers that decide
+  bool is_default = false;            // the input where it is left out
 };
 
 // The factors that people lose or gain, and their names.
@@ -236,12 +237,18 @@ bool is_left_out(const Input& input, const Question& question) {
          !question.asked->inputs.contains(nlohmann::json::json_pointer(pointer));
 }
 
+// Whether so many digits are the number, to 1e-6 of it.
+bool is_of_digits(double value, int digits) {
+  return std::abs(std::stod(fmt::format("{:.{}e}", value, digits - 1)) - value) <=
+         1e-6 * std::abs(value);
+}
+
 // Adds readings of the input that give this one answer, from the value with which it is right.
 void add_misreadings(const std::vector<Input>& inputs, const Input& input, const Question& asked,
                      double value, std::vector<Misreading>& found) {
   const double own = input.get(asked);
   const auto add = [&](int rank, std::string text, std::function<double(const Question&)> taken,
-                       bool cuts = false, bool is_default = false) {
+                       std::size_t fewest = fewest_wrong, bool is_default = false) {
     found.push_back({rank, std::move(text),
                      [taken = std::move(taken), &input](Question question, std::size_t place) {
                        const double read = taken(question);
@@ -249,7 +256,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
                                   ? input.answer_with(question, read, place)
                                   : right_numbers(question)[place];
                      },
-                     cuts, is_default});
+                     fewest, is_default});
   };
   const double number = round_number(value), more = round_number(value - own);
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
@@ -270,13 +277,13 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         [number, &input](const Question& question) {
           return std::min(number, input.get(question));
         },
-        true);
+        fewest_cut);
     add(
         3, is_number + " wherever it is less: it is cut off there",
         [number, &input](const Question& question) {
           return std::max(number, input.get(question));
         },
-        true);
+        fewest_cut);
   }
   if (input.kind != Kind::single) return;
   if (is_left_out(input, asked))
@@ -285,7 +292,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         [number, &input](const Question& question) {
           return is_left_out(input, question) ? number : unsaid;
         },
-        true, true);
+        is_of_digits(value, digits_of_defaults) ? 1 : fewest_cut, true);
   add(3, is_number + " always, whatever it is given as",
       [number, &input](const Question& question) {
         return std::isfinite(input.get(question)) ? number : unsaid;
@@ -301,6 +308,47 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   }
 }
 
+// Adds that the input is rounded to whole steps, or that answers lie on straight lines between
+// those at whole steps, as in a table that spans the wrong answers.
+void add_steps(const Input& input, const std::vector<Part::Number>& wrong,
+               std::vector<Misreading>& found) {
+  double least = INFINITY, greatest = -INFINITY;
+  for (const Part::Number& one : wrong) {
+    const double value = input.get(one.of->question);
+    if (!std::isfinite(value)) return;
+    least = std::min(least, value);
+    greatest = std::max(greatest, value);
+  }
+  constexpr double most_steps = 1e4;
+  if (!(greatest > least)) return;
+  const double decade = std::pow(10, std::floor(std::log10(greatest - least)));
+  for (double power = 1; decade / power * most_steps > greatest - least && power < most_steps;
+       power *= 10)
+    for (const double digit : {5.0, 2.5, 2.0, 1.0}) {
+      const double step = digit * decade / power;
+      const double from = std::floor(least / step), to = std::ceil(greatest / step);
+      const auto add = [&](std::string text, auto between) {
+        found.push_back({3, std::move(text),
+                         [&input, step, from, to, between](Question question, std::size_t place) {
+                           const double at = input.get(question) / step;
+                           if (!(at >= from && at <= to)) return right_numbers(question)[place];
+                           return between(at, [&](double whole) {
+                             return input.answer_with(question, whole * step, place);
+                           });
+                         }});
+      };
+      add(fmt::format("{} rounded to steps of {:g} from {:.6g} to {:.6g}", input.symbol, step,
+                      from * step, to * step),
+          [](double at, auto answer) { return answer(std::nearbyint(at)); });
+      add(fmt::format("straight lines between {} = {:.6g}, {:.6g} … {:.6g}, in place of the law",
+                      input.symbol, from * step, (from + 1) * step, to * step),
+          [](double at, auto answer) {
+            const double below = std::floor(at), low = answer(below);
+            return below == at ? low : low + (at - below) * (answer(below + 1) - low);
+          });
+    }
+}
+
 // Adds the readings by each input, from where answers are farthest off on both sides, which decide
 // the value best, and from a third one.
 void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part::Number>& wrong,
@@ -311,6 +359,7 @@ void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part
   const auto [least, greatest] = std::minmax_element(
       wrong.begin(), wrong.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
   for (const Input& input : inputs) {
+    if (input.kind == Kind::single) add_steps(input, wrong, found);
     for (const auto& from : {least, greatest, wrong.begin() + std::ssize(wrong) / 2})
       if (const auto value = solved(*from, input, place))
         add_misreadings(inputs, input, from->of->question, *value, found);
@@ -344,7 +393,7 @@ bool gives(const Misreading& one, const Part& part) {
     met += answered.is_wrong ? 1 : 0;
     changed += change > answered.allowed ? 1 : 0;
   }
-  return met >= (one.cuts ? fewest_cut : fewest_wrong) && changed >= met;
+  return met >= one.fewest && changed >= met;
 }
 
 // Wrong answers that are not all off by one factor: such a factor any input may have.
@@ -384,10 +433,7 @@ double round_number(double value) {
   return value;
 }
 
-// Whether four digits are the number, to 1e-6 of it, as those that a source prints.
-bool is_of_few_digits(double value) {
-  return std::abs(std::stod(fmt::format("{:.3e}", value)) - value) <= 1e-6 * std::abs(value);
-}
+bool is_of_few_digits(double value) { return is_of_digits(value, 4); }
 
 bool is_familiar(double factor) { return familiar_times(factor, {}).has_value(); }
 
@@ -420,8 +466,7 @@ std::string default_of(const Part& part, const std::vector<Part::Number>& wrong,
 
 std::string other_default(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
-  return wrong.size() < fewest_cut ? std::string()
-                                   : default_of(part, wrong, inputs_of(part.function()));
+  return wrong.empty() ? std::string() : default_of(part, wrong, inputs_of(part.function()));
 }
 
 std::optional<Misread> misread_input(const Part& part) {
@@ -431,8 +476,8 @@ std::optional<Misread> misread_input(const Part& part) {
   const auto inputs = std::make_shared<const std::vector<Input>>(inputs_of(part.function()));
   std::vector<Misreading> all;
   const bool is_one_factor = !vary(part);
-  for (FittedNumbers& one : fitted_numbers(part))
-    if (!is_one_factor || (one.count == 1 && one.is_plausible))
+  for (FittedNumbers& one : fitted_numbers(part, is_one_factor))
+    if (!is_one_factor || one.is_plausible)
       all.push_back({one.is_plausible ? (one.count == 1 ? 2 : 6) : 7, std::move(one.text),
                      std::move(one.answer)});
   if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);

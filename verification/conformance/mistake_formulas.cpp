@@ -442,6 +442,11 @@ constexpr NamedFormula formulas[] = {
        const double ratio = 1 + 2 / (3 * a[3]);
        return right_regime(a) * std::pow(ratio, 4);
      }},
+    // Numbers: the power of k that is taken for R_y/R_x.
+    {"regime_film", "regime_with_power_of_ellipticity", 1,
+     [](const Arguments& a, Constants power) {
+       return right_regime({a[0], a[1], a[2], std::pow(a[4], power[0]), a[4]});
+     }},
     {"regime_film", "regime_with_inverse_in_phi", 0,
      [](const Arguments& a, Constants) {
        const double ratio = (1 + 2 / (3 * a[3])) / (1 + 2 * a[3] / 3);
@@ -547,8 +552,11 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants factor) {
        return std::erf(factor[0] * relative_pressure(a));
      }},
-    {"persson_contact_area", "persson_linear", 1,
-     [](const Arguments& a, Constants factor) { return factor[0] * relative_pressure(a); }},
+    // Numbers: the factor, and where the area ends.
+    {"persson_contact_area", "persson_linear", 2,
+     [](const Arguments& a, Constants numbers) {
+       return std::min(numbers[1], numbers[0] * relative_pressure(a));
+     }},
     {"persson_contact_area", "persson_complement", 0,
      [](const Arguments& a, Constants) {
        return std::erfc(std::numbers::sqrt2 * relative_pressure(a));
@@ -577,6 +585,11 @@ constexpr NamedFormula formulas[] = {
     {"dowson_higginson_density", "density_of_ratio", 2,
      [](const Arguments& a, Constants n) { return (n[0] + n[1] * a[0]) / (n[0] + a[0]); },
      dowson_higginson},
+    // Numbers: K′ and K of Murnaghan's (1 + K′p/K)^(1/K′).
+    {"dowson_higginson_density", "density_of_murnaghan", 2,
+     [](const Arguments& a, Constants numbers) {
+       return std::pow(1 + numbers[0] * a[0] / numbers[1], 1 / numbers[0]);
+     }},
     {"barus_viscosity", "barus_linear", 0,
      [](const Arguments& a, Constants) { return a[0] * (1 + a[1] * a[2]); }},
     // Numbers: p_R, what ln η₀ is multiplied by, z over αp_R/(ln η₀ + 9.67), and this 9.67.

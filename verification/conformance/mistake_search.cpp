@@ -182,6 +182,9 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
   const std::size_t results = function == nullptr ? 0 : function->results.size();
   for (std::size_t place = 0; results > 1 && place < results; ++place) {
     std::vector<Fit> fits = best_fits(Search(cases, branch, place), mistakes, 2);
+    // They may explain the result that was left out, too.
+    for (Fit& one : fits)
+      if (Fit whole = search.fit(one.mistakes); whole.is_consistent()) one = std::move(whole);
     if (!fits.empty() &&
         (best.empty() || fits.front().explains.size() > best.front().explains.size()))
       best = std::move(fits);

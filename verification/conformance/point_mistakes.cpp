@@ -230,26 +230,24 @@ Mistake with_inlet(const Mistake& wrong) {
   return with_formula(wrong, [wrong](const Question& question) -> std::optional<Numbers> {
     const Scene& scene = *question.scene;
     if (scene.supply.kind == SupplyKind::flooded) return std::nullopt;
-    const MixedContact<double> contact(scene);
-    const FloodedFilm<double> flooded = contact.flooded(scene.speeds[0]);
-    InletState<double> inlet = contact.inlet(flooded);
-    const InletLaw<double> law = contact.inlet_law();
+    using Real = long double;  // in double a contact takes its shares from the right closure alone
+    const MixedContact<Real> contact(scene);
+    const FloodedFilm<Real> flooded = contact.flooded(scene.speeds[0]);
+    InletState<Real> inlet = contact.inlet(flooded);
+    const InletLaw<Real>& law = contact.inlet_law();
     const auto ratio = value_with(
-        wrong, {static_cast<double>(law.closure), inlet.flooded_over_inlet, law.exponent});
+        wrong, {static_cast<double>(law.closure), static_cast<double>(inlet.flooded_over_inlet),
+                static_cast<double>(law.exponent)});
     if (!ratio) return std::nullopt;
     inlet.film_ratio = *ratio;
-    inlet.collapsed = inlet.film_ratio == 0;
-    Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
-    // Near a floor complete() takes the shares from the right closure, not from `wrong`.
-    if (contact.sharing().has_floor())
-      std::fill(numbers.begin() + static_cast<int>(Output::asperity_load_share), numbers.end(),
-                unsaid);
-    return numbers;
+    inlet.collapsed = *ratio == 0;
+    const LoadShares<Real> shares = contact.starved_shares(flooded, inlet, 1 - inlet.film_ratio);
+    return numbers_of(detail::in_double(contact.complete(flooded, inlet, shares, OutputSet::all())),
+                      question);
   });
 }
 
-// The point whose flooded film is λ σ_s = h₀ (1 − A)^−e, whatever gave it; a starved point gets its
-// films alone.
+// The point whose flooded film is λ σ_s = h₀ (1 − A)^−e, whatever gave it.
 Numbers shared_point(const Question& question, const MixedContact<double>& contact, double lambda,
                      double exponent) {
   const double speed = question.scene->speeds[0];
@@ -257,7 +255,7 @@ Numbers shared_point(const Question& question, const MixedContact<double>& conta
   const FloodedFilm<double> flooded{speed, {lambda, 1 - fluid, fluid, 0}};
   const InletState<double> inlet = contact.inlet(flooded);
   Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
-  if (question.scene->supply.kind != SupplyKind::flooded || lambda < contact.sharing().floor())
+  if (lambda < contact.sharing().floor())
     std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
   return numbers;
 }

@@ -200,17 +200,35 @@ std::vector<Expected> certified_of(const std::vector<Judged>& answers) {
   return all;
 }
 
+bool is_met(const Judged& one, const Expected& expected, const Tolerance& tolerance) {
+  const auto found = one.answer->fields.find(expected.field);
+  if (found == one.answer->fields.end() || !found->is_number()) return false;
+  const double error = std::abs((found->get<double>() - expected.high) - expected.low);
+  return error <= allowed_error(*one.asked, expected, tolerance);
+}
+
 std::size_t count_met(const std::vector<Judged>& answers, const std::vector<Expected>& expected,
                       const Tolerance& tolerance) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    const auto& fields = answers[i].answer->fields;
-    const auto found = fields.find(expected[i].field);
-    if (found == fields.end() || !found->is_number()) continue;
-    const double error = std::abs((found->get<double>() - expected[i].high) - expected[i].low);
-    if (error <= allowed_error(*answers[i].asked, expected[i], tolerance)) ++count;
-  }
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    count += is_met(answers[i], expected[i], tolerance) ? 1 : 0;
   return count;
+}
+
+// Whether at least half of the answers that tell the reading from the certified one are as the
+// reading has them: a few may be so by accident, of a solver that is wrong elsewhere.
+bool is_likely(const std::vector<Judged>& answers, const std::vector<Expected>& expected,
+               const Tolerance& tolerance) {
+  std::size_t moved = 0, met = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const Expected& certified = *answers[i].expected;
+    const double apart =
+        std::abs((expected[i].high - certified.high) + (expected[i].low - certified.low));
+    if (!(apart > allowed_error(*answers[i].asked, certified, tolerance))) continue;
+    ++moved;
+    met += is_met(answers[i], expected[i], tolerance) ? 1 : 0;
+  }
+  return 2 * met >= moved;
 }
 
 }  // namespace
@@ -238,7 +256,7 @@ std::vector<std::string> take_readings(std::vector<TestCase>& cases,
       for (const Judged& one : answers)
         expected.push_back(read_as(reading, *one.asked, *one.expected));
       const std::size_t met = count_met(answers, expected, tolerance);
-      if (met <= most) continue;
+      if (met <= most || !is_likely(answers, expected, tolerance)) continue;
       best = &reading;
       most = met;
       best_expected = std::move(expected);

@@ -119,13 +119,16 @@ std::string told(const std::vector<AnsweredWord>& answers, const std::string& wo
 
 std::vector<Diagnosis> diagnose_words(const std::string& function,
                                       const std::vector<TestCase>& cases,
-                                      const Conversation& conversation) {
+                                      const Conversation& conversation,
+                                      const std::set<const TestCase*>& with_wrong_numbers) {
   if (!is_operating_point(function)) return {};
   std::map<std::string, std::vector<AnsweredWord>> fields;
   std::map<std::string, std::string> quantities;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Reply& answer = conversation.answers[i];
-    if (cases[i].function != function || answer.outcome != Outcome::answered) continue;
+    if (cases[i].function != function || answer.outcome != Outcome::answered ||
+        with_wrong_numbers.contains(&cases[i]))
+      continue;
     std::optional<Numbers> point;  // it is solved once
     for (const Expected& expected : cases[i].expected) {
       const auto value = answer.fields.find(expected.field);

@@ -131,6 +131,15 @@ class MixedContact {
   // All outputs of a set, from a film and inlet that are known already.
   OperatingPoint<T> complete(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
                              OutputSet outputs) const {
+    LoadShares<T> shares{};
+    if (needs_shares(outputs))
+      shares = supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
+    return complete(flooded, inlet, shares, outputs);
+  }
+
+  // The same, where the shares at the starved film are known, too.
+  OperatingPoint<T> complete(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
+                             const LoadShares<T>& shares, OutputSet outputs) const {
     OperatingPoint<T> point;
     point.speed = flooded.speed;
     const T& lambda_flooded = flooded.shares.film_parameter;
@@ -145,9 +154,6 @@ class MixedContact {
       point.inlet = inlet.collapsed                         ? Inlet::collapsed
                     : inlet.film_ratio >= ratio<T>(95, 100) ? Inlet::flooded
                                                             : Inlet::starved;
-    LoadShares<T> shares{};
-    if (needs_shares(outputs))
-      shares = supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
     const bool has_collapsed = inlet.collapsed && lambda_apart == 0;
     if (outputs.contains_any(balance_outputs())) add_shares(point, shares, has_collapsed);
     if (outputs.contains_any(area_outputs()))
@@ -162,19 +168,28 @@ class MixedContact {
 
   // The shares at the starved film: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
   // computed as the distance of the flooded film from the floor, which its fluid share gives, minus
-  // λ(1 − y). This avoids a difference of nearly equal numbers.
+  // λ(1 − y). This avoids a difference of nearly equal numbers. The deficit is 1 − y.
   LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet) const {
+    const bool is_near = is_near_floor(flooded);
+    return starved_shares(flooded, inlet,
+                          is_near ? inlet_law_.deficit(inlet.flooded_over_inlet) : T(0));
+  }
+  LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
+                               const T& deficit) const {
     const T& lambda_flooded = flooded.shares.film_parameter;
     const T lambda = lambda_flooded * inlet.film_ratio;
     T distance = lambda - sharing_.floor();
-    if (sharing_.has_floor() && flooded.shares.fluid < ratio<T>(1, 4))
-      distance = sharing_.distance_above_floor(flooded.shares.fluid) -
-                 lambda_flooded * inlet_law_.deficit(inlet.flooded_over_inlet);
+    if (is_near_floor(flooded))
+      distance = sharing_.distance_above_floor(flooded.shares.fluid) - lambda_flooded * deficit;
     if (sharing_.has_floor() && !(distance > 0)) return {lambda, T(1), T(0), 0};
     return sharing_.shares_above_floor(distance);
   }
 
  private:
+  bool is_near_floor(const FloodedFilm<T>& flooded) const {
+    return sharing_.has_floor() && flooded.shares.fluid < ratio<T>(1, 4);
+  }
+
   // Near a high floor the moments are computed from the shares, too.
   bool needs_shares(OutputSet outputs) const {
     return outputs.contains_any(balance_outputs()) ||

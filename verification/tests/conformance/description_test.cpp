@@ -266,6 +266,30 @@ TEST(Following, IsSaidOfPointsThatUseTheWrongFunctionAndOfNoOthers) {
   expect_said(others, "It rests on", false);
 }
 
+// A wrong inlet thins films down to the floor of high summits, where the shares follow, too.
+TEST(Following, IsOfAllResultsOfStarvedPoints) {
+  const auto wrong_inlet = [](double y) { return y / (2 - y); };
+  const auto point = [&](const TestCase& asked, json& fields) {
+    const Question question = question_of(asked);
+    if (question.scene->supply.kind == SupplyKind::flooded) return;
+    const MixedContact<long double> contact(*question.scene);
+    const auto flooded = contact.flooded(question.scene->speeds[0]);
+    auto inlet = contact.inlet(flooded);
+    inlet.film_ratio = wrong_inlet(static_cast<double>(inlet.film_ratio));
+    const auto shares = contact.starved_shares(flooded, inlet, 1 - inlet.film_ratio);
+    set_numbers(fields,
+                detail::in_double(contact.complete(flooded, inlet, shares, OutputSet::all())));
+  };
+  const std::string said = said_of({{"starvation_ratio",
+                                     [&](const TestCase&, json& fields) {
+                                       fields["value"] = wrong_inlet(fields["value"].get<double>());
+                                     }},
+                                    {"operating_point", point}});
+  expect_said(said, "This follows from starvation_ratio: with the answers that it gives there, ");
+  expect_said(said, "wrong answers of operating_point are right.");
+  expect_said(said, "None of the known mistakes gives these others", false);
+}
+
 // Moments of greenwood_tripp's load are wrong in a way that has no law.
 TEST(Following, IsByUseWhereTheWrongFunctionIsNotKnownWellEnough) {
   const auto moments = noise_where("value", [](const json& in) { return in.at("order") == 2.5; });
@@ -512,6 +536,86 @@ TEST(Misread, IsNotSaidOfAnotherFormulaOrOfNoise) {
              }));
 }
 
+// The right answers at the two entries of a table beside the argument, and a straight line between.
+Slip by_table(std::size_t argument, double step) {
+  return [=](const TestCase& asked, json& fields) {
+    const double at = question_of(asked).arguments[argument] / step, below = std::floor(at);
+    json low = fields, high = fields;
+    asked_as([&](Question& one) { one.arguments[argument] = below * step; })(asked, low);
+    asked_as([&](Question& one) { one.arguments[argument] = (below + 1) * step; })(asked, high);
+    const double from = low["value"], to = high["value"];
+    if (below != at) fields["value"] = from + (at - below) * (to - from);
+  };
+}
+
+TEST(Misread, IsATableWithStraightLinesOrAnInputInSteps) {
+  const std::string lines = "are the right ones with straight lines between ";
+  const auto moments = [](Slip slip) {
+    return [slip = std::move(slip)](const TestCase& asked, json& fields) {
+      if (std::abs(number(asked.inputs, "argument")) <= 4) slip(asked, fields);
+    };
+  };
+  for (const double step : {0.05, 0.2, 0.5}) {
+    expect_said(said_of({{"gaussian_moment", moments(by_table(1, step))}}),
+                lines + fmt::format("d = -4, {:g} … 4, in place of the law (", step - 4));
+    expect_said(
+        said_of({{"gaussian_moment", moments(asked_as([step](Question& one) {
+                    one.arguments[1] = std::nearbyint(one.arguments[1] / step) * step;
+                  }))}}),
+        fmt::format("are the right ones with d rounded to steps of {:g} from -4 to 4 (", step));
+  }
+  // Errors of a quadrature lie on no straight lines.
+  expect_said(said_of({{"gaussian_moment", moments([](const TestCase& asked, json& fields) {
+                          const double d = number(asked.inputs, "argument");
+                          multiply(fields["value"], 1 + 0.01 * d * d * (4 - d));
+                        })}}),
+              "straight lines", false);
+}
+
+TEST(Misread, IsADefaultWhereOneCaseLeavesTheInputOut) {
+  const auto with_default = [](double exponent) {
+    return [=](const TestCase& asked, json& fields) {
+      if (asked.inputs.at("closure") == "damiens" && !asked.inputs.contains("damiens_exponent"))
+        asked_as([=](Question& one) { one.arguments[2] = exponent; })(asked, fields);
+    };
+  };
+  const std::string said = said_of({{"starvation_ratio", with_default(2)}});
+  expect_said(said, "are the right ones with γ = 2 where it is left out (1 of 1 wrong answers)");
+  expect_said(said, "as a cache does", false);
+  // A number that nobody writes is no default.
+  expect_said(said_of({{"starvation_ratio", with_default(2.10371)}}), "where it is left out",
+              false);
+}
+
+TEST(LawNumbers, WithExchangedDigitsAreNamedBesideAFactorAndThreeTogether) {
+  const auto law = [](const char* function) {
+    return *law_of_numbers(*catalogue::function_named(function));
+  };
+  // 1.95 and u: all answers are off by one factor.
+  const LawOfNumbers grubin = law("ertel_grubin");
+  const auto with_constant = [&](double constant) {
+    return [=](const TestCase& asked, json& fields) {
+      Question question = question_of(asked);
+      question.arguments[0] *= 2;
+      std::vector<double> numbers = grubin.right;
+      numbers[0] = constant;
+      fields["value"] = (*grubin.formula(question.arguments, numbers))[0];
+    };
+  };
+  expect_said(said_of({{"ertel_grubin", with_constant(1.59)}}),
+              "with 1.59 in place of 1.95, and 2 u in place of u");
+  expect_said(said_of({{"ertel_grubin", with_constant(1.58)}}), "are the right ones", false);
+  const std::string said =
+      said_of({{"gupta_thermal_reduction",
+                with_numbers(law("gupta_thermal_reduction"), {{3, 2.32}, {4, 0.38}, {5, 0.46}})}});
+  expect_said(said, "2.32 in place of 2.23, and 0.38 in place of 0.83, and 0.46 in place of 0.64");
+  // Three other numbers are as good as a fit.
+  expect_said(
+      said_of({{"gupta_thermal_reduction",
+                with_numbers(law("gupta_thermal_reduction"), {{3, 2.31}, {4, 0.37}, {5, 0.47}})}}),
+      "are the right ones", false);
+}
+
 TEST(OtherValue, IsAFloorOrAnInputOrAnotherResult) {
   const auto floor = [](const TestCase&, json& fields) {
     fields["value"] = std::max(fields["value"].get<double>(), 1e-9);
@@ -558,6 +662,21 @@ TEST(Words, AreToldByTheLimitFromWhichTheyAreAnswered) {
                         })}}),
               "The word", false);
   expect_said(said_of({{"operating_point", [](const TestCase&, json&) {}}}), "The word", false);
+}
+
+// Points whose numbers are right tell a limit of words, whatever is wrong elsewhere.
+TEST(Words, AreToldBesideWrongNumbersOfOtherPoints) {
+  const std::string said = said_of({{"operating_point", [](const TestCase& asked, json& fields) {
+                                       if (asked.inputs.contains("supply") &&
+                                           asked.inputs["supply"].contains("inlet_film_ratio"))
+                                         multiply(fields["film"], 1.5);
+                                       const json& share = fields["asperity_load_share"];
+                                       if (share.is_number() && share >= 0.9)
+                                         fields["regime"] = "boundary";
+                                     }}});
+  expect_said(said, "operating_point.film is ");
+  expect_said(
+      said, "The word `boundary` is answered from asperity_load_share between 0.808 and 0.901 on");
 }
 
 TEST(Results, AreToldEachWhereEachHasACauseOfItsOwn) {

@@ -114,6 +114,22 @@ TEST(Said, OfTwoMistakesAreBoth) {
        "the minimum film"});
 }
 
+// The half-width alone would also be right with a mistake that leaves the pressures as they are.
+TEST(Said, OfTwoMistakesIsOfAllResults) {
+  const std::string said = said_of("hertz_line", [](const json& inputs) {
+    const double per_length = inputs.at("load_per_length"), E = inputs.at("effective_modulus");
+    const double b = std::sqrt(8 * per_length * inputs.at("reduced_radius").get<double>() /
+                               (std::numbers::pi * E));
+    const double mean = per_length / (2 * b);
+    return json{{"half_width", b},
+                {"mean_pressure", mean},
+                {"peak_pressure", 1.5 * mean},
+                {"peak_shear", 0.300283 * 1.5 * mean}};
+  });
+  expect_said(said, {"two mistakes", "8 in place of 4", "160 of 160 that are wrong"});
+  EXPECT_EQ(said.find("with the pressures right"), std::string::npos) << said;
+}
+
 TEST(Said, OfOtherExponentsAreTheExponents) {
   expect_said(said_of("hamrock_dowson_central", film({.a = 0.7, .b = 0, .c = 0.49})),
               {"It goes as F^+0.49; the law has F^-0.067.",
