@@ -329,8 +329,19 @@ class Diagnoser {
     } else if (one.mistakes.size() > 1)
       one.text += " The numbers do not tell these apart.";
     for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;
+    if (cause.left_out) expect_with(cause.choices.front(), *cause.left_out);
     for (const Mistake* const mistake : cause.choices.front()) named_.push_back(mistake);
     found_.push_back(std::move(one));
+  }
+
+  // Judges a result by what the mistakes give, because they change it and something else does, too.
+  void expect_with(const Mistakes& mistakes, std::size_t place) {
+    constexpr double closeness = 1e-4;
+    for (AnsweredCase& one : cases_)
+      for (AnsweredNumber& number : one.numbers)
+        if (number.place == place)
+          if (const std::optional<Numbers> given = numbers_with(mistakes, one.question))
+            shift(number, {&one, one.question, *given, closeness, {}});
   }
 
   // --- Wrong answers that no known mistakes give

@@ -143,15 +143,16 @@ void for_each_set(const std::vector<Mistake>& mistakes, std::size_t count, Mista
   }
 }
 
-// The causes of the fewest mistakes, the one that explains most first.
+// The causes of the fewest mistakes, the one that explains most first. Quick: those alone that
+// nearly all probes are as.
 std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mistakes,
-                           std::size_t most) {
+                           std::size_t most, bool is_quick = false) {
   std::vector<Fit> best;
   for (std::size_t count = 1; count <= most; ++count) {
     std::vector<Fit> fits;
     Mistakes set;
     for_each_set(mistakes, count, set, 0, [&](const Mistakes& one) {
-      if (count > 1 && !search.is_likely(one)) return;
+      if ((count > 1 || is_quick) && !search.is_likely(one)) return;
       Fit made = search.fit(one);
       if (made.is_consistent() && search.is_worth_telling(made)) fits.push_back(std::move(made));
     });
@@ -179,15 +180,21 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
   std::vector<Fit> best = best_fits(search, mistakes, function == nullptr ? 2 : 3);
   // One of several results may be wrong in a way that nobody knows, which would hide the mistakes
   // in all others.
-  const std::size_t results = function == nullptr ? 0 : function->results.size();
+  const bool is_point = function == nullptr;
+  const std::size_t results = !is_point      ? function->results.size()
+                              : best.empty() ? number_count
+                                             : 0;
   for (std::size_t place = 0; results > 1 && place < results; ++place) {
-    std::vector<Fit> fits = best_fits(Search(cases, branch, place), mistakes, 2);
+    std::vector<Fit> fits =
+        best_fits(Search(cases, branch, place), mistakes, is_point ? 1 : 2, is_point);
     // They may explain the result that was left out, too.
     for (Fit& one : fits)
       if (Fit whole = search.fit(one.mistakes); whole.is_consistent()) one = std::move(whole);
     if (!fits.empty() &&
-        (best.empty() || fits.front().explains.size() > best.front().explains.size()))
+        (best.empty() || fits.front().explains.size() > best.front().explains.size())) {
       best = std::move(fits);
+      cause.left_out = place;
+    }
   }
   if (best.empty()) return cause;
   cause.changed = best.front().changed;

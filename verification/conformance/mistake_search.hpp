@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Cause {
   std::size_t changed = 0;        // answers that the first of them changes
   std::size_t met = 0;            // of those, answers that are as it gives them
   std::vector<AnsweredNumber*> explains;  // wrong ones, unexplained so far; none: nothing was found
+  std::optional<std::size_t> left_out;    // a result that something else changes, too
 };
 
 // Searches all cases, or those of one branch. A cause changes at least three answers and gives at

@@ -230,20 +230,26 @@ Mistake with_inlet(const Mistake& wrong) {
   return with_formula(wrong, [wrong](const Question& question) -> std::optional<Numbers> {
     const Scene& scene = *question.scene;
     if (scene.supply.kind == SupplyKind::flooded) return std::nullopt;
-    using Real = long double;  // in double a contact takes its shares from the right closure alone
-    const MixedContact<Real> contact(scene);
-    const FloodedFilm<Real> flooded = contact.flooded(scene.speeds[0]);
-    InletState<Real> inlet = contact.inlet(flooded);
-    const InletLaw<Real>& law = contact.inlet_law();
-    const auto ratio = value_with(
-        wrong, {static_cast<double>(law.closure), static_cast<double>(inlet.flooded_over_inlet),
-                static_cast<double>(law.exponent)});
-    if (!ratio) return std::nullopt;
-    inlet.film_ratio = *ratio;
-    inlet.collapsed = *ratio == 0;
-    const LoadShares<Real> shares = contact.starved_shares(flooded, inlet, 1 - inlet.film_ratio);
-    return numbers_of(detail::in_double(contact.complete(flooded, inlet, shares, OutputSet::all())),
-                      question);
+    const MixedContact<double> contact(scene);
+    const FloodedFilm<double> flooded = contact.flooded(scene.speeds[0]);
+    InletState<double> inlet = contact.inlet(flooded);
+    const InletLaw<double> law = contact.inlet_law();
+    const auto y = value_with(
+        wrong, {static_cast<double>(law.closure), inlet.flooded_over_inlet, law.exponent});
+    if (!y) return std::nullopt;
+    inlet.film_ratio = *y;
+    inlet.collapsed = *y == 0;
+    const LoadShares<double>& shares = flooded.shares;
+    if (!contact.sharing().has_floor())
+      return numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
+    // Near a floor the engine takes 1 − y from the right law, and the template takes any.
+    const MixedContact<long double> any = contact.in<long double>();
+    const FloodedFilm<long double> same{flooded.speed,
+                                        {shares.film_parameter, shares.asperity, shares.fluid, 0}};
+    const InletState<long double> starved{*y, inlet.flooded_over_inlet, inlet.collapsed};
+    const auto point = any.complete(
+        same, starved, any.starved_shares(same, starved, 1 - starved.film_ratio), OutputSet::all());
+    return numbers_of(detail::in_double(point), question);
   });
 }
 

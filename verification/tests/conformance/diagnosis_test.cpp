@@ -13,6 +13,7 @@
 #include <optional>
 #include <random>
 
+#include "conformance/question.hpp"
 #include "support/threshold.hpp"
 
 namespace tribo::conformance {
@@ -128,6 +129,31 @@ TEST(Said, OfTwoMistakesIsOfAllResults) {
   });
   expect_said(said, {"two mistakes", "8 in place of 4", "160 of 160 that are wrong"});
   EXPECT_EQ(said.find("with the pressures right"), std::string::npos) << said;
+}
+
+// The mistake in all results of a point is told though one of them is wrong for another reason,
+// too, and this one is told by what is left.
+TEST(Said, OfAPointIsNotHiddenByAResultThatIsWrongInAnotherWay) {
+  std::vector<TestCase> cases = cases_of("operating_point");
+  Conversation conversation;
+  for (const TestCase& one : cases) {
+    Question question = question_of(one);
+    question.scene->surface.offset_planes = 1;
+    const Numbers numbers = right_numbers(question);
+    json fields;
+    for (const Expected& expected : one.expected)
+      if (expected.place && *expected.place < numbers.size() &&
+          std::isfinite(numbers[*expected.place]))
+        fields[expected.field] =
+            (expected.field == "summit_count" ? 0.31 : 1.0) * numbers[*expected.place];
+    conversation.answers.push_back({Outcome::answered, std::move(fields), {}});
+  }
+  std::string said;
+  for (const Diagnosis& one :
+       diagnose(cases, conversation, engineering_tolerance(), all_mistakes()))
+    said += one.text + '\n';
+  expect_said(said, {"These are the numbers that this gives: one offset plane, whatever",
+                     "operating_point.summit_count is 3.226 times too small in "});
 }
 
 TEST(Said, OfOtherExponentsAreTheExponents) {
