@@ -78,6 +78,15 @@ TEST(Conversation, TakesABrokenLineForTheAnswerWhereTheNextCaseIsAnsweredAfterIt
   EXPECT_EQ(made.answers[1].outcome, Outcome::answered);
 }
 
+TEST(Conversation, TellsAnswersWithoutAnIdFromThoseWithAnotherId) {
+  for (const std::string answer : {"{\"x\": 1}", "{\"id\": [1]}", "{\"id\": null}"})
+    EXPECT_EQ(said({"a"}, answer + "\\n").violations,
+              std::vector<std::string>{"an answer without an id: " + answer});
+  for (const std::string answer : {"{\"id\": \"b\"}", "{\"id\": 7}"})
+    EXPECT_EQ(said({"a"}, answer + "\\n").violations,
+              std::vector<std::string>{"an id that was not asked: " + answer});
+}
+
 TEST(Conversation, SaysWhyNoCaseHasAnAnswer) {
   const auto why = [](const std::string& command) {
     return ask(command, {case_of("a")}, {}, [](std::size_t) {}).never_answered;

@@ -22,6 +22,7 @@ namespace {
 
 using nlohmann::json;
 using namespace nlohmann::literals;
+using namespace std::literals;
 
 const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
 
@@ -223,6 +224,31 @@ TEST(Scatter, IsSaidOfErrorsInNoOrder) {
   }
 }
 
+TEST(Dependence, IsNotSaidOfNoiseAboutAnotherFactor) {
+  for (const char* const function : {"hamrock_dowson_central", "moes_line", "ertel_grubin",
+                                     "barus_viscosity", "gaussian_moment"})
+    for (const double size : {0.01, 0.1}) {
+      const Slip noise = scattered([=](const json&) { return size; });
+      expect_said(said_of({{function,
+                            [&](const TestCase& asked, json& fields) {
+                              noise(asked, fields);
+                              multiply(fields["value"], 3);
+                            }}}),
+                  "The factor depends on", false);
+    }
+}
+
+// An error that rises and falls again is none of a quadrature with too few points.
+TEST(Place, OfAHumpOfErrorsIsNotThatOfAQuadrature) {
+  for (const double width : {0.5, 2.0, 4.0})
+    expect_said(said_of({{"gaussian_moment",
+                          [=](const TestCase& asked, json& fields) {
+                            const double d = (number(asked.inputs, "argument") - 1) / width;
+                            multiply(fields["value"], 1 + 0.05 * std::exp(-d * d));
+                          }}}),
+                "as of a quadrature", false);
+}
+
 // Films of dowson_toyoda_central that are too thick by 30 %, in points, too, and friction that is
 // twice as high with Roelands' law.
 void set_numbers(json& fields, const OperatingPoint<double>& point) {
@@ -384,6 +410,13 @@ TEST(Misread, IsTheInputWithWhichTheRightFormulaGivesAllAnswers) {
         asked_as([](Question& one) { one.arguments[6] = 1.03; })(asked, fields);
       },
       "k = 1.03 where it is left out (");
+  for (const auto& [more, words] : {std::pair{1e7, "p + 1e+07"}, {-1e7, "p − 1e+07"}})
+    expect("barus_viscosity", asked_as([more](Question& one) { one.arguments[2] += more; }),
+           words + " in place of p ("s);
+  expect("operating_point", asked_as([](Question& one) {
+           if (one.scene->supply.kind == SupplyKind::inlet_flow) one.scene->supply.value = 1e-8;
+         }),
+         "`supply.inlet_flow` = 1e-08 always, whatever it is given as (");
   expect("operating_point", asked_as([](Question& one) {
            if (one.scene->supply.kind == SupplyKind::inlet_flow) one.scene->supply.value /= 2;
          }),
