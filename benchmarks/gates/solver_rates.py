@@ -116,7 +116,7 @@ def main():
     given = parser.parse_args()
     include = pathlib.Path(__file__).resolve().parents[2] / "verification/conformance"
     version = subprocess.run([given.program, "--version"], capture_output=True, text=True, check=True).stdout
-    cpu = next((line.partition(": ")[2].strip() for line in open("/proc/cpuinfo", encoding="utf-8")
+    cpu = next((line.partition(": ")[2].strip() for line in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
                 if line.startswith("model name")), "unknown")
     result = {"commit": version.partition("commit ")[2].strip(" )\n"), "date": datetime.date.today().isoformat(),
               "environment": {"cpu": cpu, "cores": os.cpu_count()}, "rates": []}

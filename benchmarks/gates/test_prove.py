@@ -12,6 +12,7 @@ from unittest import mock
 import gate
 import measure
 import prove
+import solver_rates
 
 PLANT = {"id": "twice", "work": "each thing twice", "gates": ["counters"], "patch": [
     {"file": "a.hpp", "find": "once", "replace": "twice"}, {"file": "a.hpp", "find": "one", "replace": "two"}, {"file": "b.hpp", "find": "b", "replace": "bb"}]}
@@ -128,6 +129,46 @@ class Proved(Folder):
                 contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
             self.assertEqual(prove.main(), 2)
         self.assertEqual(said.getvalue(), "prove.py: it does not run\n")
+
+
+class Rates(Folder):
+    """solver_rates.py with a program that answers at once, and is red, told or silent by the solver that it gets."""
+
+    ANSWERS = {"unchanged": (0, "PASSED, "), "slower_10": (0, "PASSED, a little slower"), "slower_25": (1, "FAILED, ")}
+
+    def test_an_outcome_is_red_told_or_silent_and_anything_else_ends_the_run(self):
+        for code, said, expected in ((1, "FAILED, a little slower", "red"), (0, "PASSED, a little slower", "told"), (0, "PASSED, ", "silent")):
+            self.assertEqual(solver_rates.outcome(mock.Mock(returncode=code, stderr=said)), expected)
+        for code, said in ((2, "FAILED, "), (0, "no solver")):
+            with self.assertRaisesRegex(SystemExit, said):
+                solver_rates.outcome(mock.Mock(returncode=code, stderr=said))
+
+    def test_each_solver_is_asked_by_each_way_and_its_outcomes_are_counted(self):
+        asked, out = [], self.folder / "rates.json"
+
+        def run(words, **_):
+            if words[0] == "cc" or words[1] == "--version":
+                return mock.Mock(returncode=0, stdout="tribocheck 1 (commit abc)\n")
+            asked.append(words)
+            if "--update-baseline" in words:
+                return mock.Mock(returncode=0, stderr="")
+            code, said = next(answer for name, answer in self.ANSWERS.items() if f"/{name}/" in " ".join(words[4:7]))
+            return mock.Mock(returncode=code, stderr=said)
+        argv = ["solver_rates.py", "tribocheck", "--runs", "10", "--ways", "subject,plugin,pair", "--out", str(out)]
+        with mock.patch.object(sys, "argv", argv), mock.patch.object(solver_rates.subprocess, "run", run), \
+                mock.patch.object(solver_rates.subprocess, "Popen") as busy, contextlib.redirect_stdout(io.StringIO()):
+            solver_rates.main()
+        found = json.loads(out.read_text())
+        self.assertEqual(found["commit"], "abc")
+        self.assertEqual([{key: row[key] for key in row if key != "load"} for row in found["rates"]],
+                         [{"way": way, "state": state, "solver": solver, "runs": runs, "red": red, "told": told}
+                          for way in ("subject", "plugin", "pair") for state in ("quiet", "loaded")
+                          for solver, runs, red, told in (("unchanged", 10, 0, 0), ("slower_10", 2, 0, 2), ("slower_25", 10, 10, 0))])
+        self.assertEqual((busy.call_count, busy.return_value.kill.call_count), (6, 6))
+        self.assertEqual(len(asked), 3 * 2 * 22 + 2)
+        for words in asked:
+            way = "subject" if "--subject" in words else "plugin" if "--alone" in words else "pair"
+            self.assertEqual(("--baseline" in words, words.count("--plugin")), (way != "pair", {"subject": 0, "plugin": 1, "pair": 2}[way]))
 
 
 class Plants(unittest.TestCase):

@@ -156,8 +156,9 @@ class Parts(Folder):
 
     def test_a_process_leaves_its_greatest_memory_under_its_rank_and_its_exit_code(self):
         for environment, rank in (({"OMPI_COMM_WORLD_RANK": "3"}, "3"), ({}, "0")):
-            with mock.patch.dict(os.environ, environment):
-                self.assertEqual(scaling.run_and_note_memory(self.folder / "rss", [sys.executable, "-c", "bytearray(200 << 20); raise SystemExit(5)"]), 5)
+            words = ["scaling.py", "--rss-of", str(self.folder / "rss"), sys.executable, "-c", "bytearray(200 << 20); raise SystemExit(5)"]
+            with mock.patch.dict(os.environ, environment), mock.patch.object(sys, "argv", words):
+                self.assertEqual(scaling.main(), 5)
             size = float((self.folder / f"rss.{rank}").read_text())
             self.assertTrue(200 < size < 300, size)
 

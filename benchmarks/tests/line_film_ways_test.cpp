@@ -34,6 +34,14 @@ TEST(LineFilmWays, OfOneGridGiveOneFilm) {
   }
 }
 
+TEST(LineFilmWays, OfDenseMatricesKeepTwoOfAllNodes) {
+  const ehl::LineContact contact = ehl::barus_contact(10, 5);
+  for (const int cells : {64, 128}) {
+    const ehl::Numbers x = coarse_film(contact).density.nodes(cells);
+    EXPECT_EQ(DenseNewton(contact, x).bytes(), 2 * sizeof(double) * x.size() * x.size());
+  }
+}
+
 TEST(LineFilmWays, AreOffByWhatIsKnown) {
   const ehl::LineContact contact = ehl::barus_contact(10, 5);
   const LineFilmAnswer solved = answer_of("to 1e-04", contact);

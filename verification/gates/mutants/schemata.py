@@ -44,7 +44,8 @@ class Copy:
 
     def configure(self):
         done = subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
-                               "-DTRIBOCHECK_BUILD_BENCHMARKS=ON", "-DCMAKE_CXX_FLAGS=-O1 -w", f"-DTRIBOCHECK_TARGETS_LEFT_OUT={LEFT_OUT}",
+                               "-DTRIBOCHECK_BUILD_BENCHMARKS=ON", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -w",
+                               f"-DTRIBOCHECK_TARGETS_LEFT_OUT={LEFT_OUT}",
                                "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=6"], capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(done.stdout + done.stderr)

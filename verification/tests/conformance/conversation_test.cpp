@@ -2,12 +2,18 @@
 // The lines that are taken for answers to cases, and the messages on lines that are no answers.
 #include "conformance/conversation.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "conformance/child_process.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -72,6 +78,15 @@ TEST(Conversation, TakesABrokenLineForTheAnswerWhereTheNextCaseIsAnsweredAfterIt
   EXPECT_EQ(made.answers[1].outcome, Outcome::answered);
 }
 
+TEST(Conversation, TellsAnswersWithoutAnIdFromThoseWithAnotherId) {
+  for (const std::string answer : {"{\"x\": 1}", "{\"id\": [1]}", "{\"id\": null}"})
+    EXPECT_EQ(said({"a"}, answer + "\\n").violations,
+              std::vector<std::string>{"an answer without an id: " + answer});
+  for (const std::string answer : {"{\"id\": \"b\"}", "{\"id\": 7}"})
+    EXPECT_EQ(said({"a"}, answer + "\\n").violations,
+              std::vector<std::string>{"an id that was not asked: " + answer});
+}
+
 TEST(Conversation, SaysWhyNoCaseHasAnAnswer) {
   const auto why = [](const std::string& command) {
     return ask(command, {case_of("a")}, {}, [](std::size_t) {}).never_answered;
@@ -120,6 +135,86 @@ TEST(Conversation, WithSeveralProcessesAsksEachCaseOfOneAndGreetsTheOthersWithAC
   EXPECT_EQ(made.second_answers[0].fields["process"], first);
   EXPECT_EQ(made.second_answers[1].fields["process"], made.answers[99].fields["process"]);
   EXPECT_EQ(made.starts, 1);
+}
+
+// Of a long line what was asked for stays, and of a long text in it the beginning.
+TEST(Conversation, KeepsOfAnAnswerBeyond4096CharactersWhatWasAskedFor) {
+  TestCase asked = case_of("a");
+  asked.expected.push_back({.field = "x"});
+  const auto kept = [&](const std::string& line) {
+    return ask("printf '%s\\n' '" + line + "'; cat > /dev/null", {asked}, {}, [](std::size_t) {})
+        .answers[0]
+        .fields;
+  };
+  for (const std::size_t size : {4095U, 4096U, 4097U}) {
+    const std::string head = R"({"id":"a","x":1,"y":")", end = R"("})";
+    const json whole = kept(head + std::string(size - head.size() - end.size(), 'y') + end);
+    EXPECT_EQ(whole["x"], 1);
+    EXPECT_EQ(whole.contains("y"), size <= 4096) << size;
+    const std::string text(size - 2, 'x');  // with its quotes so many
+    const json part = kept(R"({"id":"a","x":")" + text + R"(","y":2})");
+    EXPECT_FALSE(part.contains("y"));
+    EXPECT_EQ(part["x"] == text, size <= 4096) << size;
+    EXPECT_TRUE(part["x"].get<std::string>().starts_with("\"xxx") || size <= 4096);
+  }
+}
+
+// --- The processes themselves.
+
+using std::chrono::milliseconds;
+
+std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
+
+TEST(ChildProcess, TellsHowItEndsAndThatItHasNot) {
+  struct End {
+    std::string script;
+    int exit_code, signal;
+    std::string text;
+  };
+  for (const End& one :
+       {End{"exit 0", 0, 0, "exits with code 0"},
+        {"exit 3", 3, 0, "exits with code 3"},
+        {"kill -11 $$", -1, 11, "is killed by signal 11 (SIGSEGV, Segmentation fault)"},
+        {"cat > /dev/null", -1, 0, "is still running"}}) {
+    ChildProcess child(shell(one.script), ChildProcess::Pipes::all);
+    const bool runs = one.text == "is still running";
+    for (int i = 0; i < 2000 && !runs && !child.has_ended(); ++i) ::usleep(5000);
+    EXPECT_EQ(child.has_ended(), !runs) << one.script;
+    EXPECT_EQ(child.exit_code(), one.exit_code) << one.script;
+    EXPECT_EQ(child.signal(), one.signal) << one.script;
+    EXPECT_EQ(child.end_text(), one.text);
+  }
+}
+
+TEST(ChildProcess, ThatClosesItsInputHasNothingUnread) {
+  ChildProcess child(shell("read -r first; exec 0<&-; echo closed; cat /dev/zero > /dev/null"),
+                     ChildProcess::Pipes::all);
+  for (const char* const line : {"first", "second"}) child.send(line);
+  EXPECT_EQ(child.unread(), 13U);
+  std::string line;
+  while (child.next_line(line, milliseconds(20000)) != ChildProcess::Event::line)
+    ASSERT_FALSE(child.has_ended());
+  EXPECT_EQ(line, "closed");
+  EXPECT_FALSE(child.has_ended());
+  for (int i = 0; i < 1000 && !child.refuses_input(); ++i) child.next_line(line, milliseconds(20));
+  EXPECT_TRUE(child.refuses_input());
+  EXPECT_EQ(child.unread(), 0U);
+  child.send("third");
+  EXPECT_EQ(child.unread(), 0U);
+}
+
+// A program without streams of its own reads nothing, and writes nothing into ours.
+TEST(GuardedChild, HasNoneOfOurStreams) {
+  const TemporaryFolder folder;
+  const std::string path = folder.written("stdin", "ours");
+  const int before = ::dup(STDIN_FILENO), file = ::open(path.c_str(), O_RDWR);
+  ASSERT_EQ(::dup2(file, STDIN_FILENO), STDIN_FILENO);
+  GuardedChild child(shell("echo out; echo error >&2; test -z \"$(cat)\""), {});
+  child.wait();
+  ::dup2(before, STDIN_FILENO);
+  for (const int one : {before, file}) ::close(one);
+  EXPECT_EQ(child.exit_code(), 0);
+  EXPECT_EQ(content_of(path), "ours");
 }
 
 }  // namespace

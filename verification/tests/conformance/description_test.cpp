@@ -22,6 +22,7 @@ namespace {
 
 using nlohmann::json;
 using namespace nlohmann::literals;
+using namespace std::literals;
 
 const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
 
@@ -223,6 +224,32 @@ TEST(Scatter, IsSaidOfErrorsInNoOrder) {
   }
 }
 
+// Noise about another factor than 1, which each viscosity has for its own, and which may grow with
+// it.
+TEST(Dependence, IsNotSaidOfNoiseAboutAnotherFactor) {
+  for (const char* const function : {"hamrock_dowson_central", "moes_line", "ertel_grubin"})
+    for (const double exponent : {0.0, 0.1}) {
+      const auto noise = [=](const TestCase& asked, json& fields) {
+        const double viscosity = number(asked.inputs, "viscosity");
+        std::mt19937 random(static_cast<unsigned>(std::hash<double>()(viscosity)));
+        multiply(fields["value"], 3 * std::pow(viscosity, exponent) *
+                                      std::uniform_real_distribution<double>(0.94, 1.06)(random));
+      };
+      expect_said(said_of({{function, noise}}), "The factor depends on", false);
+    }
+}
+
+// An error that rises and falls again is none of a quadrature with too few points.
+TEST(Place, OfAHumpOfErrorsIsNotThatOfAQuadrature) {
+  for (const double width : {0.5, 2.0, 4.0})
+    expect_said(said_of({{"gaussian_moment",
+                          [=](const TestCase& asked, json& fields) {
+                            const double d = (number(asked.inputs, "argument") - 1) / width;
+                            multiply(fields["value"], 1 + 0.05 * std::exp(-d * d));
+                          }}}),
+                "as of a quadrature", false);
+}
+
 // Films of dowson_toyoda_central that are too thick by 30 %, in points, too, and friction that is
 // twice as high with Roelands' law.
 void set_numbers(json& fields, const OperatingPoint<double>& point) {
@@ -408,6 +435,16 @@ TEST(Misread, IsTheInputWithWhichTheRightFormulaGivesAllAnswers) {
         asked_as([](Question& one) { one.arguments[6] = 1.03; })(asked, fields);
       },
       "k = 1.03 where it is left out (");
+  expect("operating_point",
+         asked_as([](Question& one) { one.scene->friction.slide_roll_ratio = 0.3; }),
+         "`friction.slide_roll_ratio` = 0.3 always, whatever it is given as (");
+  for (const double more : {1e7, -1e7})
+    expect("barus_viscosity", asked_as([more](Question& one) { one.arguments[2] += more; }),
+           (more > 0 ? "p + 1e+07"s : "p − 1e+07"s) + " in place of p (");
+  expect("operating_point", asked_as([](Question& one) {
+           if (one.scene->supply.kind == SupplyKind::inlet_flow) one.scene->supply.value = 1e-8;
+         }),
+         "`supply.inlet_flow` = 1e-08 always, whatever it is given as (");
   expect("operating_point", asked_as([](Question& one) {
            if (one.scene->supply.kind == SupplyKind::inlet_flow) one.scene->supply.value /= 2;
          }),

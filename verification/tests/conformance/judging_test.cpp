@@ -733,6 +733,13 @@ TEST(Baseline, IsReadInItsOlderSchemaAndRefusedInOthers) {
   EXPECT_TRUE(is_read(2));
 }
 
+TEST(Baseline, WithoutOneAnswerComparesNothing) {
+  const QuantityVerdict now = row(Verdict::held, 10, 0, 0);
+  EXPECT_EQ(change(row(Verdict::not_offered, 0, 0, 10), now), Way::worse);
+  EXPECT_EQ(change(row(Verdict::partly_held, 1, 0, 9), now), Way::better);
+  EXPECT_EQ(change(row(Verdict::failed, 0, 1, 9), now), Way::better);
+}
+
 TEST(Baseline, TellsTheNumbersOfEachChange) {
   const QuantityVerdict before = failing(
       {{"a", Failure::number, 0.1}, {"b", Failure::wrong, 0}, {"c", Failure::no_answer, 0}});
@@ -748,6 +755,19 @@ TEST(Baseline, TellsTheNumbersOfEachChange) {
   EXPECT_EQ(cases[1].id, "d");
   EXPECT_EQ(cases[1].before, nullptr);
   EXPECT_EQ(cases[1].after, "no answer");
+  const BaselineChanges better =
+      compare(result_of({failing({{"a", Failure::number, 0.1}, {"b", Failure::number, 0.2}})}),
+              baseline_of(result_of({failing({{"a", Failure::number, 0.5},
+                                              {"b", Failure::number, 0.2},
+                                              {"c", Failure::wrong, 0}})}),
+                          nullptr));
+  ASSERT_EQ(better.better.size(), 1U);
+  const std::vector<CaseChange>& mended = better.better[0].cases;
+  ASSERT_EQ(mended.size(), 2U);
+  EXPECT_EQ(mended[0].before, 0.5);
+  EXPECT_EQ(mended[0].after, 0.1);
+  EXPECT_EQ(mended[1].id, "c");
+  EXPECT_EQ(mended[1].after, nullptr);
   const BaselineChanges fewer =
       compare(result_of({row(Verdict::held, 9, 0, 1)}),
               baseline_of(result_of({row(Verdict::held, 10, 0, 0)}), nullptr));

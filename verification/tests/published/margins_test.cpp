@@ -99,6 +99,7 @@ TEST(Extremes, LeastAreaOfTheTransitionIsThatOfADenseSweep) {
       transition(models.smooth_gw, models.onset) / transition(models.smooth, models.onset);
   EXPECT_TRUE(is_close(*got.value, expected, 1e-9, {}));
   EXPECT_TRUE(is_within(*got.value, 1.3469, 5e-5));
+  EXPECT_EQ(got.part, 0);
   EXPECT_LT(got.error, 1e-10);
   // A coarse grid took this reading for reproduced, but 1.112 is more than 1 % of the axis.
   const ItemResult lost =
@@ -275,6 +276,9 @@ TEST(FloodedSlope, IsThatOfTheFilm) {
     const double below = contact.flooded_film_parameter(3 * std::exp(-step));
     EXPECT_TRUE(is_close(got, std::log(above / below) / (2 * step), 1e-7, {}));
   }
+  const Observed range = evaluate(scenes(), corrected_reading(), item("C16.starved"));
+  EXPECT_GT(*range.value, 1.01);
+  EXPECT_EQ(range.error, 1e-12 * *range.value);
 }
 
 // rounding(), from which the numbers' errors are computed, bounds the distance to a wider type.
@@ -455,9 +459,23 @@ TEST(SampledCurves, StateErrorsOfTheSizeOfTheTrueOnes) {
   EXPECT_LT(stated, 40 * true_ones);
 }
 
+// Next to its least nodes this parabola falls by 2 from node to node: in the cell between them it
+// is taken to fall on for twice that at the most.
+TEST(SampledCurves, OnTheGridAllowTwiceWhatTheLinesThroughNeighboursAllow) {
+  const auto f = [](double x) { return (x - 2.5) * (x - 2.5); };
+  const std::vector<double> x{0, 1, 2, 3, 4, 5};
+  for (const double sign : {1.0, -1.0}) {
+    const auto signed_f = [&](double at) { return sign * f(at); };
+    const SampledCurve curve(x, values_at(x, signed_f), signed_f, 1e-14);
+    const Estimate got = sign > 0 ? curve.least(Effort::grid) : curve.greatest(Effort::grid);
+    EXPECT_EQ(got.value, sign * 0.25);
+    EXPECT_TRUE(is_within(got.error, 4, 1e-12));
+  }
+}
+
 TEST(SampledCurves, OfOnePlaceAreItsValue) {
   for (const double value : {0.5, 1e-3, -1e-3, -0.5}) {
-    const auto f = [&](double) { return value; };
+    const auto f = [&](double x) { return x == 2 ? value : 1e9; };
     const SampledCurve curve(std::vector<double>{2}, std::vector<double>{value}, f, 1e-2);
     for (const Effort effort : {Effort::grid, Effort::refined})
       for (const Estimate& one : {curve.least(effort), curve.greatest(effort)}) {

@@ -550,6 +550,14 @@ TEST(Uncertainties, OfTheViscosityAreThoseOfItsLastDigit) {
     EXPECT_TRUE(is_within(place(speed.low), 0.975, 0.015));
     EXPECT_TRUE(is_within(place(speed.least), 1, 0.005));
   }
+  // One viscosity is drawn for all surfaces: their speeds keep their ratios, and the films theirs.
+  const auto onset = [&](std::size_t i) { return model_onset(drawn.scene[i]); };
+  for (const auto& [found_interval, exact] :
+       {std::pair{first.medium_over_smooth, onset(1).speed / onset(2).speed},
+        {first.rough_over_medium, onset(0).speed / onset(1).speed},
+        {first.film_parameter, onset(0).film_parameter}})
+    for (const double one : {found_interval.least, found_interval.median, found_interval.greatest})
+      EXPECT_TRUE(is_within(one, exact, 1e-9 * exact));
   // No draw has all reported speeds where one surface never has its speed. Every draw has them
   // where the last digits are wide.
   EXPECT_EQ(first.all_onsets_reported, 0U);
