@@ -118,17 +118,17 @@ additions: ## add a field, law, closure, output, criterion, function and section
 	@.ci/deps build report references test
 	verification/gates/additions/prove.py
 
-fuzz-short: ## run each fuzz target on a fixed number of inputs; half a minute, the build a minute
-	@.ci/deps build check
-	cmake --preset fuzz
+fuzz-short: ## run each fuzz target on a fixed number of inputs; half a minute, the build some minutes
+	@.ci/deps build test check
+	cmake --preset clang
 	cmake --build --preset fuzz
-	verification/tests/stress/fuzz/run build/fuzz
+	verification/tests/stress/fuzz/run build/clang
 
 fuzz: ## run all fuzz targets beside each other for FUZZ_SECONDS (default 900)
-	@.ci/deps build check
-	cmake --preset fuzz
+	@.ci/deps build test check
+	cmake --preset clang
 	cmake --build --preset fuzz
-	verification/tests/stress/fuzz/run build/fuzz $(FUZZ_SECONDS)
+	verification/tests/stress/fuzz/run build/clang $(FUZZ_SECONDS)
 
 debug: ## build with g++ and its sanitizers, and run the quick tests (.ci/run does so with clang)
 	@.ci/deps build test

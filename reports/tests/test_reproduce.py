@@ -328,7 +328,7 @@ class ReproduceTest(ProgramTest):
         self.assertIn("verdict changed: C2.rough, corrected: was reproduced", result.err)
 
     def test_markdown_has_every_section_when_asked(self):
-        result = run("reproduce", "--section", "all", "--format", "markdown")
+        result = reproduced("--section", "all", "--format", "markdown")
         self.assertEqual(result.code, 0)
         for text in ["What the paper claims", "The readings", "The switches", "What each item tells apart", "How sure",
                      "The misprints", "beside another library", "C1 as a departure"]:
@@ -337,7 +337,7 @@ class ReproduceTest(ProgramTest):
     def test_each_cell_of_the_markdown_is_that_of_the_json(self):
         """Compares with the page's tables, whose columns have other digits: numbers agree to the coarser digits."""
         ledger = reproduced("--format", "json").json()
-        text = run("reproduce", "--section", "all", "--format", "markdown").out
+        text = reproduced("--section", "all", "--format", "markdown").out
         tables = {}
         for caption, body in re.findall(r"(?m)^\*\*(.*?)\*\*\n\n((?:\|.*\n)+)", text):
             head, _, *rows = [[page_tables.plain(cell) for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in body.splitlines()]

@@ -12,11 +12,9 @@ import time
 import unittest
 
 from program import PROGRAM, read_terminal, run, start, wait_for
-from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
+from sweeps import NORMAL, SANITIZED, UNIFORM, SweepTest, opened, sweep
 
 ROOT = os.environ["TRIBOCHECK_ROOT"]
-with open(PROGRAM, "rb") as program:
-    SANITIZED = b"__asan_init" in program.read()  # sanitizers take memory of their own
 SHIPPED = os.path.join(ROOT, "reference", "published", "sweeps")
 
 
@@ -339,7 +337,8 @@ class Estimates(SweepTest):
         return [float(number) * units[unit] for _, number, unit in found], own * 2**20
 
     def test_memory_and_files_are_what_a_sweep_takes_within_a_factor_of_one_and_a_half(self):
-        for i, text in enumerate(self.SHAPES):
+        # Of memory, which differs between the shapes, sanitizers take some of their own; the first and the last file are written in other ways.
+        for i, text in enumerate(self.SHAPES[::4] if SANITIZED else self.SHAPES):
             with self.subTest(shape=i):
                 (memory, file, parts), _ = self.estimate(text)
                 process = start("sweep", self.path("sweep.toml"), "-o", self.path("out.h5"), "--force",
@@ -363,7 +362,7 @@ class Estimates(SweepTest):
         self.assertLess(own, 150e6 if not SANITIZED else 1e9)
         wider = sweep({"lubricant.viscosity": UNIFORM, "speed": self.SPEEDS % 10_000_000}, draws=100)
         self.assert_refused(self.sweep(wider), "of memory", "this machine has", "allowed:")
-        many = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws="400000000000")
+        many = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws="100000000000")
         self.assert_refused(self.sweep(many), "on the disk", "allowed:")
         self.assertEqual(self.names(), ["sweep.toml"])
 
@@ -372,7 +371,7 @@ class Progress(SweepTest):
     # Some seconds: the friction minimum is searched for.
     TEXT = sweep({"load": '{ printed = "50" }', "speed": "{ from = 1e-3, to = 1 }",
                   "surface.summit_plane_offset": "0.919"},
-                 onset='["friction_minimum"]', draws=25000)
+                 onset='["friction_minimum"]', draws=4000 if SANITIZED else 25000)
 
     def said_to(self, stderr, stopped=0.0):
         path = self.folder.write("sweep.toml", self.TEXT)
