@@ -234,9 +234,18 @@ std::optional<std::string> si_decimal(std::string_view text, std::string_view un
   const auto power = power_of(written, unit);
   if (!power) return std::nullopt;
   const bool is_celsius = unit == "K" && written.ends_with('C');
-  if (is_celsius && measure == Measure::distance) return std::nullopt;
-  if (is_celsius) return kelvins(parts);
+  if (is_celsius && measure == Measure::value) return kelvins(parts);
   return std::string(parts.mantissa) + 'e' + std::to_string(parts.exponent + *power);
+}
+
+std::optional<std::string> half_last_digit(std::string_view text) {
+  const std::string_view mantissa = parts_of(text).mantissa;
+  if (mantissa.empty()) return std::nullopt;
+  std::string half;  // the same number with each digit 0, and a 5 behind the last
+  for (const char c : mantissa)
+    if (c != '-') half += c == '.' ? '.' : '0';
+  if (half.find('.') == std::string::npos) half += '.';
+  return half + '5' + std::string(mantissa.data() + mantissa.size(), text.data() + text.size());
 }
 
 Value in_si(const Value& value, std::string_view unit, Measure measure) {
