@@ -280,9 +280,13 @@ class VariableReader {
 
   static std::optional<double> positive(TableReader& table, std::string_view name,
                                         std::string_view unit, Measure measure = Measure::value) {
-    const auto value = table.needed_number(name, "a number above 0", unit, measure);
+    const bool may_be_part = measure == Measure::distance && unit != "%";
+    const std::string allowed =
+        std::string("a number above 0") +
+        (may_be_part ? " (a spread in % is log_sd of a log_normal distribution)" : "");
+    const auto value = table.needed_number(name, allowed, unit, measure);
     if (!value || *value > 0) return value;
-    table.refuse(name, {Fault::range, number_text(*value), "", "a number above 0"});
+    table.refuse(name, {Fault::range, number_text(*value), "", allowed});
     return std::nullopt;
   }
 

@@ -93,7 +93,12 @@ constexpr Unit units[] = {{"nm", "m", -9},
                           {"kg/l", "kg/m³", 3},
                           {"kg/L", "kg/m³", 3},
                           {"W/(m K)", "W/(m·K)", 0},
-                          {"mW/(m·K)", "W/(m·K)", -3}};
+                          {"mW/(m·K)", "W/(m·K)", -3},
+                          {"W/mK", "W/(m·K)", 0},
+                          {"W/(mK)", "W/(m·K)", 0},
+                          {"W/m·K", "W/(m·K)", 0},
+                          {"W/m/K", "W/(m·K)", 0},
+                          {"cm/s", "m/s", -2}};
 
 // 1 to 17 digits.
 std::string random_digits(Sampler& sampler) {
@@ -264,6 +269,16 @@ TEST(Units, AnotherQuantityIsNamed) {
                         "is a speed of rotation, and speed is the mean speed of the two surfaces"));
   EXPECT_TRUE(refused(SceneText::good().set("load", "[20, 50]"), "load",
                       "a sweep takes lists: tribocheck sweep"));
+}
+
+TEST(Units, ANumberWithItsSpreadIsSentToASweep) {
+  for (const char* spread : {"30 ± 5 nm", "30 +- 5 nm", "30±5 nm"})
+    EXPECT_TRUE(
+        refused(SceneText::good().set("surface.summit_radius", '"' + std::string(spread) + '"'),
+                "surface.summit_radius",
+                "is a number with its spread, which a sweep takes as { distribution"));
+  EXPECT_FALSE(refused(SceneText::good().set("surface.summit_radius", "\"30 bm\""),
+                       "surface.summit_radius", "with its spread"));
 }
 
 TEST(Units, PerCentFitsCoefficientsAndRatiosOfSpeedsAlone) {
