@@ -195,10 +195,7 @@ Command add_film(CLI::App& program) {
   const auto arguments = std::make_shared<FilmArguments>();
   add_scene_arguments(*app, arguments->scenes);
   add_settings(*app, arguments->settings);
-  add_number_option(
-      *app, "--speed", [arguments](double speed) { arguments->speed = speed; },
-      [](double speed) { return speed > 0 && std::isfinite(speed); }, "a number above 0, in m/s",
-      "this one speed, in m/s or with its unit, in place of the scenes' own", "m/s");
+  add_speed_option(*app, [arguments](double speed) { arguments->speed = speed; });
   app->add_flag(
       "--profile", arguments->with_profile,
       "print pressure and film at each node of the grid too, from the first of the inlet on, "
