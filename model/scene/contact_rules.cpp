@@ -30,6 +30,10 @@ void check_pair(const std::string& direction, double first, double second, Probl
   if (direction == "y") allowed += ", or length in place of both radii, for a line";
   if (std::min(first, second) < 0 && std::max(first, second) > 0)
     allowed += "; the groove's radius must be larger than the ball's";
+  constexpr double slip = 100;  // so many times as large is no ball in a groove
+  const double convex = std::max(first, second), groove = -std::min(first, second);
+  if (groove > 0 && convex > slip * groove)
+    allowed += "; perhaps \"" + number_text(convex) + " mm\" was meant";
   problems.error("bodies." + one, {Fault::together, number_text(first),
                                    " beside " + other + ", which is " + number_text(second) +
                                        ": the faces do not meet at a point",

@@ -109,7 +109,8 @@ struct Row {
 };
 
 // The usual range of a number, and the unit that was probably meant where a number is outside of
-// it. Such a number is legal, but passes the limit "<field>_range" (validity.hpp).
+// it, of several the first that fits. Such a number is legal, but passes the limit "<field>_range"
+// (validity.hpp).
 struct Usual {
   double least, greatest;
   std::string_view likely_unit = "";
@@ -151,6 +152,8 @@ constexpr Row roughness_row(std::string_view path, std::string_view meaning, Acc
   row.info.takes_both_faces = true;
   return row;
 }
+// From soft rubber on; a number of N/mm² is below.
+constexpr Usual modulus{5e5, 2e12, "GPa, MPa"};
 // The faces of crowned rollers are nearly flat across the motion.
 constexpr Usual along{-5, 5, "mm"}, across{-1e4, std::numeric_limits<double>::infinity()};
 constexpr Row face_row(std::string_view path, Usual usual, std::string_view meaning,
@@ -215,7 +218,7 @@ constexpr auto rows = std::to_array<Row>({
                   "Ra of Gaussian heights",
                   at<&Scene::surface, &Surface::average_roughness>),
 
-    number_row("bodies.effective_modulus", "Pa", {1e3, 2e12, "GPa"},
+    number_row("bodies.effective_modulus", "Pa", modulus,
                "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*",
                at_number<&Numbers::effective_modulus, &Scene::bodies, &Bodies::effective_modulus>),
     number_row("bodies.reduced_radius", "m", {1e-6, 5, "mm"},
@@ -234,11 +237,11 @@ constexpr auto rows = std::to_array<Row>({
                at<&Scene::bodies, &Bodies::radius_y>),
     number_row("bodies.length", "m", {1e-6, 5, "mm"}, "L of a line; load stays the whole load",
                at_number<&Numbers::across, &Scene::bodies, &Bodies::length>),
-    number_row("bodies.first_modulus", "Pa", {1e3, 2e12, "GPa"},
-               "E₁, Young's modulus of the first body", at_body<0, &Body::modulus>),
+    number_row("bodies.first_modulus", "Pa", modulus, "E₁, Young's modulus of the first body",
+               at_body<0, &Body::modulus>),
     ratio_row("bodies.first_poisson_ratio", "ν₁", at_body<0, &Body::poisson_ratio>),
-    number_row("bodies.second_modulus", "Pa", {1e3, 2e12, "GPa"},
-               "E₂, Young's modulus of the second body", at_body<1, &Body::modulus>),
+    number_row("bodies.second_modulus", "Pa", modulus, "E₂, Young's modulus of the second body",
+               at_body<1, &Body::modulus>),
     ratio_row("bodies.second_poisson_ratio", "ν₂", at_body<1, &Body::poisson_ratio>),
     face_row("bodies.first_radius_x", along,
              "R₁x of the first body's face, along the direction of entrainment: above 0 convex, "
@@ -266,7 +269,7 @@ constexpr auto rows = std::to_array<Row>({
       .plausible_maximum = 200,
       .meaning = "VI, from which ν at 100 °C follows by ASTM D2270"},
      at_viscosity_index},
-    number_row("lubricant.density", "kg/m³", {500, 2000}, "ρ, with which η₀ = ρν",
+    number_row("lubricant.density", "kg/m³", {500, 2000, "g/cm³"}, "ρ, with which η₀ = ρν",
                at<&Scene::lubricant, &Lubricant::oil, &Oil::density>),
     number_row("lubricant.temperature", "K", {200, 500}, "T at which the contact runs",
                at<&Scene::lubricant, &Lubricant::oil, &Oil::temperature>),
@@ -288,7 +291,7 @@ constexpr auto rows = std::to_array<Row>({
       .choices = thermal_inlet_words,
       .meaning = "law of the inlet that shear heats; absent: none"},
      at_thermal},
-    number_row("lubricant.conductivity", "W/(m·K)", {0.05, 1},
+    number_row("lubricant.conductivity", "W/(m·K)", {0.05, 1, "mW/(m·K)"},
                "k_f, thermal conductivity of the liquid in a heated inlet",
                at_number<&Numbers::conductivity, &Scene::lubricant, &Lubricant::conductivity>),
     number_row("lubricant.temperature_coefficient", "1/K", {1e-3, 0.2},

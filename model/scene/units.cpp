@@ -71,6 +71,10 @@ constexpr auto spellings = std::to_array<Spelling>({{"m", "*m", 1},
                                                     {"kg/m³", "kg/l", 0, 3},
                                                     {"kg/m³", "kg/L", 0, 3},
                                                     {"W/(m·K)", "*W/(m.K)", 1},
+                                                    {"W/(m·K)", "*W/(mK)", 1},
+                                                    {"W/(m·K)", "*W/m.K", 1},
+                                                    {"W/(m·K)", "*W/mK", 1},
+                                                    {"W/(m·K)", "*W/m/K", 1},
                                                     {"%", "%", 0, -2}});
 
 // Units that engineers use, for messages.
@@ -84,7 +88,7 @@ constexpr auto usual = std::to_array<Usual>({{"m", "nm, µm, mm or m"},
                                              {"Pa", "Pa, MPa, GPa or N/mm²"},
                                              {"1/Pa", "1/Pa, 1/MPa, 1/GPa or mm²/N"},
                                              {"Pa·s", "mPa s, cP or Pa s"},
-                                             {"m/s", "mm/s or m/s"},
+                                             {"m/s", "mm/s, m/s or km/h"},
                                              {"m²/s", "mm²/s, cSt or m²/s"},
                                              {"K", "°C or K"},
                                              {"1/K", "1/K"},
@@ -234,9 +238,18 @@ std::optional<std::string> si_decimal(std::string_view text, std::string_view un
   const auto power = power_of(written, unit);
   if (!power) return std::nullopt;
   const bool is_celsius = unit == "K" && written.ends_with('C');
-  if (is_celsius && measure == Measure::distance) return std::nullopt;
-  if (is_celsius) return kelvins(parts);
+  if (is_celsius && measure == Measure::value) return kelvins(parts);
   return std::string(parts.mantissa) + 'e' + std::to_string(parts.exponent + *power);
+}
+
+std::optional<std::string> half_last_digit(std::string_view text) {
+  const std::string_view mantissa = parts_of(text).mantissa;
+  if (mantissa.empty()) return std::nullopt;
+  std::string half;  // the same number with each digit 0, and a 5 behind the last
+  for (const char c : mantissa)
+    if (c != '-') half += c == '.' ? '.' : '0';
+  if (half.find('.') == std::string::npos) half += '.';
+  return half + '5' + std::string(mantissa.data() + mantissa.size(), text.data() + text.size());
 }
 
 Value in_si(const Value& value, std::string_view unit, Measure measure) {
@@ -274,6 +287,12 @@ Fault no_number(const Value& value, std::string_view unit, std::string allowed) 
   if (value.kind == ValueKind::text && (value.text == "inf" || value.text == "-inf"))
     fault.what = "a text: write it without the quotes";
   if (value.kind != ValueKind::text || !is_number(value.text)) return fault;
+  if (value.text.find("±") != std::string::npos || value.text.find("+-") != std::string::npos) {
+    fault.what =
+        "a number with its spread, which a sweep takes as { distribution = \"normal\", mean = …, "
+        "sd = … }";
+    return fault;
+  }
   const std::string_view units = usual_units(unit), other = other_quantity(value.text, unit);
   if (units.empty()) {
     fault.what = "a text, and this number has no unit";

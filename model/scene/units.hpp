@@ -12,7 +12,7 @@
 
 namespace tribo::scene_detail {
 
-// Distances between temperatures, as the standard deviation of one, have no °C.
+// A distance, as a standard deviation, has no origin: one of 5 °C is one of 5 K.
 enum class Measure : std::uint8_t { value, distance };
 
 // The decimal number in the SI unit, "20.2e-3" for "20.2 mPa s" in Pa·s; nothing where the text is
@@ -22,6 +22,10 @@ std::optional<std::string> si_decimal(std::string_view text, std::string_view un
 
 // The number in place of a text that si_decimal() takes; any other value as it is.
 Value in_si(const Value& value, std::string_view unit, Measure measure = Measure::value);
+
+// "0.05 km/h" of "6.2 km/h": half a unit of the last digit that is written, in the unit that it is
+// written in, which is a distance. Nothing where the text does not begin with a number.
+std::optional<std::string> half_last_digit(std::string_view text);
 
 // Does a text begin with a number?
 bool is_number(std::string_view text);

@@ -557,13 +557,15 @@ const std::vector<std::string>& range_words() {
 
 // The unit that was probably meant; empty where the value would not be in range with it either.
 std::string_view likely_unit(const FieldInfo& field, double value) {
-  const std::string written =
-      scene_detail::number_text(value) + ' ' + std::string(field.likely_unit);
-  const auto decimal = scene_detail::si_decimal(written, field.unit);
-  if (!decimal) return {};
-  const double meant = std::strtod(decimal->c_str(), nullptr);
-  const bool fits = meant >= field.plausible_minimum && meant <= field.plausible_maximum;
-  return fits ? field.likely_unit : std::string_view();
+  for (std::string_view units = field.likely_unit; !units.empty();) {
+    const std::string_view unit = units.substr(0, units.find(", "));
+    units.remove_prefix(std::min(unit.size() + 2, units.size()));
+    const auto decimal = scene_detail::si_decimal(
+        scene_detail::number_text(value) + ' ' + std::string(unit), field.unit);
+    const double meant = decimal ? std::strtod(decimal->c_str(), nullptr) : unbounded;
+    if (meant >= field.plausible_minimum && meant <= field.plausible_maximum) return unit;
+  }
+  return {};
 }
 
 // Does the number of a field follow from other numbers of the scene?

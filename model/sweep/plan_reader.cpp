@@ -155,10 +155,6 @@ class SweepBinder {
     std::ranges::sort(varied_, {}, [](const VariedEntry& varied) {
       return std::pair(varied.variable.is_drawn(), scene_detail::field_at(varied.variable.path));
     });
-    if (ok() && varied_.empty())
-      error("", "nothing varies",
-            "a grid or a distribution in place of a number, as in "
-            "viscosity = { distribution = \"uniform\", from = 0.01, to = 0.03 }");
     if (varied_.size() > most_variables)
       error("", {.what = "more than " + std::to_string(most_variables) + " fields vary"});
   }
@@ -227,6 +223,10 @@ class SweepBinder {
     reading_.errors = std::move(scene.errors);
     reading_.warnings = std::move(scene.warnings);
     if (!scene.scene) return;
+    if (varied_.empty())  // a scene that is wrong may hold what was meant to vary
+      return error("", "nothing varies",
+                   "a grid or a distribution in place of a number, as in "
+                   "viscosity = { distribution = \"uniform\", from = 0.01, to = 0.03 }");
     sweep_.scene = std::move(*scene.scene);
     note_limits(sweep_.scene);
     if (!scene.id && source_ != "-") sweep_.scene.id = scene_detail::stem_of(source_);

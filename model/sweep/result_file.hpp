@@ -19,7 +19,8 @@
 //                            (NaN and 0 where there are fewer bins)
 //     sensitivity/           attribute variables;
 //       <column>/            first_order, first_order_low, first_order_high, total, total_low,
-//                            total_high: [width, variables]; groups, left_out: [width]
+//                            total_high: [width, variables]; groups, left_out: [width]; NaN where
+//                            too few groups are left (sensitivity.hpp)
 //
 // Columns "onset.film_maximum.speed" are groups: outputs/onset/film_maximum/speed. Numbers are
 // doubles, NaN where undefined. Words are places of one byte in the list of the attribute `words`,

@@ -15,15 +15,16 @@ struct Values {
   std::vector<double> first_order, total;
 };
 
-Values values_of(const SensitivitySums& sums) {
+// NaN where nothing varies, or where the sums are not good enough.
+Values values_of(const SensitivitySums& sums, bool is_good) {
   Values values{sums.first_order, sums.total};
   const double groups = static_cast<double>(sums.both.count) / 2;
   const double variance = sums.both.sd() * sums.both.sd();
   // A result that varies by no more than its rounding is a constant.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  const double unit = sums.both.sd() > rounding * std::abs(sums.both.mean)
-                          ? groups * variance
-                          : std::numeric_limits<double>::quiet_NaN();
+  const bool varies = sums.both.sd() > rounding * std::abs(sums.both.mean);
+  const double unit =
+      varies && is_good ? groups * variance : std::numeric_limits<double>::quiet_NaN();
   for (double& value : values.first_order) value /= unit;
   for (double& value : values.total) value /= 2 * unit;
   return values;
@@ -108,13 +109,15 @@ SensitivitySums SensitivitySums::read(Receiver& from) {
 
 SobolIndices sobol_indices(const SensitivityBlocks& blocks) {
   const SensitivitySums all = merged_without(blocks, blocks.size());
-  const Values values = values_of(all);
-  std::vector<Values> replicates;
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (blocks[b].both.count > 0) replicates.push_back(values_of(merged_without(blocks, b)));
-
   SobolIndices indices;
   indices.groups = all.both.count / 2;
+  const bool is_good = has_enough_groups(indices.groups, indices.groups + all.left_out);
+  const Values values = values_of(all, is_good);
+  std::vector<Values> replicates;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    if (blocks[b].both.count > 0)
+      replicates.push_back(values_of(merged_without(blocks, b), is_good));
+
   const auto index = [&](std::vector<double> Values::*kind, std::size_t i) {
     std::vector<double> of_each;
     of_each.reserve(replicates.size());

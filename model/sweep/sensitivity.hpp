@@ -8,7 +8,8 @@
 //                (Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, eq. 16); c is any
 //                constant, here the value at the nominal case, so that little cancels
 //   total        T_i = E[(f(A) − f(AB_i))²]/(2V)   (Jansen 1999; there eq. 19)
-// A group in which any value is undefined is left out.
+// A group in which any value is undefined is left out. Where these are more than a few, the others
+// are no chance choice of the draws, and indices of them would be of other inputs: there are none.
 #pragma once
 
 #include <array>
@@ -43,11 +44,17 @@ struct SensitivitySums {
 // The sums of one column in each block.
 using SensitivityBlocks = std::array<SensitivitySums, jackknife_blocks>;
 
+// Are so many of all groups enough for indices?
+inline bool has_enough_groups(std::uint64_t groups, std::uint64_t all) {
+  constexpr double least_part = 0.99;
+  return groups > 0 && static_cast<double>(groups) >= least_part * static_cast<double>(all);
+}
+
 // An index with the interval of 1.96 standard errors to both sides, by the jackknife over blocks;
-// NaN where nothing varies.
+// NaN where nothing varies, or where too few groups have a value.
 struct SobolIndices {
   std::vector<Bounded> first_order, total;  // of each variable
-  std::uint64_t groups = 0;                 // that they are computed from
+  std::uint64_t groups = 0;                 // in which all values are defined
 };
 SobolIndices sobol_indices(const SensitivityBlocks& blocks);
 

@@ -32,26 +32,25 @@ struct Printed {
   double value, half_digit;
 };
 
-// From "2.0e-8": the value 2e-8, and half a unit of its last digit, 0.5e-9.
-std::optional<Printed> read_printed(const std::string& text) {
+// The number that a decimal text is as a whole.
+std::optional<double> decimal_number(const std::string& text) {
   const char* const end = text.data() + text.size();
-  double value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  std::string half;  // the same number with each digit 0, and a 5 behind the last
-  bool seen_point = false;
-  std::size_t i = 0;
-  for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
-    const char c = text[i];
-    if (c == '.') seen_point = true;
-    if (c == '.' || (c >= '0' && c <= '9')) half += c == '.' ? '.' : '0';
-  }
-  if (half.find('0') == std::string::npos) return std::nullopt;  // "inf"
-  if (!seen_point) half += '.';
-  half += '5' + text.substr(i);
-  double half_digit = 0;
-  std::from_chars(half.data(), half.data() + half.size(), half_digit);
-  return Printed{value, half_digit};
+  double number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+// From "2.0e-8": the value 2e-8, and half a unit of its last digit, 0.5e-9. From "62 km/h" and
+// "75 °C" both in SI: half a unit of the digit that was written, and not of one that the
+// conversion makes.
+std::optional<Printed> read_printed(const std::string& text, std::string_view unit) {
+  const auto half = scene_detail::half_last_digit(text);
+  if (!half) return std::nullopt;
+  const auto in_si = [&](const std::string& one, Measure measure) {
+    return decimal_number(scene_detail::si_decimal(one, unit, measure).value_or(one));
+  };
+  const auto value = in_si(text, Measure::value), half_digit = in_si(*half, Measure::distance);
+  return value && half_digit ? std::optional<Printed>({*value, *half_digit}) : std::nullopt;
 }
 
 class VariableReader {
@@ -192,15 +191,15 @@ class VariableReader {
                                 (units.empty() ? "" : ", or in " + std::string(units));
     const auto text = table.text("printed", allowed);
     if (!text) return;
-    const auto printed =
-        read_printed(scene_detail::si_decimal(*text, written_unit_).value_or(*text));
+    const auto printed = read_printed(*text, written_unit_);
     if (!printed)
       return table.refuse("printed",
                           {Fault::other, "", '"' + printable(*text) + "\" is no number", allowed});
     variable_.distribution = Distribution::uniform(printed->value - printed->half_digit,
                                                    printed->value + printed->half_digit);
     variable_.nominal = printed->value;
-    variable_.text = "printed as " + *text + ": ± " + number_text(printed->half_digit);
+    variable_.text = "printed as " + *text + ": ± " + number_text(printed->half_digit) +
+                     (variable_.unit.empty() ? "" : " " + variable_.unit);
   }
 
   void read_distribution(TableReader& table) {
@@ -262,7 +261,7 @@ class VariableReader {
     if (!only(table, {"distribution", middle_name, sd_name, "from", "to"})) return;
     const auto middle = logarithmic ? positive(table, middle_name, written_unit_)
                                     : table.needed_number(middle_name, "a number", written_unit_);
-    const auto sd = logarithmic ? positive(table, sd_name, "")
+    const auto sd = logarithmic ? positive(table, sd_name, "%")
                                 : positive(table, sd_name, written_unit_, Measure::distance);
     const auto range = read_ends(table, false);
     if (!middle || !sd || !range) return;
@@ -281,9 +280,13 @@ class VariableReader {
 
   static std::optional<double> positive(TableReader& table, std::string_view name,
                                         std::string_view unit, Measure measure = Measure::value) {
-    const auto value = table.needed_number(name, "a number above 0", unit, measure);
+    const bool may_be_part = measure == Measure::distance && unit != "%";
+    const std::string allowed =
+        std::string("a number above 0") +
+        (may_be_part ? " (a spread in % is log_sd of a log_normal distribution)" : "");
+    const auto value = table.needed_number(name, allowed, unit, measure);
     if (!value || *value > 0) return value;
-    table.refuse(name, {Fault::range, number_text(*value), "", "a number above 0"});
+    table.refuse(name, {Fault::range, number_text(*value), "", allowed});
     return std::nullopt;
   }
 

@@ -202,30 +202,33 @@ bool is_nothing(const Columns& columns, std::size_t variable) {
   });
 }
 
-TextTable index_table(const SceneResult& scene, const Columns& columns) {
-  const std::string_view prefix = split_name(columns.front()->name).first;
-  TextTable table{fmt::format("{}: Sobol indices{} ± 1.96 standard errors", scene.id,
-                              prefix.empty() ? "" : fmt::format(" of {}", prefix)),
-                  {"variable"},
-                  {false},
-                  {},
-                  "The part of the variance that a variable brings, alone and with all others."};
-  for (const ColumnResult* const column : columns)
-    for (const char* const kind : {"first order", "total"}) {
-      table.headings.push_back(fmt::format("{}, {}", split_name(column->name).second, kind));
-      table.is_number.push_back(true);
-    }
+std::uint64_t groups_of(const ColumnResult* column) {
+  return column->values.front().sensitivity.groups;
+}
+
+// A remark for a caption on groups in which a column is undefined somewhere; empty without.
+std::string groups_text(const ColumnResult* column, std::uint64_t all, std::string_view name) {
+  const std::uint64_t groups = groups_of(column);
+  if (groups >= all) return {};
+  if (sweep::has_enough_groups(groups, all))
+    return fmt::format("; {} of {} groups have {}", grouped(groups), grouped(all), name);
+  return fmt::format(
+      "; no indices{}: {} of {} groups of cases have it, and these are no random choice of the "
+      "draws "
+      "(99 % are needed)",
+      name == "it" ? "" : fmt::format(" of {}", name), grouped(groups), grouped(all));
+}
+
+// A row for each variable, the greatest total of the first column on top. Returns how many
+// variables are left out.
+std::size_t append_index_rows(TextTable& table, const SceneResult& scene, const Columns& columns) {
   const auto& totals = columns.front()->values.front().sensitivity.total;
   std::vector<std::size_t> order(scene.sensitivity_variables.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return totals[a].value > totals[b].value; });
-  std::size_t left_out = 0;
   for (const std::size_t v : order) {
-    if (is_nothing(columns, v)) {
-      ++left_out;
-      continue;
-    }
+    if (is_nothing(columns, v)) continue;
     std::vector<std::string> row{scene.sensitivity_variables[v]};
     for (const ColumnResult* const column : columns) {
       const sweep::SobolIndices& indices = column->values.front().sensitivity;
@@ -234,18 +237,45 @@ TextTable index_table(const SceneResult& scene, const Columns& columns) {
     }
     table.rows.push_back(std::move(row));
   }
-  if (left_out > 0) table.caption += fmt::format("; {} variables at 0.000 left out", left_out);
-  // A group is left out where one of its cases has no such value.
-  const std::uint64_t all = scene.cases / 2,
-                      used = columns.front()->values.front().sensitivity.groups;
-  if (used < all)
-    table.caption += fmt::format("; {} of {} groups have it", grouped(used), grouped(all));
+  return order.size() - table.rows.size();
+}
+
+TextTable index_table(const SceneResult& scene, const Columns& columns) {
+  const std::string_view prefix = split_name(columns.front()->name).first;
+  TextTable table{fmt::format("{}: Sobol indices{} ± 1.96 standard errors", scene.id,
+                              prefix.empty() ? "" : fmt::format(" of {}", prefix)),
+                  {"variable"},
+                  {false},
+                  {},
+                  "The part of the variance that a variable brings, alone and with all others."};
+  const std::uint64_t all = scene.cases / 2;
+  Columns shown;
+  for (const ColumnResult* const column : columns) {
+    if (!sweep::has_enough_groups(groups_of(column), all)) continue;
+    shown.push_back(column);
+    for (const char* const kind : {"first order", "total"}) {
+      table.headings.push_back(fmt::format("{}, {}", split_name(column->name).second, kind));
+      table.is_number.push_back(true);
+    }
+  }
+  const std::size_t left_out = shown.empty() ? 0 : append_index_rows(table, scene, shown);
+  if (left_out > 0)
+    table.caption +=
+        fmt::format("; {} variable{} at 0.000 left out", left_out, left_out == 1 ? "" : "s");
+  // Columns of one onset are defined in the same groups.
+  const bool are_alike = std::ranges::all_of(columns, [&](const ColumnResult* column) {
+    return groups_of(column) == groups_of(columns.front());
+  });
+  for (const ColumnResult* const column : are_alike ? Columns{columns.front()} : columns)
+    table.caption += groups_text(column, all, are_alike ? "it" : split_name(column->name).second);
   return table;
 }
 
 }  // namespace
 
 ReadableUnit readable_unit(const std::string& unit, double greatest) {
+  if (unit == "Pa" && greatest >= 1e5)
+    return greatest >= 1e8 ? ReadableUnit{"GPa", 1e-9} : ReadableUnit{"MPa", 1e-6};
   if (unit != "m" || greatest == 0 || greatest >= 1e-2) return {unit, 1};
   return greatest < 1e-5 ? ReadableUnit{"nm", 1e9} : ReadableUnit{"µm", 1e6};
 }

@@ -17,7 +17,7 @@ std::string padded(const std::string& text, std::size_t to, bool right) {
   return right ? blanks + text : text + blanks;
 }
 
-// Words, with what belongs together: "5 × 10⁻⁶", "± 2 %".
+// Words, with what belongs together: "5 × 10⁻⁶", "± 2 %", "m = 2".
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   bool joins = false;
@@ -25,11 +25,11 @@ std::vector<std::string> words_of(const std::string& text) {
     const std::size_t end = std::min(text.find(' ', from), text.size());
     const std::string word = text.substr(from, end - from);
     from = end + 1;
-    if (!words.empty() && (joins || word == "×" || word == "%"))
+    if (!words.empty() && (joins || word == "×" || word == "%" || word == "="))
       words.back() += ' ' + word;
     else
       words.push_back(word);
-    joins = word == "×" || word == "±" || word == "≥" || word == "<";
+    joins = word == "×" || word == "=" || word == "±" || word == "≥" || word == "<";
   }
   return words;
 }

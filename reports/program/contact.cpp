@@ -120,6 +120,8 @@ Facts contact_of(const Asked& asked) {
       facts.push_back(number("semi_axis_x", "a", "radius of the contact", hertz.semi_axis_x, "m"));
       break;
     case ContactShape::ellipse:
+      if (std::abs(hertz.semi_axis_y / hertz.semi_axis_x - 1) < 1e-9)
+        facts.front().note = "a circle, as both radii are alike";
       facts.push_back(
           number("radius_x", "R_x", "reduced radius along entrainment", scene.radius_x, "m"));
       facts.push_back(number("radius_y", "R_y", "reduced radius across it", scene.across, "m"));
@@ -566,11 +568,13 @@ struct ContactArguments : SceneArguments {
 };
 
 int tell_contacts(const ContactArguments& arguments, OutputStream& output) {
-  const LoadedScenes loaded =
-      load_scenes(arguments.paths, SceneUse::onset, [&arguments](Scene& scene) {
+  const LoadedScenes loaded = load_scenes(
+      arguments.paths, SceneUse::onset,
+      [&arguments](Scene& scene) {
         if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
         return std::string();
-      });
+      },
+      true);
   if (loaded.scenes.empty()) return exit_bad;
   Text& text = output.text();
   const bool is_json = arguments.format == "json", is_csv = arguments.format == "csv";
@@ -615,10 +619,7 @@ Command add_contact(CLI::App& program) {
   app->footer(footer_with_scenes(contact_account::footer));
   const auto arguments = std::make_shared<contact_account::ContactArguments>();
   add_scene_arguments(*app, *arguments);
-  add_number_option(
-      *app, "--speed", [arguments](double speed) { arguments->speed = speed; },
-      [](double speed) { return speed > 0 && std::isfinite(speed); }, "a number above 0, in m/s",
-      "this one speed in m/s in place of the scenes' own");
+  add_speed_option(*app, [arguments](double speed) { arguments->speed = speed; });
   return {app, [arguments](OutputStream& output) {
             return contact_account::tell_contacts(*arguments, output);
           }};

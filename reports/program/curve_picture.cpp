@@ -19,15 +19,20 @@ using nlohmann::ordered_json;
 constexpr std::size_t drawn_points = 400;  // so close that a line looks smooth
 constexpr Output usual_panels[] = {Output::friction, Output::film, Output::asperity_load_share};
 
-// Null for what is undefined, and for the outputs that the scene does not ask for.
+// Null for what is undefined, and for the outputs that the scene does not ask for. `missing` gets
+// why an output is undefined, but for the collapse of the film, which has a mark.
 ordered_json drawn_values(const OperatingPoint<double>& point, const SmoothContact& smooth,
-                          const Scene& scene, const std::vector<Output>& panels) {
+                          const Scene& scene, const std::vector<Output>& panels,
+                          ordered_json& missing) {
   ordered_json values = ordered_json::array();
   for (const Output output : panels) {
     values.push_back(nullptr);
     if (!scene.outputs.contains(output)) continue;
     const protocol::OutputValue value = protocol::value_of(point, &smooth, output);
-    if (value.undefined.empty()) values.back() = value.number;
+    if (value.undefined.empty())
+      values.back() = value.number;
+    else if (value.undefined != protocol::film_collapsed)
+      missing[std::string(info(output).name)] = value.undefined;
   }
   return values;
 }
@@ -41,12 +46,12 @@ ordered_json drawn_scene(const Scene& scene, const std::vector<Output>& panels) 
   outputs.insert(Output::inlet);
   outputs = protocol::needed_for(scene, outputs);
   ordered_json speeds = ordered_json::array(), rows = ordered_json::array();
-  ordered_json collapsed = ordered_json::array();
+  ordered_json collapsed = ordered_json::array(), missing = ordered_json::object();
   const detail::SpeedSpan span = detail::speed_span(scene.speeds);
   stribeck_curve(contact, span.low, span.high, drawn_points, outputs,
                  [&](const OperatingPoint<double>& point) {
                    speeds.push_back(point.speed);
-                   rows.push_back(drawn_values(point, smooth, scene, panels));
+                   rows.push_back(drawn_values(point, smooth, scene, panels, missing));
                    collapsed.push_back(point.inlet == Inlet::collapsed);
                  });
   ordered_json mark = nullptr;
@@ -54,11 +59,12 @@ ordered_json drawn_scene(const Scene& scene, const std::vector<Output>& panels) 
       onset(contact, scene, OnsetCriterion::film_maximum, default_departure);
   if (starts.exists && starts.speed >= span.low && starts.speed <= span.high)
     mark = {{"speed", starts.speed},
-            {"values", drawn_values(contact.solve(starts.speed), smooth, scene, panels)}};
+            {"values", drawn_values(contact.solve(starts.speed), smooth, scene, panels, missing)}};
   return {{"id", scene.id},
           {"speed", std::move(speeds)},
           {"values", std::move(rows)},
           {"collapsed", std::move(collapsed)},
+          {"missing", std::move(missing)},
           {"onset", std::move(mark)}};
 }
 

@@ -146,8 +146,9 @@ friction.viscosity is taken where it is barus or roelands; the other fields may 
 
 Each number is followed by what the numerical solution may be off by (±, in CSV and JSON `error`), as
 grids that halve their cells show it. Another liquid changes the film by far more: `--viscosity
-roelands --density dowson_higginson` solves a real oil. `deviation` is how far a formula's film is from the solved film that it stands
-for, of the liquid that the formula was fitted to, which is solved as well; beside it stands how far
+roelands --density dowson_higginson` solves a real oil, whose film is often a tenth thinner than that of the default, incompressible
+liquid. `deviation` is how far a formula's film is from the solved film that it stands for, of the
+liquid that the formula was fitted to, which is solved as well: it tells how good the formula is. Beside it stands how far
 it is from this contact's own film. Where no text tells which liquid that was, there is no deviation.
 Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
 material; x is along the direction of entrainment, from the middle of Hertz' contact. A profile is
@@ -194,12 +195,11 @@ Command add_film(CLI::App& program) {
   const auto arguments = std::make_shared<FilmArguments>();
   add_scene_arguments(*app, arguments->scenes);
   add_settings(*app, arguments->settings);
-  add_number_option(
-      *app, "--speed", [arguments](double speed) { arguments->speed = speed; },
-      [](double speed) { return speed > 0 && std::isfinite(speed); }, "a number above 0, in m/s",
-      "this one speed, in m/s or with its unit, in place of the scenes' own", "m/s");
-  app->add_flag("--profile", arguments->with_profile,
-                "pressure and film across the contact too; in CSV in place of the films");
+  add_speed_option(*app, [arguments](double speed) { arguments->speed = speed; });
+  app->add_flag(
+      "--profile", arguments->with_profile,
+      "print pressure and film at each node of the grid too, from the first of the inlet on, "
+      "far in front of the contact; in CSV in place of the films");
   add_picture_option(*app, arguments->picture, "pressure and film of one contact");
   return {app, [arguments](OutputStream& output) { return solve_films(*arguments, output); }};
 }

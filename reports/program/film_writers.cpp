@@ -129,6 +129,26 @@ void append_formulas(Text& to, const FilmCase& film) {
                 std::string(formula.fitted_to)});
 }
 
+// What the numbers mean for an oil, whose film is that which the formulas of such an oil were held
+// to.
+std::string note_on_oil(const FilmCase& film) {
+  constexpr std::string_view options = "`--viscosity roelands --density dowson_higginson`";
+  const auto of_oil = std::ranges::find_if(film.formulas, [](const FormulaFilm& formula) {
+    return formula.fitted_to == "roelands, compressible" && formula.stands_for == "central_film" &&
+           std::isfinite(formula.deviation);
+  });
+  if (of_oil == film.formulas.end())
+    return fmt::format("another liquid changes the film by far more than ±: {} solves a real oil",
+                       options);
+  const double oil_film = of_oil->film / (1 + of_oil->deviation);
+  const double change = oil_film / film.central.value - 1;
+  return fmt::format(
+      "a real oil, which {} solves, has a central film of {} m, {:.1f} % {} than this one; how "
+      "good "
+      "a formula of such an oil is, its deviation says, and not the column `this liquid`",
+      options, readable(oil_film), 100 * std::abs(change), change < 0 ? "thinner" : "thicker");
+}
+
 void append_notes(Text& to, const FilmCase& film) {
   const auto note = [&](const std::string& words) {
     const char* before = "  - ";
@@ -150,10 +170,7 @@ void append_notes(Text& to, const FilmCase& film) {
   note(fmt::format(
       "± is what the numerical solution may be off by; {} grids, the finest of {} cells",
       film.grids, film.cells));
-  if (film.viscosity == "barus" || film.density == "incompressible")
-    note(
-        "another liquid changes the film by more than ±: `--viscosity roelands --density "
-        "dowson_higginson` solves a real oil");
+  if (film.viscosity == "barus" || film.density == "incompressible") note(note_on_oil(film));
 }
 
 void append_profile(Text& to, const FilmCase& film) {

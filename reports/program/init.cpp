@@ -270,8 +270,8 @@ int init_ci(const InitArguments& arguments, OutputStream& output) {
     report::make_folder(parent);
   if (!write_new_file(arguments, out, *text, output)) return exit_bad;
   append(output.text(),
-         "next: change the variables marked CHANGE, make the baseline as its head says, and "
-         "commit both files\n");
+         "next: put the file where its head says, if it is not there, change the variables marked "
+         "CHANGE, make the baseline as its head says, and commit both files\n");
   output.flush();
   return exit_done;
 }

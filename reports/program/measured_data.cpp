@@ -18,6 +18,7 @@
 
 #include "build_info.hpp"
 #include "page/project_files.hpp"
+#include "page/text_table.hpp"
 #include "page/texts.hpp"
 #include "scene/units.hpp"
 #include "table.hpp"
@@ -97,6 +98,8 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"h", Output::film},
     {"hc", Output::film},
     {"h c", Output::film},
+    {"hcen", Output::film},
+    {"h cen", Output::film},
     {"hmin", Output::minimum_film},
     {"h min", Output::minimum_film},
     {"film thickness", Output::film},
@@ -110,6 +113,10 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"coefficient of friction", Output::friction},
     {"traction coefficient", Output::friction},
     {"traction coeff", Output::friction},
+    {"friction coeff", Output::friction},
+    {"traction", Output::friction},
+    {"λ", Output::film_parameter},
+    {"Λ", Output::lambda_ratio},
 });
 
 // In small letters, with blanks for underscores, speed for velocity, and without a dot at the end.
@@ -187,7 +194,7 @@ const HeldColumn* held_column(std::string_view plain) {
   return nullptr;
 }
 
-// A heading as "film [nm]", "film (nm)" or "film / nm".
+// A heading as "film [nm]", "film (nm)", "film / nm" or "v / (m/s)".
 struct Heading {
   std::string_view name, unit;
   bool is_closed = true;  // the bracket
@@ -200,7 +207,8 @@ Heading parts_of(std::string_view heading) {
     const std::string_view unit = heading.substr(std::min(slash + 1, heading.size()));
     return {trimmed(heading.substr(0, slash)), trimmed(unit)};
   }
-  const std::string_view name = trimmed(heading.substr(0, bracket));
+  std::string_view name = trimmed(heading.substr(0, bracket));
+  if (name.ends_with('/')) name = trimmed(name.substr(0, name.size() - 1));
   const std::string_view behind = heading.substr(bracket + 1);
   if (!behind.ends_with(heading[bracket] == '[' ? ']' : ')')) return {name, behind, false};
   return {name, trimmed(behind.substr(0, behind.size() - 1))};
@@ -218,10 +226,24 @@ struct DataColumn {
   std::string_view si() const { return output ? info(*output).unit : "m/s"; }
 };
 
+// The other names of the speed or of an output, as messages list them.
+std::string other_names(std::optional<Output> output) {
+  std::string names;
+  for (const ColumnName& known : column_names)
+    if (known.output == output && known.name != "speed")
+      names += (names.empty() ? "" : ", ") + std::string(known.name);
+  return names;
+}
+
+// The outputs that are numbers and that the scene asks for.
 std::string allowed_names(OutputSet asked) {
-  std::string names = "speed";
-  for (const OutputInfo& info : output_infos)
-    if (info.words.empty() && asked.contains(info.output)) names += fmt::format(", {}", info.name);
+  std::string names;
+  for (const OutputInfo& info : output_infos) {
+    if (!info.words.empty() || !asked.contains(info.output)) continue;
+    const std::string others = other_names(info.output);
+    names += fmt::format("{}{}{}", names.empty() ? "" : ", ", info.name,
+                         others.empty() ? "" : fmt::format(" (also {})", others));
+  }
   return names;
 }
 
@@ -288,15 +310,12 @@ class MeasuredReader {
     const auto is_speed = [](const DataColumn& column) { return column.is_speed(); };
     const auto is_measured = [](const DataColumn& column) { return column.output.has_value(); };
     if (std::none_of(columns_.begin(), columns_.end(), is_speed))
-      refuse(
-          "there is no column speed" + sliding_remark(),
-          "speed, entrainment speed, rolling speed, mean speed, velocity, u or v, with its unit, "
-          "as speed [mm/s], beside what was measured");
+      refuse("there is no column speed" + sliding_remark(),
+             "speed (also velocity, " + other_names(std::nullopt) +
+                 "), with its unit, as speed [mm/s] or v / (mm/s), beside what was measured");
     else if (std::none_of(columns_.begin(), columns_.end(), is_measured))
       refuse("there is no column of what was measured",
-             allowed_names(asked_) +
-                 ", each with its unit, as film [nm]; of friction also CoF, mu, μ, friction "
-                 "coefficient, of film also h, film thickness");
+             allowed_names(asked_) + ", each with its unit, as film [nm]");
   }
 
   // Where a file has the sliding speed alone.
@@ -310,18 +329,20 @@ class MeasuredReader {
                : "";
   }
 
-  // Compares a cell with the scene's number. An empty one, or a text, tells nothing.
-  void hold(DataColumn& column, std::string_view cell) const {
+  // Compares a cell with the scene's number. An empty one, or a text, tells nothing. Returns
+  // whether it is another number.
+  bool is_other(DataColumn& column, std::string_view cell) const {
     auto number = number_in(with_point(cell), column.unit, column.held->unit);
     const double own = *column.held->value_of(scene_);
-    if (!number) return;
+    if (!number) return false;
     if (column.held->unit.empty()) number = std::abs(*number);
     ++column.held_rows;
     const double tolerance = column.held->tolerance * (column.held->unit == "K" ? 1 : own);
-    if (std::abs(*number - own) <= tolerance) return;
+    if (std::abs(*number - own) <= tolerance) return false;
     column.least = column.other_rows == 0 ? *number : std::min(column.least, *number);
     column.greatest = column.other_rows == 0 ? *number : std::max(column.greatest, *number);
     ++column.other_rows;
+    return true;
   }
 
   std::string contradiction(const DataColumn& column) const {
@@ -346,9 +367,10 @@ class MeasuredReader {
     const Heading parts = parts_of(heading);
     const std::string plain = plain_name(parts.name);
     std::optional<ColumnName> known = column_name(plain);
-    // A letter may stand for other things, as U for a voltage.
-    const bool is_letter = plain.size() <= 2 && known && known->output != Output::friction;
-    if (is_letter && !parts.unit.empty() &&
+    // A letter may stand for other things, as U for a voltage, and traction for a force.
+    const bool may_be_other =
+        plain == "traction" || (plain.size() <= 2 && known && known->output != Output::friction);
+    if (may_be_other && known && !parts.unit.empty() &&
         !number_in("1", parts.unit, known->output ? info(*known->output).unit : "m/s"))
       known.reset();
     const DataColumn column{std::string(heading), known.has_value(),
@@ -387,19 +409,22 @@ class MeasuredReader {
           fmt::format("{}, as many as columns; points in numbers, and no commas", columns_.size()));
     std::vector<MeasuredNumber> row;
     double speed = std::numeric_limits<double>::quiet_NaN();
+    bool has_other_conditions = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       DataColumn& column = columns_[i];
-      if (column.held != nullptr) hold(column, cells[i]);
+      if (column.held != nullptr && is_other(column, cells[i])) has_other_conditions = true;
       if (!column.is_known || (cells[i].empty() && column.output)) continue;
       const std::optional<double> number = number_at(cells[i], i);
       if (!number) continue;
       if (column.output)
-        row.push_back({line_, 0, *column.output, *number});
+        row.push_back({line_, 0, *column.output, *number, column.unit,
+                       number_in("1", column.unit, column.si()).value_or(1)});
       else
         speed = *number;
     }
     for (MeasuredNumber& one : row) {
       one.speed = speed;
+      one.has_other_conditions = has_other_conditions;
       measurements_.push_back(one);
     }
   }
@@ -441,29 +466,36 @@ class MeasuredReader {
 
 // --- Writing.
 
-std::string unit_in_brackets(Output output) {
-  const std::string_view unit = info(output).unit;
-  return unit.empty() ? "[-]" : fmt::format("[{}]", unit);
+// "film [nm]": in the unit of the file.
+std::string quantity_text(const MeasuredNumber& measured) {
+  return fmt::format("{} [{}]", info(measured.output).name,
+                     measured.unit.empty() ? "-" : printable(measured.unit));
 }
 
 std::string per_cent(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:+.2f}", value);
 }
 
+// "median of 2 deviations"
+std::string median_of(std::size_t count) {
+  return fmt::format("median of {} deviation{}", count, count == 1 ? "" : "s");
+}
+
 void append_comparison_table(Text& to, std::string_view title,
                              const std::vector<Comparison>& comparisons) {
   std::size_t widest = 0;
   for (const Comparison& one : comparisons)
-    widest = std::max(widest, info(one.measured.output).name.size() + 6);
-  const bool any_outside = std::any_of(comparisons.begin(), comparisons.end(),
-                                       [](const Comparison& one) { return one.is_outside; });
+    widest = std::max(widest, report::width_of(quantity_text(one.measured)));
+  const bool any_outside = std::ranges::any_of(comparisons, &Comparison::is_outside);
+  const bool any_other = std::ranges::any_of(
+      comparisons, [](const Comparison& one) { return one.measured.has_other_conditions; });
   std::vector<ColumnHead> heads{{"line", "", 4},
                                 {"speed", "[m/s]", number_width},
                                 {"quantity", "", widest},
                                 {"measured", "", number_width},
                                 {"computed", "", number_width},
                                 {"deviation", "[%]", 9}};
-  if (any_outside) heads.emplace_back("", "", 7);
+  if (any_outside || any_other) heads.emplace_back("", "", 7);
   append_title(to, title);
   append_heads(to, heads);
   std::vector<std::string_view> reasons;
@@ -474,27 +506,50 @@ void append_comparison_table(Text& to, std::string_view title,
     std::vector<std::string> cells{
         std::to_string(one.measured.line),
         readable(one.measured.speed),
-        fmt::format("{} {}", info(one.measured.output).name, unit_in_brackets(one.measured.output)),
-        readable(one.measured.value),
-        why.empty() ? readable(one.computed.number) : "-",
+        quantity_text(one.measured),
+        readable(one.measured.value / one.measured.unit_in_si),
+        why.empty() ? readable(one.computed.number / one.measured.unit_in_si) : "-",
         per_cent(one.deviation_percent)};
-    if (any_outside) cells.emplace_back(one.is_outside ? "outside" : "-");
+    if (any_outside || any_other)
+      cells.emplace_back(one.measured.has_other_conditions ? "other"
+                         : one.is_outside                  ? "outside"
+                                                           : "-");
     append_row(to, heads, cells);
   }
   for (const std::string_view why : reasons) append_line(to, fmt::format("  - computed: {}", why));
+  bool any_off_curve = false;
   for (const DeviationSummary& one : summaries_of(comparisons)) {
     const std::string_view name = info(one.output).name;
     append_line(to, one.compared == 0
                         ? fmt::format("  - {}: no deviation", name)
-                        : fmt::format("  - {}: median of {} deviation{} {} %, the least {} %, the "
-                                      "greatest {} %",
-                                      name, one.compared, one.compared == 1 ? "" : "s",
-                                      per_cent(one.median_percent), per_cent(one.least_percent),
-                                      per_cent(one.greatest_percent)));
+                        : fmt::format("  - {}: {} {} %, the least {} %, the greatest {} %", name,
+                                      median_of(one.compared), per_cent(one.median_percent),
+                                      per_cent(one.least_percent), per_cent(one.greatest_percent)));
+    if (one.on_curve == one.compared) continue;
+    any_off_curve = true;
+    append_line(to, fmt::format("  - {} on the curve: {}", name,
+                                one.on_curve == 0 ? "no deviation"
+                                                  : median_of(one.on_curve) + ' ' +
+                                                        per_cent(one.on_curve_percent) + " %"));
   }
   append_line(to, "  - deviation: (computed − measured)/measured, each at the speed of its point");
   if (any_outside)
     append_line(to, "  - outside: the speed is not among those of the scene's curve");
+  if (any_other)
+    append_line(to,
+                "  - other: measured at another load, slide-roll ratio or temperature than the "
+                "scene's");
+  if (any_off_curve)
+    append_line(to, "  - on the curve: neither outside nor other, and where the model has a film");
+}
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+// Of numbers in their order; NaN without any.
+double median(const std::vector<double>& numbers) {
+  const std::size_t middle = numbers.size() / 2;
+  if (numbers.empty()) return no_number;
+  return numbers.size() % 2 == 1 ? numbers[middle] : (numbers[middle - 1] + numbers[middle]) / 2;
 }
 
 // Empty for NaN.
@@ -503,17 +558,18 @@ std::string csv_number(double value) { return std::isnan(value) ? "" : report::e
 void append_comparison_csv(Text& to, std::string_view scene_id,
                            const std::vector<Comparison>& comparisons) {
   const std::string id = report::csv_text(scene_id);
-  append(to, "id,line,quantity,unit,speed,measured,computed,deviation_percent,outside\n");
+  append(to, "id,line,quantity,unit,speed,measured,computed,deviation_percent,outside,other\n");
   for (const Comparison& one : comparisons) {
     const OutputInfo& quantity = info(one.measured.output);
-    append(to, fmt::format("{},{},{},{},{},{},{},{},{}\n", id, one.measured.line, quantity.name,
+    append(to, fmt::format("{},{},{},{},{},{},{},{},{},{}\n", id, one.measured.line, quantity.name,
                            quantity.unit, report::exact(one.measured.speed),
                            report::exact(one.measured.value),
                            one.computed.undefined.empty() ? report::exact(one.computed.number) : "",
-                           csv_number(one.deviation_percent), one.is_outside));
+                           csv_number(one.deviation_percent), one.is_outside,
+                           one.measured.has_other_conditions));
   }
   for (const DeviationSummary& one : summaries_of(comparisons))
-    append(to, fmt::format("{},median,{},{},,,,{},\n", id, info(one.output).name,
+    append(to, fmt::format("{},median,{},{},,,,{},,\n", id, info(one.output).name,
                            info(one.output).unit, csv_number(one.median_percent)));
 }
 
@@ -534,7 +590,8 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
                       {"measured", one.measured.value},
                       {"computed", is_defined ? ordered_json(one.computed.number) : nullptr},
                       {"deviation_percent", json_number(one.deviation_percent)},
-                      {"outside", one.is_outside}});
+                      {"outside", one.is_outside},
+                      {"other", one.measured.has_other_conditions}});
     if (!is_defined) points.back()["undefined"] = one.computed.undefined;
   }
   for (const DeviationSummary& one : summaries_of(comparisons))
@@ -543,7 +600,9 @@ ordered_json comparison_json(std::string_view scene_id, const std::string& path,
                              {"compared", one.compared},
                              {"median_deviation_percent", json_number(one.median_percent)},
                              {"least_deviation_percent", json_number(one.least_percent)},
-                             {"greatest_deviation_percent", json_number(one.greatest_percent)}});
+                             {"greatest_deviation_percent", json_number(one.greatest_percent)},
+                             {"on_curve", one.on_curve},
+                             {"median_on_curve_percent", json_number(one.on_curve_percent)}});
   return document("curve-data/1", {{"id", scene_id},
                                    {"data", path},
                                    {"points", std::move(points)},
@@ -571,26 +630,23 @@ std::vector<DeviationSummary> summaries_of(const std::vector<Comparison>& compar
   std::vector<DeviationSummary> summaries;
   for (const OutputInfo& quantity : output_infos) {
     DeviationSummary summary{quantity.output};
-    std::vector<double> deviations;
+    std::vector<double> all, on_curve;
     for (const Comparison& one : comparisons) {
       if (one.measured.output != quantity.output) continue;
       ++summary.points;
-      if (!std::isnan(one.deviation_percent)) deviations.push_back(one.deviation_percent);
+      if (std::isnan(one.deviation_percent)) continue;
+      all.push_back(one.deviation_percent);
+      if (one.is_on_curve()) on_curve.push_back(one.deviation_percent);
     }
     if (summary.points == 0) continue;
-    std::sort(deviations.begin(), deviations.end());
-    summary.compared = deviations.size();
-    const std::size_t middle = deviations.size() / 2;
-    if (deviations.empty()) {
-      summary.median_percent = summary.least_percent = summary.greatest_percent =
-          std::numeric_limits<double>::quiet_NaN();
-    } else {
-      summary.median_percent = deviations.size() % 2 == 1
-                                   ? deviations[middle]
-                                   : (deviations[middle - 1] + deviations[middle]) / 2;
-      summary.least_percent = deviations.front();
-      summary.greatest_percent = deviations.back();
-    }
+    std::sort(all.begin(), all.end());
+    std::sort(on_curve.begin(), on_curve.end());
+    summary.compared = all.size();
+    summary.on_curve = on_curve.size();
+    summary.median_percent = median(all);
+    summary.on_curve_percent = median(on_curve);
+    summary.least_percent = all.empty() ? no_number : all.front();
+    summary.greatest_percent = all.empty() ? no_number : all.back();
     summaries.push_back(summary);
   }
   return summaries;

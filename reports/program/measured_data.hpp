@@ -21,6 +21,9 @@ struct MeasuredNumber {
   double speed = 0;      // m/s
   Output output{};
   double value = 0;
+  std::string unit = {};              // of the file; empty: none
+  double unit_in_si = 1;              // that unit in the SI unit
+  bool has_other_conditions = false;  // the row has another load, slide-roll ratio or temperature
 };
 
 struct MeasuredPoints {
@@ -42,13 +45,19 @@ struct Comparison {
   protocol::OutputValue computed;
   double deviation_percent = 0;  // (computed − measured)/measured; NaN where there is none
   bool is_outside = false;       // of the speeds of the scene's curve
+
+  // Is the measured contact that of the scene, and where the model has a film?
+  bool is_on_curve() const {
+    return !measured.has_other_conditions && !is_outside && deviation_percent > -100;
+  }
 };
 
-// The deviations of one output: the median, the least and the greatest of those that exist.
+// The deviations of one output: the median, the least and the greatest of those that exist, and the
+// median of those that are on the curve. NaN: nothing is compared.
 struct DeviationSummary {
   Output output{};
-  std::size_t points = 0, compared = 0;
-  double median_percent = 0, least_percent = 0, greatest_percent = 0;  // NaN: nothing is compared
+  std::size_t points = 0, compared = 0, on_curve = 0;
+  double median_percent = 0, least_percent = 0, greatest_percent = 0, on_curve_percent = 0;
 };
 
 // In the order of the outputs.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -73,6 +74,15 @@ CLI::Option* add_number_option(CLI::App& app, const std::string& name,
     store(*number);
   };
   return app.add_option_function<std::string>(name, read, description);
+}
+
+void add_speed_option(CLI::App& app, std::function<void(double)> store) {
+  add_number_option(
+      app, "--speed", std::move(store),
+      [](double speed) { return speed > 0 && std::isfinite(speed); },
+      "a number above 0, in m/s, or with its unit: " +
+          std::string(scene_detail::usual_units("m/s")),
+      "this one speed, in m/s or with its unit, in place of the scenes' own", "m/s");
 }
 
 }  // namespace tribo::cli

@@ -37,4 +37,7 @@ CLI::Option* add_number_option(CLI::App& app, const std::string& name,
                                const std::string& allowed, const std::string& description,
                                std::string_view unit = {});
 
+// Adds --speed, which takes one speed in place of those of the scenes.
+void add_speed_option(CLI::App& app, std::function<void(double)> store);
+
 }  // namespace tribo::cli

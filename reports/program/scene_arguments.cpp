@@ -93,7 +93,7 @@ int LoadedScenes::exit_code(const SceneArguments& arguments) const {
 }
 
 LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
-                         const Prepare& prepare) {
+                         const Prepare& prepare, bool results_explain) {
   LoadedScenes loaded;
   if (std::count(paths.begin(), paths.end(), "-") > 1) {
     complain("- (stdin) is given more than once; it can be read once");
@@ -101,8 +101,11 @@ LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
     return loaded;
   }
   for (const std::string& path : paths) load_scene(path, use, prepare, loaded);
-  loaded.warnings.tell(use == SceneUse::line_film ? "section 14 of model/README.md explains them"
-                                                  : "`tribocheck solve --explain` has them all");
+  if (results_explain)
+    loaded.warnings.tell("the results explain them", true);
+  else
+    loaded.warnings.tell(use == SceneUse::line_film ? "section 14 of model/README.md explains them"
+                                                    : "`tribocheck solve --explain` has them all");
   return loaded;
 }
 

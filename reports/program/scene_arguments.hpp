@@ -35,9 +35,10 @@ struct LoadedScenes {
 // Puts options of a command into a scene. Returns why the command cannot take it; empty if it can.
 using Prepare = std::function<std::string(Scene&)>;
 
-// Reads every scene and reports every error on stderr, and in one line the limits that they pass.
+// Reads every scene and reports every error on stderr, and in one line the limits that they pass:
+// in short, where the command's results explain them.
 LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
-                         const Prepare& prepare = {});
+                         const Prepare& prepare = {}, bool results_explain = false);
 // Adds --strict.
 void add_strict_option(CLI::App& app, bool& is_strict);
 

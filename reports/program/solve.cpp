@@ -116,6 +116,8 @@ ordered_json input_of(const Scene& scene, std::size_t field) {
   if (info.type == FieldType::speeds) return list_text(scene.speeds);
   if (info.type == FieldType::limits) return accepted_text(scene);
   const bool has_list = !list_text(scene.speeds).is_null();
+  if (info.path == "speed.count") return has_list ? nullptr : ordered_json(scene.speeds.size());
+  if (info.path == "speed.spacing" && !scene.speeds.list.empty()) return nullptr;
   if (info.path == "speed.from")
     return has_list ? nullptr : ordered_json(detail::speed_span(scene.speeds).low);
   if (info.path == "speed.to")
@@ -132,9 +134,7 @@ Facts inputs_of(const Scene& scene) {
   Facts inputs{"inputs", {}};
   for (std::size_t field = 0; field < scene_fields().size(); ++field) {
     const FieldInfo& info = scene_fields()[field];
-    if (info.type == FieldType::text || info.type == FieldType::outputs ||
-        info.path == "speed.count" || info.path == "speed.spacing")
-      continue;
+    if (info.type == FieldType::text || info.type == FieldType::outputs) continue;
     inputs.all.push_back(
         {info.path, input_of(scene, field), info.unit, info.meaning, info.default_text});
   }
@@ -224,7 +224,7 @@ void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts
       if (one.value.is_null()) continue;
       if (one.value.is_boolean()) {  // an output
         append_line(to, fmt::format("  {:<{}}{}", one.name, width,
-                                    one.value.get<bool>() ? "asked" : "not asked"));
+                                    one.value.get<bool>() ? "computed" : "not computed"));
         continue;
       }
       const std::string unit =
@@ -275,7 +275,8 @@ void append_explanations(Text& to, const std::vector<Scene>& scenes) {
 }
 
 int solve(const SolveArguments& arguments, OutputStream& output) {
-  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
+  const LoadedScenes loaded =
+      load_scenes(arguments.paths, SceneUse::speeds, {}, arguments.explains);
   if (loaded.scenes.empty()) return exit_bad;
   if (arguments.is_about_scenes) {
     tell_about(loaded, arguments.format, output);

@@ -54,7 +54,7 @@ std::string_view holds_text(const Validity& limit) {
 
 }  // namespace
 
-std::string passed_text(const Validity& limit) {
+std::string passed_text(const Validity& limit, bool is_short) {
   const std::string_view name = limit.field.empty() ? limit.word : limit.field;
   std::string text = fmt::format("{}{} {} ({}", name, limit.value_follows ? ", which follows," : "",
                                  number_of(limit, limit.value), bounds_text(limit));
@@ -65,8 +65,9 @@ std::string passed_text(const Validity& limit) {
                         ? fmt::format(" looked at, a sample of {}", limit.all_cases)
                         : "",
                     limit.furthest_case);
-  if (limit.touches != "everything") text += fmt::format("; touches {}", limit.touches);
-  if (!limit.advice.empty()) text += fmt::format("; {}", limit.advice);
+  if (!is_short && limit.touches != "everything")
+    text += fmt::format("; touches {}", limit.touches);
+  if (!is_short && !limit.advice.empty()) text += fmt::format("; {}", limit.advice);
   if (!limit.likely_unit.empty()) text += fmt::format("; perhaps {} was meant", limit.likely_unit);
   return text + ')';
 }
@@ -115,7 +116,7 @@ void Warnings::add(std::string_view source, std::string_view id,
   if (!passed.empty()) scenes_.push_back({std::string(source), std::string(id), passed});
 }
 
-void Warnings::tell(std::string_view where) const {
+void Warnings::tell(std::string_view where, bool is_short) const {
   if (scenes_.empty()) return;
   std::vector<std::string_view> words;
   std::string told;
@@ -123,7 +124,7 @@ void Warnings::tell(std::string_view where) const {
     for (const Validity& limit : scene.passed) {
       if (std::find(words.begin(), words.end(), limit.word) != words.end()) continue;
       words.push_back(limit.word);
-      told += (told.empty() ? "" : ", ") + passed_text(limit);
+      told += (told.empty() ? "" : ", ") + passed_text(limit, is_short);
       const auto passes_too = [&](const OfScene& other) {
         return std::any_of(other.passed.begin(), other.passed.end(),
                            [&](const Validity& one) { return one.word == limit.word; });

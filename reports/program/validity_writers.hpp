@@ -14,8 +14,8 @@
 namespace tribo::cli {
 
 // A limit that is passed: "lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was
-// meant)", "hertz_pressure 6.8 GPa (at most 4 GPa)".
-std::string passed_text(const Validity& limit);
+// meant)", "hertz_pressure 6.8 GPa (at most 4 GPa)". In short without what it touches, and advice.
+std::string passed_text(const Validity& limit, bool is_short = false);
 
 // The table of a scene: assumption, value here, limit, whether it holds, and the word to accept it.
 void append_validity(Text& to, std::string_view id, const std::vector<Validity>& limits);
@@ -30,7 +30,7 @@ class Warnings {
   bool any() const { return !scenes_.empty(); }
   // Says all of them in one line on stderr; nothing where there are none.
   // `where` says where these limits are explained.
-  void tell(std::string_view where) const;
+  void tell(std::string_view where, bool is_short = false) const;
   // The member `warnings` of a document: an empty list where there are none.
   nlohmann::ordered_json json() const;
 

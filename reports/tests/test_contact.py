@@ -48,6 +48,12 @@ class Numbers(ContactTest):
         self.assert_near(told["approach"], axis ** 2 / radius)
         self.assertEqual((told["shape"], told["ellipticity"]), ("circle", 1))
 
+    def test_an_ellipse_of_two_equal_radii_is_told_as_a_circle(self):
+        for radius, words in ((5e-3, "a circle, as both radii are alike"), (6e-3, None)):
+            tree = quiet_scene(bodies={"effective_modulus": 107.9e9, "radius_x": 5e-3, "radius_y": radius})
+            table = run("contact", self.folder.write("scene.toml", tree)).out
+            self.assertRegex(table, r"\n  shape of the contact +ellipse" + (": " + words if words else "") + r"\n")
+
     def test_of_an_ellipse_the_pressure_bends_the_faces_by_their_radii(self):
         tree = quiet_scene(bodies={"effective_modulus": 107.9e9, "radius_x": 5e-3, "radius_y": 4e-2})
         told = values(self.told(tree)["contact"])
@@ -222,6 +228,10 @@ class Ranges(ContactTest):
         told, = run("contact", path, "--speed", "0.5", "--format", "json").json()["scenes"]
         self.assertEqual([at["speed"] for at in told["speeds"]], [0.5])
         self.assert_refused(run("contact", path, "--speed", "0"), "--speed", "a number above 0")
+        for text, speed in (("50 cm/s", 0.5), ("500 mm/s", 0.5), ("3.6 km/h", 1)):
+            told, = run("contact", path, "--speed", text, "--format", "json").json()["scenes"]
+            self.assertEqual([one["speed"] for one in told["speeds"]], [speed])
+        self.assert_refused(run("contact", path, "--speed", "50 cm"), "--speed", "50 cm is not allowed", "or with its unit: mm/s, m/s or km/h")
 
     def test_an_oil_whose_viscosity_does_not_rise_has_the_films_of_its_laws(self):
         still = with_field(quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3}), "lubricant.pressure_viscosity", 0)

@@ -7,7 +7,7 @@ import struct
 import unittest
 
 import svg_plots
-from program import ProgramTest, quiet_scene, run
+from program import ProgramTest, quiet_scene, run, with_field, without_field
 
 HEAD = "speed [m/s],film [nm],friction\n"
 PANELS = {"friction": ("friction coefficient μ (–)", 1), "film": ("film h* (nm)", 1e9), "asperity_load_share": ("asperity load share A (–)", 1)}
@@ -96,9 +96,47 @@ class Data(CurveTest):
                      "film [mm] , friction , speed [mm/s]\n 7e-6 , 0.05 , 10 \n", "Rolling Speed U [mm/s],h [nm],CoF\n10,7,0.05\n",
                      "ue [m/s],Film Thickness h (nm),μ\n0.01,7,0.05\n", "Entrainment Velocity (m/s),hc [nm],Friction Coefficient mu\n0.01,7,0.05\n",
                      "Mean Entrainment Velocity U_e [mm/s],h_c [nm],mu\n10,7,0.05\n",
+                     "v / (m/s),h/(nm),traction / (%)\n0.01,7,5\n", "v/(mm/s)\tfilm / [nm]\tfriction coeff\n10\t7\t0.05\n",
+                     "u_e [m/s],h_cen [nm],Traction [-]\n0.01,7,0.05\n",
                      "v [m/s],h [nm],CoF\n0.01,7,0.05\n", "Velocity v (mm/s),h [nm],coefficient of friction\n10,7,0.05\n"):
             with self.subTest(text):
                 self.assertEqual(numbers(text), wanted)
+
+    def test_symbols_that_are_printed_are_taken(self):
+        tree = with_field(quiet_scene("smooth", outputs=["film", "film_parameter", "lambda_ratio"]), "surface.rms_roughness", 2e-8)
+        told = self.compared("v / (m/s),λ,Λ\n0.1,1.2,2\n", tree, "--format", "json").json()["points"]
+        point, = self.solved(tree, [0.1])
+        self.assertEqual([(one["quantity"], one["measured"], one["computed"]) for one in told],
+                         [(name, measured, point[name]) for name, measured in (("film_parameter", 1.2), ("lambda_ratio", 2))])
+
+    def test_numbers_stand_in_the_units_of_the_file(self):
+        table = self.compared("v [mm/s],h [µm],friction [%]\n10,0.0091,5.5\n").out.splitlines()
+        point, = self.solved(quiet_scene("smooth"), [0.01])
+        rows = [line.split() for line in table if line.startswith("     2 ")]
+        self.assertEqual([row[2:5] for row in rows], [["film", "[µm]", "0.0091"], ["friction", "[%]", "5.5"]])
+        for row, computed in zip(rows, (1e6 * point["film"], 100 * point["friction"]), strict=True):
+            self.assertAlmostEqual(float(row[5]) / computed, 1, delta=1e-4)
+
+    def test_the_median_without_points_off_the_curve_stands_apart(self):
+        tree = quiet_scene("smooth", load=50)
+        head, good = "u [m/s],film [nm],load [N]\n", "0.01,7,50\n0.02,20,50\n"
+        off = {"outside": "5,30,50\n", "other": "0.01,40,20\n", "-": "2,20,50\n"}  # the last has no film left
+        for words, line in off.items():
+            clean = self.compared(head + good, tree, "--format", "json").json()["quantities"][0]
+            path = self.folder.write("measured.csv", head + good + line)
+            told = run("curve", self.write(tree), "--data", path, "--format", "json").json()
+            found, = told["quantities"]
+            self.assertEqual([(one["outside"], one["other"]) for one in told["points"]],
+                             [(False, False)] * 2 + [(words == "outside", words == "other")])
+            self.assertEqual((found["compared"], found["on_curve"], found["median_on_curve_percent"]), (3, 2, clean["median_deviation_percent"]))
+            self.assertNotEqual(found["median_deviation_percent"], found["median_on_curve_percent"])
+            rows = run("curve", self.write(tree), "--data", path, "--format", "csv").rows()
+            self.assertEqual([row["other"] for row in rows if row["line"] != "median"], ["false", "false", "true" if words == "other" else "false"])
+            table = run("curve", self.write(tree), "--data", path).out
+            self.assertIn(f"  - film on the curve: median of 2 deviations {clean['median_deviation_percent']:+.2f} %\n", table)
+            self.assertEqual(words == "other", "  - other: measured at another load" in table)
+        self.assertEqual((clean["on_curve"], clean["median_on_curve_percent"]), (2, clean["median_deviation_percent"]))
+        self.assertNotIn("on the curve", self.compared(head + good, tree).out)
 
     def test_each_mistake_is_one_line_with_its_place(self):
         for text, *expected in [
@@ -117,7 +155,9 @@ class Data(CurveTest):
                 ("film [nm]\n7\n", "line 1: there is no column speed"), ("U [V],CoF\n", "line 1: there is no column speed"),
                 ("v [V],CoF\n", "line 1: there is no column speed"),
                 ("sliding speed [m/s],CoF\n", "line 1: there is no column speed: the sliding speed is that of the faces against each other"),
-                ("speed h [m/s],CoF\n", "line 1: there is no column speed;"), ("ue,CoF\n", "line 1, column 1 (ue): its unit is missing"),
+                ("speed h [m/s],CoF\n", "line 1: there is no column speed;"), ("v / (V),CoF\n", "line 1: there is no column speed;"),
+                ("v [m/s],traction (N)\n", "line 1: there is no column of what was measured; allowed: film_flooded, film (also h, hc,"),
+                ("v [m/s],Λ\n", "line 1, column 2 (Λ): the scene's `outputs` do not ask for it"), ("ue,CoF\n", "line 1, column 1 (ue): its unit is missing"),
                 ("speed [m/s],h [hPa]\n", "line 1: there is no column of what was measured"), ("speed [m/s]\n7\n", "line 1: there is no column of what was measured"),
                 (HEAD + "0.1,20\n0.2,20,0.1,3\n", "line 2: 2 cells", "line 3: 4 cells"),
                 (HEAD + "0,20,0.1\n-1,20,x\n,20,0.1\n", "line 2, column 1 (speed [m/s]): 0 is not allowed",
@@ -228,6 +268,19 @@ class Pictures(CurveTest):
         self.assertFalse(words & {"friction coefficient μ (–)", "film maximum", "last point before the collapse", "measured"}, words)
         target = self.drawn(flooded, self.write(quiet_scene("rough")), name="both.svg")
         self.assertLessEqual({"flooded", "rough", "friction coefficient μ (–)"}, {text for text, *_ in svg_plots.texts(target)})
+
+    def test_a_curve_that_begins_late_says_why(self):
+        smooth = without_field(quiet_scene("smooth", id="ball on a glass disc, at a slide-roll ratio of 50 %", supply=None,
+                                           speed={"from": 0.05, "to": 1}), "surface")
+        words = {}
+        for roughness in ("10 nm", "0.1 nm"):
+            tree = {**smooth, "surface": {"rms_roughness": roughness}, "accept": ["rough_as_smooth", "film_below_molecule", "smooth_film_law"]}
+            words[roughness] = [text for text, *_ in svg_plots.texts(self.drawn(self.write(tree)))]
+        why = "No friction or asperity load share where Λ is below 3: the faces touch"
+        self.assertIn(why, words["10 nm"])
+        self.assertNotIn(" where ", "".join(words["0.1 nm"]))
+        self.assertIn(smooth["id"], words["10 nm"])  # the legend
+        self.assertIn(smooth["id"] + ": Stribeck curve", words["10 nm"])
 
     def test_png(self):
         with open(self.drawn(self.write(quiet_scene()), name="curve.png"), "rb") as file:

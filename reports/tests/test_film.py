@@ -105,6 +105,17 @@ class Numbers(FilmTest):
                             if one["name"].startswith("pan_")] for law in ("barus", "roelands"))
         self.assertTrue(all(near < far for near, far in zip(roelands, barus, strict=True)), (roelands, barus))
 
+    def test_a_liquid_that_is_no_oil_is_told_with_the_film_of_an_oil(self):
+        of_oil = ["--viscosity", "roelands", "--density", "dowson_higginson"]
+        oil, found = (self.film(line(20, 8), *more)["central_film"]["value"] for more in (of_oil, []))
+        path = self.write(line(20, 8))
+        words = re.sub(r"\s+", " ", run("film", path).out)
+        told = re.search(r"a real oil, which `--viscosity roelands --density dowson_higginson` solves, has a central film of (\S+) m, "
+                         r"([\d.]+) % thinner than this one; how good a formula of such an oil is, its deviation says", words)
+        self.assertAlmostEqual(float(told[1]) / oil, 1, delta=1e-4)
+        self.assertAlmostEqual(float(told[2]), 100 * (1 - oil / found), delta=0.06)
+        self.assertNotIn("a real oil", run("film", path, *of_oil).out)
+
     def test_a_liquid_without_roelands_viscosity_leaves_his_deviations_out(self):
         tree = line(10, 5)
         tree["lubricant"]["viscosity"] = 6e-5
@@ -423,9 +434,11 @@ class Pictures(FilmTest):
         told = [text for text, *_ in sorted(svg_plots.texts(target), key=lambda one: -one[2]) if re.search(r"[+−]?[\d.]+ %$", text)]
         names = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginson_minimum": "Dowson–Higginson",
                  "dowson_toyoda_central": "Dowson–Toyoda"}
+        marks = {"barus, incompressible": "", "unknown": "?"}
         self.assertEqual(told, [
-            f"{names.get(one['name'], 'Pan–Hamrock')}{'' if one['fitted_to'] == 'barus, incompressible' else '*'} "
-            f"{one['this_liquid_deviation_percent']:+.1f} %".replace("-", "−") for one in sorted(found["formulas"], key=lambda one: one["film"])])
+            f"{names.get(one['name'], 'Pan–Hamrock')}{marks.get(one['fitted_to'], '*')} "
+            f"{one['this_liquid_deviation_percent' if one['fitted_to'] == 'unknown' else 'deviation_percent']:+.1f} %".replace("-", "−")
+            for one in sorted(found["formulas"], key=lambda one: one["film"])])
 
     def test_of_a_contact_without_a_spike_and_of_one_that_is_nearly_rigid(self):
         for numbers in [(1, 0.5), (0.02, 5), (50, 15)]:

@@ -201,6 +201,7 @@ class ReproduceTest(ProgramTest):
         self.assertNotIn("none of", reproduced().out)
 
     def test_every_line_fits(self):
+        self.assertRegex(reproduced("--claim", "C1").out, r"\nclaim .*corrected +m = 2 ")  # the head of a column is whole
         for arguments in [[], ["--section", "all"], ["--claim", "C1"]]:
             for line in reproduced(*arguments).out.splitlines():
                 self.assertLessEqual(len(line), 100)

@@ -155,7 +155,14 @@ class About(SolveTest):
 
     def test_a_range_is_told_by_its_ends_and_defaults_are_marked(self):
         told = self.about(quiet_scene(speed={"from": 0.5, "to": 2}))["inputs"]
-        self.assertEqual((told["speed"], told["speed.from"], told["speed.to"]), (None, 0.5, 2))
+        parts = ("speed", "speed.from", "speed.to", "speed.count", "speed.spacing")
+        self.assertEqual([told[name] for name in parts], [None, 0.5, 2, 200, "log"])
+        told = self.about(quiet_scene(speed={"from": 0.5, "to": 2, "count": 50, "spacing": "lin"}))["inputs"]
+        self.assertEqual([told[name] for name in parts], [None, 0.5, 2, 50, "lin"])
+        told = self.about(quiet_scene(speed=[float(speed) for speed in range(1, 31)]))["inputs"]
+        self.assertEqual([told[name] for name in parts], [None, 1, 30, 30, None])
+        table = self.solved(quiet_scene(speed={"from": 0.5, "to": 2}), "--about").out
+        self.assertIn("\n  speed.count                   200, the default\n", table)
         table = self.solved(quiet_scene(), "--about").out
         self.assertIn("\n  friction.slide_roll_ratio     1 [-], the default\n", table)
 
@@ -215,8 +222,8 @@ class About(SolveTest):
             self.assertEqual(len([line for line in table.splitlines() if line.split()[:1] == [one["name"]]]) > 0, one["value"] is not None)
         self.assertIn("\n  load                          50 [N]\n", table)
         film = self.solved(quiet_scene(outputs=["film"]), "--about").out
-        self.assertRegex(film, r"\n  film +asked\n")
-        self.assertRegex(film, r"\n  friction +not asked\n")
+        self.assertRegex(film, r"\n  film +computed\n")
+        self.assertRegex(film, r"\n  friction +not computed\n")
 
 
 class Formats(SolveTest):

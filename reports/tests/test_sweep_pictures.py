@@ -171,6 +171,61 @@ class Pictures(SweepTest):
         for word in ("smooth", "other one", "film maximum", "film departure", "(m/s)"):
             self.assertIn(word, text)
 
+    def test_bars_over_the_logarithm_stand_on_a_logarithmic_axis(self):
+        wide = '{ distribution = "log_uniform", from = 1e-4, to = 0.5 }'
+        for spread, least_ticks in ((NORMAL, 5), (UNIFORM, 4), (wide, 3)):
+            self.drawn(sweep({"lubricant.viscosity": spread}, onset='["film_maximum"]', draws=512, seed=3))
+            os.remove(self.path("out.h5"))
+            (plot, *_), _ = svg_plots.read(self.path("drawn/onset_distribution.svg"))
+            labels = plot.labels["x"]
+            self.assertGreaterEqual(len(labels), least_ticks, labels)
+            self.assertLess(svg_plots.Axis(labels, True).far, 0.05)
+            self.assertGreater(svg_plots.Axis(labels, False).far, 1)
+            places = sorted(labels.items(), key=lambda tick: tick[1])
+            for (left, at), (right, to) in zip(places, places[1:]):  # an SVG's letters are some 8 px wide
+                self.assertGreater(to - at, 8 * (len(left) + len(right)) / 2, (left, right))
+
+    def test_a_long_name_of_a_scene_is_whole_and_above_its_lanes(self):
+        names = ["onset with tolerances of manufacture", "short"]
+        self.drawn(*(sweep({"id": f'"{name}"', "lubricant.viscosity": UNIFORM}, onset='["film_maximum"]', draws=64) for name in names))
+        places = {text: x for text, x, _ in svg_plots.texts(self.path("drawn/onset_distribution.svg"))}
+        self.assertLess(places[names[0]], 20)
+        self.assertGreater(places[names[1]], 100)
+
+    def test_a_few_values_of_a_grid_are_shown_as_points(self):
+        few, many = '["40 °C", "60 °C", "80 °C", "100 °C"]', '{ from = "40 °C", to = "100 °C", count = 13, spacing = "lin" }'
+        oil = {"lubricant.viscosity": None, "lubricant.iso_vg": "68", "lubricant.viscosity_index": "95", "lubricant.density": "870"}
+        for values, points in ((few, 4 + 1), (many, 0)):  # one in the legend
+            self.assertEqual(self.drawn(sweep({**oil, "lubricant.temperature": values, "speed": "0.1", "outputs": '["film"]'})),
+                             ["film_curves"])
+            os.remove(self.path("out.h5"))
+            (plot,), _ = svg_plots.read(self.path("drawn/film_curves.svg"))
+            self.assertEqual(len({point for one in plot.series for point in one.points}), points)
+            self.assertIn("temperature (°C)", self.svg_text("film_curves"))
+            _, _, curve = self.blocks("film_curves")
+            self.assertEqual([round(float(curve[place]["field"]), 9) for place in (0, -1)], [40, 100])
+
+    def test_indices_of_what_is_often_undefined_are_not_given(self):
+        # Λ lies on both sides of 3, below which friction is undefined where the summits are not given.
+        rough = {name: None for name in ("surface.summit_density", "surface.summit_radius", "surface.summit_height_sd",
+                                         "surface.summit_plane_offset", "supply.inlet_film_ratio")}
+        text = sweep({**rough, "accept": '["rough_as_smooth"]', "surface.rms_roughness": '{ distribution = "log_normal", median = 1e-8, log_sd = "30 %" }',
+                      "lubricant.viscosity": UNIFORM, "speed": "0.1", "outputs": '["film", "friction"]'}, draws=256, sensitivity="true")
+        self.assertEqual(self.drawn(text), ["sensitivity_film"])
+        shown = run("sweep", "show", self.path("out.h5"))
+        self.assertRegex(shown.out, r"; no indices of friction: \d+ of 256 groups of cases have it, and these are no random choice of the draws \(99 % are needed\)\n")
+        self.assertNotIn("friction, total", shown.out)
+        self.assertIn("film, total", shown.out)
+        scene, = run("sweep", "show", self.path("out.h5"), "--format", "json").json()["scenes"]
+        film, friction = (column["values"][0] for column in scene["columns"])
+        self.assertTrue(0 < friction["undefined"] < 512)
+        self.assertTrue(0 < friction["sensitivity"]["groups"] < 256 == film["sensitivity"]["groups"])
+        for kind in ("first_order", "total"):
+            for end in ("value", "low", "high"):
+                self.assertEqual({one[kind][end] for one in friction["sensitivity"]["variables"].values()}, {None})
+                self.assertNotIn(None, {one[kind][end] for one in film["sensitivity"]["variables"].values()})
+        self.assertNotIn("groups have it", self.svg_text("sensitivity_film"))
+
     def test_a_scene_has_one_colour_in_all_pictures(self):
         changes = {"lubricant.viscosity": UNIFORM, "speed": SPEEDS,
                    "outputs": '["film", "friction"]'}

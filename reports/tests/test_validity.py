@@ -96,6 +96,17 @@ class Warnings(ValidityTest):
         done = run("solve", self.write(quiet_scene(speed=0.1, accept=[], bodies={"effective_modulus": 107.9e9} | ball)))
         self.assertRegex(done.warned, r"bodies\.radius_x, which follows, 2\.5e\+04 m \([^;)]*\)")
 
+    def test_where_the_results_explain_limits_the_line_is_short(self):
+        path = self.write(self.smooth_scene(0.1) | {"surface": {"rms_roughness": "300 nm"}, "outputs": ["film", "regime"], "accept": []})
+        for command in (["contact", path], ["solve", path, "--explain"]):
+            said = run(*command).said
+            self.assertRegex(said, r"rough_as_smooth 0\.\d+ \(at least 3\)[;,] ")
+            self.assertIn("; the results explain them, and accept = [", said)
+            self.assertNotIn("touches", said)
+        said = run("solve", path).said
+        self.assertIn("give summits or spectral moments", said)
+        self.assertIn("`tribocheck solve --explain` has them all", said)
+
     def test_several_scenes_have_one_line(self):
         paths = [self.write(scene(surface), f"{surface}.toml") for surface in ("rough", "medium")]
         done = run("solve", *paths)

@@ -47,7 +47,7 @@ struct FieldInfo {
   std::optional<Output> needed_by = {};  // the one output that needs the field
   double plausible_minimum = 0;  // legal numbers beyond these two pass a limit, validity.hpp
   double plausible_maximum = std::numeric_limits<double>::infinity();
-  std::string_view likely_unit = "";  // the unit of a number that passes it by a slip: "mPa·s"
+  std::string_view likely_unit = "";  // of a number that passes it by a slip: "mPa·s", "GPa, MPa"
   std::string_view meaning = "";
 };
 

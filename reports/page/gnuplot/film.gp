@@ -44,10 +44,11 @@ do for [i = 1:formulas_records] {
   set label texts[i] at screen 0.787, first places[i] left font small noenhanced \
     textcolor rgb formula(minima[i])
 }
-set label "* fitted to another liquid, or" at screen 0.787, first 0.285*film_top left font tiny textcolor rgb grey
-set label "to one that is not known" at screen 0.787, first 0.25*film_top left font tiny textcolor rgb grey
-set label "formulas, and deviations, of the" at screen 0.787, first 0.195*film_top left font tiny textcolor rgb grey
-set key at screen 0.775, first 0.175*film_top left top Left reverse samplen 2 font small
+set label "* off the film of the liquid that" at screen 0.787, first 0.25*film_top left font tiny textcolor rgb grey
+set label "it was fitted to; ? fitted to one" at screen 0.787, first 0.215*film_top left font tiny textcolor rgb grey
+set label "that is not known" at screen 0.787, first 0.18*film_top left font tiny textcolor rgb grey
+set label "formulas, and deviations, of the" at screen 0.787, first 0.135*film_top left font tiny textcolor rgb grey
+set key at screen 0.775, first 0.12*film_top left top Left reverse samplen 2 font small
 plot \
   data index 3 using (0):1:(right):(0):(formula(column(3))) with vectors nohead linewidth 1 \
     dashtype (8,5) linecolor rgb variable notitle, \

@@ -14,9 +14,11 @@ set tmargin at screen 1 - 78.0/tall
 set key noenhanced
 
 # Ticks for a logarithmic axis from `low` to `high`: commands for eval. 1, 2 and 5 of each decade,
-# more where there is hardly one, and powers of ten alone where there are many. Without labels where
-# has_labels is 0.
+# more where there is hardly one, and powers of ten alone where there are many; even steps, which then stand at distances
+# that are not even, where there is less than half of one. Without labels where has_labels is 0. `room`: the axis' length, as a
+# part of the whole width.
 has_labels = 1
+room = 1
 tick_text(value) = value > 0.9e-4 && value < 1.1e4 ? sprintf("%g", value) : \
   gprintf(value/10.0**floor(log10(value) + 1e-9) > 1.5 ? "%.0t×10^{%T}" : "10^{%T}", value*(1 + 1e-12))
 tick(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
@@ -25,13 +27,17 @@ minor(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9
   sprintf("set %stics add ('' %.9g 1); ", axis, value)
 minors(axis, from, times, low, high) = times > 9 ? "" : \
   minor(axis, times*from, low, high).minors(axis, from, times + 1, low, high)
-is_short(low, high) = log10(high/low) < 3.6
-is_narrow(low, high) = log10(high/low) < 1.1
+is_short(low, high) = log10(high/low) < 3.6*room
+is_narrow(low, high) = log10(high/low) < 1.1*room
 decade(axis, value, low, high) = minors(axis, value, 2, low, high).tick(axis, value, low, high). \
   (is_short(low, high) ? tick(axis, 2*value, low, high).tick(axis, 5*value, low, high) : ""). \
   (is_narrow(low, high) ? tick(axis, 3*value, low, high).tick(axis, 4*value, low, high). \
     tick(axis, 7*value, low, high) : "")
 decades(axis, from, low, high) = from > high*(1 + 1e-9) ? "" : \
   decade(axis, from, low, high).decades(axis, 10*from, low, high)
+nice(x) = (m = x/10.0**floor(log10(x)), x/m*(m < 1.5 ? 1 : m < 3.5 ? 2 : m < 7.5 ? 5 : 10))
+even(axis, value, step, low, high) = value > high*(1 + 1e-9) ? "" : \
+  tick(axis, value, low, high).even(axis, value + step, step, low, high)
 log_ticks(axis, low, high) = sprintf("set logscale %s 10; set %stics (); ", axis, axis). \
-  decades(axis, 10.0**floor(log10(low)), low, high)
+  (high/low > 3 ? decades(axis, 10.0**floor(log10(low)), low, high) : \
+   (step = nice((high - low)/(6*room)), even(axis, step*floor(low/step), step, low, high)))

@@ -9,6 +9,8 @@ array names[128]
 array colours[128]
 stats data index 1 using (names[int($1)] = strcol(4), colours[int($1)] = column(3), \
   0) nooutput name "scenes"
+stats data index 2 using 1 nooutput name "first"
+medians = first_records > 12 ? "lines" : "linespoints"  # a few values are shown as such
 set lmargin at screen 0.11
 set rmargin at screen 0.97
 longest = 0
@@ -30,5 +32,5 @@ plot \
   for [i = 1:n] data index 1 + i using 1:2:4 with filledcurves fillcolor rgb colours[i] notitle, \
   for [i = 1:n] for [edge = 2:4:2] data index 1 + i using 1:edge with lines linewidth 0.6 \
     linecolor rgb colours[i] notitle, \
-  for [i = 1:n] data index 1 + i using 1:3 with lines linewidth 2.2 linecolor rgb colours[i] \
-    title names[i]
+  for [i = 1:n] data index 1 + i using 1:3 with @medians linewidth 2.2 pointtype 7 pointsize 0.7 \
+    linecolor rgb colours[i] title names[i]

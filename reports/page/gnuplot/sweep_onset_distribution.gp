@@ -21,7 +21,11 @@ do for [i = 1:lanes_records] {
   set label missing[i] at screen 0.76, first base[i] - 0.08 left font tiny textcolor rgb grey noenhanced
 }
 do for [i = 1:scenes_records] {
-  set label ids[i] at screen 0.19, first heights[i] right font bold noenhanced
+  if (strlen(ids[i]) > 16) {  # above its lanes, from the left edge on
+    set label ids[i] at screen 0.01, first heights[i] left front font bold noenhanced
+  } else {
+    set label ids[i] at screen 0.19, first heights[i] right font bold noenhanced
+  }
 }
 set lmargin at screen 0.20
 set rmargin at screen 0.74
@@ -30,11 +34,8 @@ set xrange [low:high]
 set yrange [-0.12:top]
 set border 1 linewidth 0.8
 unset ytics
-if (high/low > 3) {
-  eval log_ticks("x", low, high)
-} else {
-  set xtics autofreq
-}
+room = 0.6
+eval log_ticks("x", low, high)  # the bars are cases over the logarithm: on another axis their areas would not be
 set grid xtics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set xlabel "onset speed (m/s)" offset 0, x_words
 set label "median (95 %)" at screen 0.76, first heights[scenes_records] left font small textcolor rgb grey

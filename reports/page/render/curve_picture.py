@@ -75,13 +75,22 @@ def blocks(data):
     made = ["# low\thigh\tonsets\tends\tmeasured\n" +
             row(min(speeds), max(speeds), *(sum(mark[0] == kind for mark in marks) for kind in (ONSET, END, MEASURED))),
             "# label\tbottom\ttop\tlog\n" + "".join(row(label, low, high, int(is_log)) for label, low, high, is_log, _ in axes),
-            "# scene\tcolour\n" + "".join(row(cell(scene["id"], 24), own) for scene, own in zip(data["scenes"], colour)),
+            "# scene\tcolour\n" + "".join(row(cell(scene["id"], 60 if len(data["scenes"]) <= 3 else 24), own) for scene, own in zip(data["scenes"], colour)),
             "# kind\tspeed\tcolour\ta value for each panel\n" + ("".join(row(*mark) for mark in marks) or row(0, NAN, 0, *[NAN] * len(axes)))]
     for scene in data["scenes"]:
         made.append("# speed\ta value for each panel\n" + "".join(
             row(speed, *drawn_values(standing(values, is_collapsed, data["panels"]), axes))
             for speed, values, is_collapsed in zip(scene["speed"], scene["values"], scene["collapsed"])))
     return "\n\n".join(made)
+
+
+def missing_text(data):
+    """Which panels lack a part of a curve, and why: "no friction where Λ is below 3: the faces touch"."""
+    panels = {}
+    for scene in data["scenes"]:
+        for name, reason in scene["missing"].items():
+            panels.setdefault(reason.split(",")[0], {})[in_words(name)] = None
+    return [f"no {' or '.join(names)} where {reason}" for reason, names in panels.items()]
 
 
 def subtitle_of(data):
@@ -91,12 +100,13 @@ def subtitle_of(data):
         texts.append("dot: film maximum" + (f", at {rounded(found[0], 3)} m/s" if len(scenes) == 1 else ""))
     if data["measured"]:
         texts.append("squares: measured")
+    texts += missing_text(data)
     return with_capital("; ".join(texts)) or " "
 
 
 def drawn(data, folder):
     scenes = data["scenes"]
-    title = f"{cell(scenes[0]['id'])}: Stribeck curve" if len(scenes) == 1 else "Stribeck curves"
+    title = f"{cell(scenes[0]['id'], 60)}: Stribeck curve" if len(scenes) == 1 else "Stribeck curves"
     return {"script": "curve.gp", "data": folder, "name": "curve", "height": HEAD + FOOT + PANEL * len(data["panels"]),
             "title": drawing.enhanced(title), "subtitle": drawing.enhanced(subtitle_of(data))}
 

@@ -71,12 +71,14 @@ def row(*cells):
 
 
 def formula_text(contact, formula):
-    """The formula's name and its difference from the drawn film; a star where the formula was fitted to another liquid."""
+    """The formula's name and its difference from the drawn film. Of one that was fitted to another liquid, marked by a star,
+    the difference is that from the film of its own liquid; of one whose liquid is not known, that from the drawn film."""
     liquid = contact["assumptions"]
     own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
-    star = "" if formula["fitted_to"] == own else "*"
-    name = NAMES.get(formula["name"], formula["name"])
-    return f"{name}{star} {signed(formula['this_liquid_deviation_percent'])} %"
+    known = formula["deviation_percent"]
+    star = "" if formula["fitted_to"] == own else "?" if known is None else "*"
+    number = formula["this_liquid_deviation_percent"] if known is None else known
+    return f"{NAMES.get(formula['name'], formula['name'])}{star} {signed(number)} %"
 
 
 def blocks(contact):
@@ -92,7 +94,7 @@ def blocks(contact):
     shown = [(one["film"], one) for one in contact["formulas"] if one["film"] is not None and one["film"] < film_top]
     formulas = [row(1e6*one["film"], 1e6*place, "1" if one["stands_for"] == "minimum_film" else "0",
                     formula_text(contact, one))
-                for place, one in spread(shown, 0.26*film_top, 0.97*film_top, LABEL_GAP*film_top)]
+                for place, one in spread(shown, 0.29*film_top, 0.97*film_top, LABEL_GAP*film_top)]
     return "\n\n".join([head, "".join(solved), "".join(hertz), "".join(formulas) or row(-1.0, -1.0, "0", " ")])
 
 

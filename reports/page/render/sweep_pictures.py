@@ -94,8 +94,10 @@ def pale(colour):
 
 
 def readable_unit(unit, values):
-    """A unit in which numbers have few zeros, and its factor: nm where all values are films."""
+    """A unit in which numbers have few zeros, and its factor: nm where all values are films, GPa where they are pressures."""
     greatest = max((abs(value) for value in values if value is not None), default=0)
+    if unit == "Pa" and greatest >= 1e5:
+        return ("GPa", 1e-9) if greatest >= 1e8 else ("MPa", 1e-6)
     if unit != "m" or greatest == 0 or greatest >= 1e-2:
         return unit, 1
     return ("nm", 1e9) if greatest < 1e-5 else ("µm", 1e6)
@@ -218,7 +220,7 @@ def onset_distribution(result, reported=()):
         mark = next((one for one in reported if one["scene"] == scene["id"]), None)
         marks = [mark["value"], mark["low"], mark["high"]] if mark else [NAN] * 3
         ends += marks[1:] if mark else []
-        scenes.append(row(cell(scene["id"], 24 if "of_grid" in scene else 16), base + 0.2, bottom, base, *marks, own))
+        scenes.append(row(cell(scene["id"], 60), base + 0.2, bottom, base, *marks, own))
         cases += scene["cases"]
         base += NAME_ROOM + GAP
     ends = [one for one in ends if one > 0]
@@ -276,6 +278,13 @@ def with_ends(index):
                               for end, unbounded in ((index["low"], -INFINITY), (index["high"], INFINITY))))
 
 
+def fewer_groups(subjects, name):
+    """A remark for a subtitle on groups of cases that are left out because one of them has no such value."""
+    parts = [(column_of(scene, name)["values"][0]["sensitivity"]["groups"], scene["draws"]) for scene, _, _ in subjects]
+    groups, draws = min(parts, key=lambda part: part[0] / part[1])
+    return f"; {grouped(groups)} of {grouped(draws)} groups have it" if groups < draws else ""
+
+
 def sensitivity(result, name):
     all_colours = colours(result)
     subjects = [(scene, colour, indices_of(scene, name)) for scene, colour in zip(result["scenes"], all_colours)]
@@ -306,7 +315,7 @@ def sensitivity(result, name):
     key_rows = math.ceil((len(subjects) + 2 if len(subjects) > 1 else 2) / 3)
     return Picture(file_name("sensitivity", name), "sweep_sensitivity.gp",
                    f"What carries the variance: {column_words(name)}",
-                   "Sobol indices, with 95 % intervals of the totals" +
+                   "Sobol indices, with 95 % intervals of the totals" + fewer_groups(subjects, name) +
                    (f"; below {DRAWN_FROM} and left out: {left_out} input{'s' if left_out > 1 else ''}"
                     if left_out else ""),
                    round(max(78 + 92 + 22 * key_rows + BAR * top, 480)), blocks)
@@ -418,6 +427,7 @@ def is_face(path):
 
 
 FILMS = {"film": "film h*", "solved_film.central": "solved central film", "solved_film.minimum": "solved minimum film"}
+ZERO_CELSIUS = 273.15  # K
 LEAST_VALUES = 3  # of an axis of a map
 SMOOTH = 48  # A map of fewer values is interpolated between them, so that its colours look smooth.
 
@@ -428,13 +438,14 @@ class Axis(typing.NamedTuple):
     words: str
     values: list
     factor: float = 1  # from SI units
+    zero: float = 0  # in SI units: that of °C
     is_speed: bool = False
 
     def shown(self):
-        return [self.factor * one for one in self.values]
+        return [self.factor * (one - self.zero) for one in self.values]
 
     def is_log(self):
-        return self.values[0] > 0 and self.values[-1] > 3 * self.values[0]
+        return self.zero == 0 and self.values[0] > 0 and self.values[-1] > 3 * self.values[0]
 
 
 def axis_of(field, values):
@@ -446,6 +457,8 @@ def axis_of(field, values):
         return None
     unit, factor = readable_unit(field["unit"], [values[0], values[-1]])
     words = field_words(field["path"])
+    if unit == "K":
+        return Axis(axis_label(words, "°C"), words, values, zero=ZERO_CELSIUS)
     return Axis(axis_label(words, unit), words, values, factor)
 
 
@@ -515,6 +528,8 @@ def film_curves(scene, stem, across, curves):
 
 
 def value_text(field, value):
+    if field["unit"] == "K":
+        return f"{field_words(field['path'])} {rounded(value - ZERO_CELSIUS, 3)} °C"
     unit, factor = readable_unit(field["unit"], [value])
     return f"{field_words(field['path'])} {rounded(factor * value, 3)} {unit}".rstrip(" ")
 

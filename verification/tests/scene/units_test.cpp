@@ -93,7 +93,12 @@ constexpr Unit units[] = {{"nm", "m", -9},
                           {"kg/l", "kg/m³", 3},
                           {"kg/L", "kg/m³", 3},
                           {"W/(m K)", "W/(m·K)", 0},
-                          {"mW/(m·K)", "W/(m·K)", -3}};
+                          {"mW/(m·K)", "W/(m·K)", -3},
+                          {"W/mK", "W/(m·K)", 0},
+                          {"W/(mK)", "W/(m·K)", 0},
+                          {"W/m·K", "W/(m·K)", 0},
+                          {"W/m/K", "W/(m·K)", 0},
+                          {"cm/s", "m/s", -2}};
 
 // 1 to 17 digits.
 std::string random_digits(Sampler& sampler) {
@@ -156,8 +161,35 @@ TEST(Units, CelsiusIsTheExactDecimalSum) {
       EXPECT_EQ(value.number, std::strtod(wanted.c_str(), nullptr)) << degrees << ' ' << wanted;
     }
   }
-  EXPECT_EQ(si_decimal("5 °C", "K", Measure::distance), std::nullopt);
-  EXPECT_EQ(si_decimal("5 K", "K", Measure::distance), "5e0");
+}
+
+TEST(Units, DistancesOfTemperaturesAreTheSameInCelsiusAndInKelvin) {
+  for (const char* unit : {" °C", "℃", " degC", " C", " K"})
+    EXPECT_EQ(si_decimal(std::string("5.0") + unit, "K", Measure::distance), "5.0e0") << unit;
+  EXPECT_NE(si_decimal("5.0 °C", "K"), "5.0e0");
+  EXPECT_EQ(si_decimal("5.0 °F", "K", Measure::distance), std::nullopt);
+}
+
+TEST(Units, HalfALastDigitIsOneOfTheNumberAsItIsWritten) {
+  const struct {
+    const char *text, *half;
+  } written[] = {{"0.0202", "0.00005"},
+                 {"50", "0.5"},
+                 {"5.", "0.5"},
+                 {"-4.128 mm", "0.0005 mm"},
+                 {"2.0e-8 m", "0.05e-8 m"},
+                 {"75 °C", "0.5 °C"},
+                 {"6.2 km/h", "0.05 km/h"},
+                 {"1/2", "0.5/2"}};
+  for (const auto& one : written) {
+    const auto half = scene_detail::half_last_digit(one.text);
+    ASSERT_TRUE(half) << one.text;
+    EXPECT_EQ(std::strtod(half->c_str(), nullptr), std::strtod(one.half, nullptr)) << *half;
+    EXPECT_EQ(half->substr(half->find('5') + 1),
+              std::string_view(one.half).substr(std::string_view(one.half).find('5') + 1));
+  }
+  for (const char* text : {"", "inf", "fifty", ".", "mm"})
+    EXPECT_EQ(scene_detail::half_last_digit(text), std::nullopt) << text;
 }
 
 TEST(Units, EachFitsItsOwnFieldsAlone) {
@@ -237,6 +269,16 @@ TEST(Units, AnotherQuantityIsNamed) {
                         "is a speed of rotation, and speed is the mean speed of the two surfaces"));
   EXPECT_TRUE(refused(SceneText::good().set("load", "[20, 50]"), "load",
                       "a sweep takes lists: tribocheck sweep"));
+}
+
+TEST(Units, ANumberWithItsSpreadIsSentToASweep) {
+  for (const char* spread : {"30 ± 5 nm", "30 +- 5 nm", "30±5 nm"})
+    EXPECT_TRUE(
+        refused(SceneText::good().set("surface.summit_radius", '"' + std::string(spread) + '"'),
+                "surface.summit_radius",
+                "is a number with its spread, which a sweep takes as { distribution"));
+  EXPECT_FALSE(refused(SceneText::good().set("surface.summit_radius", "\"30 bm\""),
+                       "surface.summit_radius", "with its spread"));
 }
 
 TEST(Units, PerCentFitsCoefficientsAndRatiosOfSpeedsAlone) {

@@ -558,6 +558,8 @@ TEST(Validity, SlipsOfUnitsAreNamed) {
   for (const auto& [path, value, unit] :
        {Slip{"lubricant.viscosity", "20.2", "mPa·s"}, Slip{"bodies.reduced_radius", "9.5", "mm"},
         Slip{"bodies.effective_modulus", "107.9", "GPa"},
+        Slip{"bodies.effective_modulus", "113000", "MPa"},
+        Slip{"bodies.effective_modulus", "1e20", ""},
         Slip{"surface.summit_density", "50000", "1/mm²"}, Slip{"surface.summit_radius", "10", "µm"},
         Slip{"surface.summit_height_sd", "25", "nm"},
         Slip{"lubricant.pressure_viscosity", "20", "1/GPa"},
@@ -569,6 +571,33 @@ TEST(Validity, SlipsOfUnitsAreNamed) {
     EXPECT_EQ(limit.likely_unit, unit) << path;
     EXPECT_FALSE(limit.holds());
   }
+}
+
+// The softest rubber and the stiffest body in N/mm² lie on both sides of the range's end.
+TEST(Validity, ModuliInNewtonsPerSquareMillimetreAreTold) {
+  const auto found = [](const char* modulus) {
+    SceneText text = ordinary().remove("bodies.effective_modulus");
+    for (const char* const body : {"bodies.first_", "bodies.second_"}) {
+      text.set(std::string(body) + "poisson_ratio", "0.3");
+      text.set(std::string(body) + "modulus", "210e9");
+    }
+    return limit_of(scene_of(text.set("bodies.first_modulus", modulus)), "first_modulus_range");
+  };
+  for (const char* const slip : {"210000", "70e3", "480000"})
+    EXPECT_EQ(found(slip).likely_unit, "MPa") << slip;
+  for (const char* const slip : {"210", "3.2"}) EXPECT_EQ(found(slip).likely_unit, "GPa") << slip;
+  for (const char* const good : {"5e5", "2.5e6", "210e9", "1.2e12"})
+    EXPECT_EQ(found(good).word, "") << good;
+}
+
+TEST(Validity, LiquidsInUsualUnitsAreTold) {
+  SceneText text = ordinary().remove("lubricant.viscosity");
+  text.set("lubricant.iso_vg", "46").set("lubricant.viscosity_index", "95");
+  text.set("lubricant.temperature", "333").set("lubricant.density", "0.87");
+  text.set("lubricant.thermal", "\"gupta\"").set("lubricant.temperature_coefficient", "0.04");
+  const Scene scene = scene_of(text.set("lubricant.conductivity", "140"));
+  EXPECT_EQ(limit_of(scene, "density_range").likely_unit, "g/cm³");
+  EXPECT_EQ(limit_of(scene, "conductivity_range").likely_unit, "mW/(m·K)");
 }
 
 // From a watch's jewel to a bearing of three metres, joints and gears: no range is left.

@@ -13,11 +13,13 @@
 #include <utility>
 
 #include "scene/schema.hpp"
+#include "scene/units.hpp"
 #include "support/judge.hpp"
 #include "sweep/case_solver.hpp"
 #include "sweep/chunk_solver.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/small_sweep.hpp"
+#include "sweep/variable_reader.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::sweep {
@@ -370,6 +372,70 @@ pressure_viscosity = 2e-8
     EXPECT_TRUE(is_within(sweep.variables[0].distribution.greatest(), one.value + one.half_digit,
                           1e-12 * one.value));
   }
+}
+
+// How a field varies, as a table of texts.
+std::optional<Variable> variable_of(const FieldInfo& field,
+                                    const std::vector<std::pair<std::string, std::string>>& table) {
+  using namespace scene_detail;
+  Entry entry{std::string(field.path), {.kind = ValueKind::table, .text = {}}, {}};
+  for (const auto& [name, text] : table)
+    entry.inner.push_back({name, {.kind = ValueKind::text, .text = text}, {}});
+  SceneReading reading;
+  Problems problems(reading, "s.toml");
+  return read_variable(entry, field, problems);
+}
+
+TEST(PlanReader, HalfALastDigitIsOneOfTheUnitThatIsWrittenInEveryField) {
+  using namespace scene_detail;
+  std::size_t conversions = 0;
+  for (const FieldInfo& field : scene_fields()) {
+    if (!takes_units(field) || store_of(field_at(field.path)) == nullptr) continue;
+    std::string units = ", " + std::string(usual_units(written_unit(field)));
+    if (const std::size_t last = units.find(" or "); last != units.npos)
+      units.replace(last, 4, ", ");
+    if (field.unit == "m/s") units += ", km/h, cm/s";
+    for (std::size_t at = 0; at < units.size();) {
+      const std::size_t end = std::min(units.find(", ", at + 2), units.size());
+      const std::string unit = units.substr(at + 2, end - at - 2);
+      at = end;
+      const auto in_si = [&](const std::string& number) {
+        return std::stod(si_decimal(number + ' ' + unit, written_unit(field)).value());
+      };
+      const auto variable = variable_of(field, {{"printed", "62.0 " + unit}});
+      ASSERT_TRUE(variable) << field.path << ' ' << unit;
+      EXPECT_EQ(variable->nominal, in_si("62.0")) << field.path << ' ' << unit;
+      const double rounding = 1e-12 * in_si("62.0");
+      EXPECT_TRUE(is_within(variable->distribution.least(), in_si("61.95"), rounding)) << unit;
+      EXPECT_TRUE(is_within(variable->distribution.greatest(), in_si("62.05"), rounding)) << unit;
+      ++conversions;
+    }
+  }
+  EXPECT_GT(conversions, 60U);
+}
+
+TEST(PlanReader, ASpreadOfATemperatureMayBeInCelsius) {
+  const FieldInfo& field = scene_fields()[scene_detail::field_at("lubricant.temperature")];
+  const auto distribution = [&](const char* sd) {
+    return variable_of(field, {{"distribution", "normal"}, {"mean", "75 °C"}, {"sd", sd}});
+  };
+  const auto in_kelvins = distribution("5 K"), in_celsius = distribution("5 °C");
+  ASSERT_TRUE(in_kelvins && in_celsius);
+  EXPECT_EQ(in_celsius->text, in_kelvins->text);
+  EXPECT_EQ(in_celsius->nominal, in_kelvins->nominal);
+  EXPECT_FALSE(distribution("5 m"));
+}
+
+TEST(PlanReader, ASpreadInPerCentIsThatOfALogarithm) {
+  const FieldInfo& load = scene_fields()[scene_detail::field_at("load")];
+  const auto log_normal = [&](const char* log_sd) {
+    return variable_of(load,
+                       {{"distribution", "log_normal"}, {"median", "50 N"}, {"log_sd", log_sd}});
+  };
+  const auto spread = log_normal("13 %");
+  ASSERT_TRUE(spread);
+  EXPECT_EQ(spread->text, "log_normal, median 50, log_sd 0.13");
+  EXPECT_FALSE(log_normal("13 N"));
 }
 
 SweepPlan plan_of(const std::string& text, const std::string& path) {

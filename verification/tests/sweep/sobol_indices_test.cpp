@@ -226,6 +226,37 @@ TEST(SobolIndices, LeaveOutGroupsWithAnUndefinedValue) {
   EXPECT_EQ(sobol_indices(SensitivityBlocks{}).total.size(), 0U);
 }
 
+TEST(SobolIndices, AreNoneWhereMoreThanAFewGroupsHaveNoValue) {
+  constexpr std::uint64_t groups = 3000;
+  // The sums of a result that is undefined in this part of the groups.
+  const auto indices_with = [&](double undefined) {
+    Sampler sampler(8);
+    SensitivityBlocks blocks;
+    for (std::uint64_t group = 0; group < groups; ++group) {
+      std::vector<double> values(4);
+      for (double& value : values) value = sampler.uniform(0, 1);
+      if (static_cast<double>(group) < undefined * static_cast<double>(groups)) values[3] = nan;
+      blocks[block_of(group, groups)].add(values, 0.5);
+    }
+    return sobol_indices(blocks);
+  };
+  for (const double few : {0.0, 0.001, 0.01}) {
+    const SobolIndices got = indices_with(few);
+    EXPECT_EQ(static_cast<double>(got.groups), (1 - few) * groups);
+    for (const auto* const list : {&got.first_order, &got.total})
+      for (const sweep::Bounded& index : *list) EXPECT_TRUE(index.low < index.high) << few;
+  }
+  for (const double many : {0.011, 0.3, 1.0}) {
+    const SobolIndices got = indices_with(many);
+    EXPECT_EQ(static_cast<double>(got.groups), std::round((1 - many) * groups));
+    ASSERT_EQ(got.total.size(), 2U);
+    for (const auto* const list : {&got.first_order, &got.total})
+      for (const sweep::Bounded& index : *list)
+        for (const double number : {index.value, index.low, index.high})
+          EXPECT_EQ(std::isnan(number), true) << many;
+  }
+}
+
 TEST(SobolIndices, OfOneBlockHaveNoInterval) {
   SensitivityBlocks blocks;
   blocks[0] = sums_of(linear, 5, 32, Design::monte_carlo, 1)[0];
