@@ -45,6 +45,14 @@ constexpr Access at{[](Scene& scene, double value) { put((scene.*....*members), 
 template <double Numbers::*number, auto... members>
 constexpr Access at_number{at<members...>.store, at<members...>.load, number};
 
+// The same of a member of a table; the scene then knows that it has the number, not its default.
+template <double Numbers::*number, auto section, auto member, auto gives_member>
+constexpr Access at_own{[](Scene& scene, double value) {
+                          put(scene.*section.*member, value);
+                          scene.*section.*gives_member = true;
+                        },
+                        at<section, member>.load, number};
+
 template <std::size_t body, double Body::*member>
 constexpr Access at_body{
     [](Scene& scene, double value) { scene.bodies.bodies[body].*member = value; },
@@ -195,7 +203,8 @@ constexpr auto rows = std::to_array<Row>({
       .maximum = 2,
       .default_text = "1",
       .meaning = "m, how many faces bring that offset"},
-     at_number<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes>},
+     at_own<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes,
+            &Surface::gives_offset_planes>},
     number_row(
         "surface.m0", "m²", {1e-20, 1e-9, "µm²"},
         "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
@@ -345,7 +354,8 @@ constexpr auto rows = std::to_array<Row>({
       .meaning =
           "S, sliding speed over entrainment speed; usual in a rolling bearing 0.01 to 0.05, "
           "in gears 0 to 0.5, on a rig with ball on disc 0.5"},
-     at_number<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio>},
+     at_own<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio,
+            &Friction::gives_slide_roll_ratio>},
     choice_row("friction.fluid", fluid_shear_words, "shear law of the fluid",
                at<&Scene::friction, &Friction::fluid>),
     choice_row("friction.viscosity", viscosity_law_words, "law of viscosity against pressure",
@@ -355,7 +365,8 @@ constexpr auto rows = std::to_array<Row>({
                at<&Scene::closures, &Closures::asperity>),
     choice_row("closures.starvation", starvation_closure_words,
                "rule for the film behind a starved inlet",
-               at<&Scene::closures, &Closures::starvation>),
+               at_own<nullptr, &Scene::closures, &Closures::starvation,
+                      &Closures::gives_starvation>),
     choice_row("closures.film", film_formula_words, "law of the flooded film",
                at<&Scene::closures, &Closures::film>),
     {{.path = "closures.damiens_exponent",

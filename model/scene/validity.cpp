@@ -38,10 +38,13 @@ constexpr double oil_conductivity = 0.14;
 constexpr double oil_temperature_coefficient = 0.04;
 // σ_s/Rq of an isotropic Gaussian face with m₀m₄/m₂² = 1.5; it rises to 1 with that number.
 constexpr double least_height_ratio = 0.63414;
+// An ellipse that is as many times longer across the motion than along it is nearly a line.
+constexpr double long_ellipticity = 8;
 // A face of this radius in m is taken for one that was meant to be flat.
 constexpr double flat_radius = 1e3;
-// A groove that holds a ball has a radius of 1.03 to 1.1 times the ball's in bearings.
-constexpr double greatest_groove_ratio = 1.2;
+// A groove that holds a ball has a radius of 1.03 to 1.1 times the ball's in bearings; one of
+// 2.06 to 2.2 times is the diameter of such a groove.
+constexpr double greatest_groove_ratio = 1.2, greatest_diameter_ratio = 2.2;
 // A ratio of two computed numbers may be this much below the bound that it is to meet.
 constexpr double but_for_rounding = 1 - 1e-9;
 // Below this viscosity in mm²/s ASTM D341 has more terms than its line has.
@@ -67,8 +70,9 @@ struct State {
   double lambda_ratio = not_assumed;
   // A(0), where the film of one of these points lets it matter.
   double share_without_film = not_assumed;
-  // The greatest r = h_ff/h_oil at these points, of the closure whose film collapses at 1.
-  double flooded_over_inlet = not_assumed;
+  // The greatest r = h_ff/h_oil at these points, of the closure whose film collapses at 1, and of
+  // r below 1 the greatest film by damiens over that by this closure.
+  double flooded_over_inlet = not_assumed, film_by_damiens = not_assumed;
 
   std::span<const OperatingPoint<double>> ends() const { return std::span(points).first(count); }
   void add(const MixedContact<double>& contact, const OperatingPoint<double>& point) {
@@ -84,6 +88,9 @@ struct State {
           contact.inlet_film_parameter(point.speed) * contact.summit_height_sd();
       const double r = point.film_flooded / inlet_film;
       if (!(flooded_over_inlet >= r)) flooded_over_inlet = r;
+      const InletLaw<double> damiens{StarvationClosure::damiens, scene.closures.damiens_exponent};
+      const double factor = damiens.film_ratio(r) / contact.inlet_law().film_ratio(r);
+      if (r < 1 && !(film_by_damiens >= factor)) film_by_damiens = factor;
     }
     const double lambda = point.film_parameter;
     if (has_summits() && lambda > 0 && lambda < film_parameter_near_none)
@@ -151,7 +158,7 @@ Hottest heat_of_contact(const State& state) {
 }
 
 // What the bodies would be heated by if they were of steel: Blok's 1.11 q √(2b)/(√(kρc)(√u₁ + √u₂))
-// of a band whose heat q is spread as Hertz' pressure is; q is π/4 of its greatest.
+// of a band whose heat is spread as Hertz' pressure is, q its mean, π/4 of its greatest.
 std::string advice_on_flash(const State& state) {
   const Hottest heat = heat_of_contact(state);
   const double slip = state.numbers.slide_roll_ratio, speed = heat.point->speed;
@@ -241,14 +248,28 @@ RegimeOfFilm regime_of_film(const State& state) {
   return furthest;
 }
 
-// The larger radius across the motion over the smaller one, of two convex faces that would be a
-// ball in its groove if one of them were concave.
-double groove_ratio(const State& state) {
+// The larger radius across the motion over the smaller one, of two faces that are both convex or
+// of which one is concave; not of flat ones.
+double radius_ratio(const State& state, bool are_convex) {
   const auto& [first, second] = state.scene.bodies.bodies;
-  const double least = std::min(first.radius_y, second.radius_y);
-  const double greatest = std::max(first.radius_y, second.radius_y);
-  if (!(least > 0 && greatest < flat_radius)) return not_assumed;
-  return greatest <= greatest_groove_ratio * least ? greatest / least : not_assumed;
+  const double one = std::abs(first.radius_y), other = std::abs(second.radius_y);
+  const bool is_asked = (std::min(first.radius_y, second.radius_y) > 0) == are_convex;
+  if (!is_asked || one == 0 || std::max(one, other) >= flat_radius) return not_assumed;
+  return std::max(one, other) / std::min(one, other);
+}
+
+// That of two convex faces that would be a ball in its groove if one of them were concave, with the
+// groove's radius or its diameter.
+double convex_groove(const State& state) {
+  const double ratio = radius_ratio(state, true);
+  const bool is_near = ratio <= greatest_groove_ratio;
+  return is_near || (ratio > 2 && ratio <= greatest_diameter_ratio) ? ratio : not_assumed;
+}
+
+// That of a ball in its groove; of a groove that is far wider no slip is known.
+double concave_groove(const State& state) {
+  const double ratio = radius_ratio(state, false);
+  return ratio <= greatest_diameter_ratio ? ratio : not_assumed;
 }
 
 std::string advice_on_heating(const State& state) {
@@ -284,6 +305,24 @@ std::string advice_on_law(const State& state) {
   return std::string(state.shape == ContactShape::line ? of_lines[regime] : of_points[regime]);
 }
 
+// What to take in place of a law that was not fitted to the contact's ellipticity.
+std::string advice_on_ellipticity(const State& state) {
+  const FilmLaw& law = film_law(state.scene.closures.film);
+  const double k = state.hertz.semi_axis_y / state.hertz.semi_axis_x;
+  if (k > std::min(law.greatest_ellipticity, long_ellipticity))
+    return std::string(
+               "the contact is as long as that of a roller: give bodies.length, the roller's, in "
+               "place of the radii across the motion, and ") +
+           (law.material_exponent.p == 0 ? "let `tribocheck film` solve it, as scenes have no law "
+                                           "of lines for an oil that pressure does not thicken"
+                                         : "closures.film = \"dowson_toyoda_central\"");
+  if (least_fitted_ellipticity(law) == 0)
+    return "no text tells to which ellipticities the law was fitted; nearly a circle it is used "
+           "most";
+  return "the contact is longer along the motion than across it, and scenes have no law that was "
+         "fitted to that: the film is no more than an estimate";
+}
+
 double summit_roughness(const State& state) {
   const auto& n = state.numbers;
   return n.summit_density * n.summit_radius * n.summit_height_sd;
@@ -315,12 +354,22 @@ constexpr Row rows[] = {
      "bound is common practice",
      slope_at_edge},
     {"groove", "Two convex faces that are nearly alike are no ball in its groove.", "", 0, 1,
-     "common practice: a groove's radius is 1.03 to 1.1 times that of its ball", groove_ratio,
+     "common practice: a groove's radius is 1.03 to 1.1 times that of its ball", convex_groove,
      "everything",
-     [](const State&) {
-       return std::string(
-           "this is the larger radius across the motion over the smaller one, and both are convex: "
-           "the radius of a groove is below 0; if they are convex indeed, accept this");
+     [](const State& state) {
+       return "this is the larger radius across the motion over the smaller one, and both are "
+              "convex: the radius of a groove is below 0" +
+              std::string(convex_groove(state) > 2 ? ", and half its diameter" : "") +
+              "; if they are convex indeed, accept this";
+     }},
+    {"groove_radius", "A groove is little wider than its ball: the ratio of their radii is near 1.",
+     "", 0, greatest_groove_ratio,
+     "common practice: a groove's radius is 1.03 to 1.1 times that of its ball", concave_groove,
+     "everything",
+     [](const State& state) {
+       return std::string("this is the groove's radius across the motion over that of the ball") +
+              (concave_groove(state) > 2 ? ": perhaps the groove's diameter was taken for its radius"
+                                         : "; if the groove is as wide as that, accept this");
      }},
     {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
      "model/README.md, section 1; give radius_x and radius_y for an ellipse",
@@ -341,7 +390,7 @@ constexpr Row rows[] = {
        const bool is_ellipse = state.shape == ContactShape::ellipse;
        return is_ellipse ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
      },
-     "film", nullptr, true},
+     "film", advice_on_ellipticity, true},
     {"film_law_regime", "The film law is one of the contact's regime: their films are alike.", "",
      0, greatest_factor_of_regimes,
      "the maps of regimes: Hamrock (1991) of points, Moes (1992) of lines; next to a border both "
@@ -480,9 +529,10 @@ constexpr Row rows[] = {
      }},
     {"film_heating", "Sliding does not heat the oil in the contact: τSuh/(8k_f) is a few kelvin.",
      "K", 0, 10,
-     "Crook, Phil. Trans. R. Soc. A 254 (1961) 237: oil that is sheared alike in all its thickness "
-     "is hotter by this in its middle "
-     "than at the faces; the bound is that of inlet_heating",
+     "steady conduction: oil that is sheared alike in all its thickness is hotter by this in its "
+     "middle than at the faces; A. W. Crook, The lubrication of rollers III, Phil. Trans. R. Soc. "
+     "A 254 (1961) 237, is about such temperatures (its text was not at hand); the bound is that "
+     "of inlet_heating",
      heat_of_film, "friction",
      [](const State& state) {
        return std::string("friction comes out too high, as hot oil is thinner") +
@@ -492,9 +542,28 @@ constexpr Row rows[] = {
      }},
     {"flash_temperature", "The faces stay as cold as the oil: sliding does not heat them.", "W", 0,
      unbounded,
-     "Blok, Proc. Inst. Mech. Eng. Gen. Disc. Lubr. 2 (1937) 222: the flash temperature of a band, "
-     "which needs √(kρc) of both bodies",
+     "H. Blok, Theoretical study of temperature rise at surfaces of actual contact under oiliness "
+     "lubricating conditions, Proc. Inst. Mech. Eng. Gen. Disc. Lubr. 2 (1937) 222: a band, which "
+     "needs √(kρc) of both bodies; its 1.11 is of heat spread as by Hertz (T. A. Stolarski, "
+     "Tribology in Machine Design, page 76)",
      [](const State& state) { return heat_of_contact(state).value; }, "friction", advice_on_flash},
+    {"default_sliding", "The sliding, which the scene leaves to the default, is that of a machine.",
+     "", 0, 0.5,
+     "common practice: S is 0.01 to 0.05 in rolling bearings, 0 to 0.5 in gears; the default is "
+     "the published model's",
+     [](const State& state) {
+       const bool is_used = state.scene.outputs.contains(Output::friction) &&
+                            state.scene.lubricant.thermal == ThermalInlet::none;
+       const bool is_left = !state.scene.friction.gives_slide_roll_ratio;
+       return is_used && is_left && !state.solves_film() ? state.numbers.slide_roll_ratio
+                                                         : not_assumed;
+     },
+     "friction",
+     [](const State&) {
+       return std::string(
+           "the scene has no friction.slide_roll_ratio, S: 1 is taken, as much sliding as rolling, "
+           "with more friction than in a bearing; give S, and be it 1");
+     }},
     {"opposite_motion", "Both faces move in the same direction: S is 2 or less.", "", 0, 2,
      "at S = 2 one face stands; beyond it films have dimples: Kaneta and others, J. Tribol. 118 "
      "(1996) 886, Guo and others, J. Tribol. 123 (2001) 816",
@@ -512,10 +581,23 @@ constexpr Row rows[] = {
     {"inlet_supply", "The oil before the contact is enough for a film: h_ff/h_oil is below 1.", "",
      0, 1, "model/README.md, section 7: the film of flooded_inlet collapses at 1",
      [](const State& state) { return state.flooded_over_inlet; }, "everything",
+     [](const State& state) {
+       return "the film has collapsed: closures.starvation is flooded_inlet, " +
+              std::string(state.scene.closures.gives_starvation ? "" : "the default, ") +
+              "which is of an inlet with nearly enough oil; starved_inlet and damiens leave a film";
+     }},
+    {"default_inlet", "The law of the inlet, which the scene leaves to the default, matters little.",
+     "", 0, greatest_factor_of_regimes,
+     "model/README.md, section 7: the film by damiens over that by flooded_inlet; formulas of "
+     "films scatter by as much",
+     [](const State& state) {
+       return state.scene.closures.gives_starvation ? not_assumed : state.film_by_damiens;
+     },
+     "film",
      [](const State&) {
        return std::string(
-           "the film has collapsed: closures.starvation is flooded_inlet, the default, which is of "
-           "an inlet with nearly enough oil; starved_inlet and damiens leave a film");
+           "the scene gives a supply and no closures.starvation: flooded_inlet is taken, and by "
+           "damiens the film would be thicker by this factor; give the law");
      }},
     {"oil_viscosity", "The oil's viscosity is one of the line of ASTM D341.", "mm²/s",
      least_d341_viscosity, unbounded,

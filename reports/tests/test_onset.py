@@ -3,7 +3,7 @@
 
 import unittest
 
-from program import ProgramTest, run, scene
+from program import ProgramTest, run, scene, without_field
 
 CRITERIA = ["film_maximum", "film_departure", "friction_minimum", "asperity_minimum"]
 VALUES = ["speed", "film", "film_parameter"]
@@ -66,6 +66,32 @@ class OnsetTest(ProgramTest):
                 self.assertEqual([onset[value] for value in VALUES], [None] * 3)
                 for value in VALUES:
                     self.assertTrue(onset["undefined"][value])
+
+    def why(self, tree, criterion):
+        return self.found(tree)[criterion].get("undefined", {}).get("speed")
+
+    def test_faces_known_by_rq_alone_have_no_onset_of_what_their_summits_do(self):
+        faces = {"supply": {"inlet_film": 1e-7}, "surface": {"rms_roughness": 1e-8}}
+        for criterion in CRITERIA:
+            why = self.why(scene() | faces, criterion)
+            if criterion in ("friction_minimum", "asperity_minimum"):
+                self.assertIn("Rq alone does not say what the summits carry", why)
+            else:
+                self.assertIsNone(why)
+        smooth = {key: value for key, value in (scene() | faces).items() if key != "surface"}
+        self.assertNotIn("Rq", self.why(smooth, "friction_minimum"))
+        self.assertIn("the bodies are smooth", self.why(smooth, "asperity_minimum"))
+
+    def test_friction_names_the_input_that_it_lacks(self):
+        for missing, named in ((["lubricant.eyring_stress"], "friction needs lubricant.eyring_stress"),
+                               (["friction.boundary_coefficient"], "friction needs friction.boundary_coefficient"),
+                               (["lubricant.eyring_stress", "friction.boundary_coefficient"],
+                                "friction needs lubricant.eyring_stress and friction.boundary_coefficient")):
+            tree = scene()
+            for path in missing:
+                tree = without_field(tree, path)
+            self.assertEqual(self.why(tree, "friction_minimum"), named)
+        self.assertIsNone(self.why(scene(), "friction_minimum"))
 
     def test_an_onset_beyond_the_range_of_double_is_none(self):
         tree = scene()
