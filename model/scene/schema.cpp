@@ -217,7 +217,8 @@ constexpr auto rows = std::to_array<Row>({
                at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>),
     roughness_row("surface.rms_roughness",
                   "Rq, root-mean-square roughness of both faces together, or [Rq₁, Rq₂] of each; "
-                  "only lambda_ratio needs it, and follows from average_roughness or m0 too",
+                  "for lambda_ratio, and compared with summit_height_sd; follows from average_roughness or "
+                  "m0 too",
                   at_number<&Numbers::rms_roughness, &Scene::surface, &Surface::rms_roughness>),
     roughness_row("surface.average_roughness",
                   "Ra, of both faces together, or [Ra₁, Ra₂] of each, in place of Rq: Rq = √(π/2) "
@@ -383,7 +384,7 @@ constexpr auto rows = std::to_array<Row>({
     {{.path = "accept",
       .type = FieldType::limits,
       .default_text = "none",
-      .meaning = "limits of the model's validity that are accepted where this scene passes them"}},
+      .meaning = "limits of the model's validity that are accepted where this scene goes beyond them"}},
 });
 static_assert(rows.size() <= field_capacity);
 

@@ -72,6 +72,7 @@ struct AtSpeed {
 
 struct ContactAccount {
   std::string_view id;
+  bool is_line;
   Facts contact, surfaces, lubricant;
   std::vector<AtSpeed> speeds;
   std::vector<Validity> validity;
@@ -362,6 +363,7 @@ std::vector<double> told_speeds(const Speeds& speeds) {
 
 ContactAccount account_of(const Asked& asked) {
   ContactAccount account{asked.scene.id,
+                         asked.is_line(),
                          contact_of(asked),
                          surfaces_of(asked),
                          lubricant_of(asked),
@@ -452,6 +454,10 @@ void append_reasons(Text& to, const ContactAccount& account) {
   for (const AtSpeed& at : account.speeds) tell(at.ratios);
 }
 
+constexpr std::string_view film_hint =
+    "  Formulas of lines differ by some 30 %: `tribocheck film` solves the line, and says how far off "
+    "each is.";
+
 constexpr std::string_view about_ratios =
     "  λ says how deep the summits reach into the film: the model's shares of the load follow from "
     "it.\n"
@@ -478,6 +484,7 @@ void append_table(Text& to, const ContactAccount& account) {
     append_facts(to, at.numbers);
     append(to, "\n");
     append_films(to, at.films);
+    if (account.is_line) append_line(to, film_hint);
     append(to, "\n");
     append_facts(to, at.ratios);
   }

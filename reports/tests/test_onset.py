@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """onset: the four criteria, and the reasons where there is no onset."""
 
+import re
 import unittest
 
 from program import ProgramTest, run, scene, without_field
@@ -49,7 +50,13 @@ class OnsetTest(ProgramTest):
             self.assertEqual({one["starvation"] for one in self.found(tree).values()}, {law})
             table = run("onset", self.folder.write("law.toml", tree)).out
             self.assertIn(f": onset of starvation, starvation = {law}\n", table)
-            self.assertEqual(table.count("another law of the inlet gives other speeds"), 1)
+            others = {"flooded_inlet", "starved_inlet", "damiens"} - {law}
+            for criterion in ("film_departure", "film_maximum"):
+                told = dict(map(reversed, re.findall(r"([\d.e+-]+) m/s by (\w+)", "".join(re.findall(rf"(?m)^  - {criterion}: .*", table)))))
+                expected = {other: self.found({**scene(), "closures": {"starvation": other}})[criterion]["speed"] for other in others}
+                self.assertEqual(told, {other: f"{speed:.5g}" for other, speed in expected.items() if speed is not None})
+            self.assertEqual(table.count("another law of the inlet"), 2)
+        self.assertNotIn("another law", run("onset", self.folder.write("wet.toml", scene(supply=None))).out)
 
     def test_only_the_criteria_that_are_asked_for(self):
         found = self.found(scene(), "--criterion", "friction_minimum", "--criterion", "film_maximum")
