@@ -215,11 +215,12 @@ constexpr auto rows = std::to_array<Row>({
     number_row("surface.m4", "1/m²", {1, 1e18, "1/mm²"},
                "m₄, mean square of the profile's curvatures",
                at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>),
-    roughness_row("surface.rms_roughness",
-                  "Rq, root-mean-square roughness of both faces together, or [Rq₁, Rq₂] of each; "
-                  "for lambda_ratio, and compared with summit_height_sd; follows from average_roughness or "
-                  "m0 too",
-                  at_number<&Numbers::rms_roughness, &Scene::surface, &Surface::rms_roughness>),
+    roughness_row(
+        "surface.rms_roughness",
+        "Rq, root-mean-square roughness of both faces together, or [Rq₁, Rq₂] of each; "
+        "for lambda_ratio, and compared with summit_height_sd; follows from average_roughness or "
+        "m0 too",
+        at_number<&Numbers::rms_roughness, &Scene::surface, &Surface::rms_roughness>),
     roughness_row("surface.average_roughness",
                   "Ra, of both faces together, or [Ra₁, Ra₂] of each, in place of Rq: Rq = √(π/2) "
                   "Ra of Gaussian heights",
@@ -364,10 +365,9 @@ constexpr auto rows = std::to_array<Row>({
 
     choice_row("closures.asperity", asperity_model_words, "model of the rough contact",
                at<&Scene::closures, &Closures::asperity>),
-    choice_row("closures.starvation", starvation_closure_words,
-               "rule for the film behind a starved inlet",
-               at_own<nullptr, &Scene::closures, &Closures::starvation,
-                      &Closures::gives_starvation>),
+    choice_row(
+        "closures.starvation", starvation_closure_words, "rule for the film behind a starved inlet",
+        at_own<nullptr, &Scene::closures, &Closures::starvation, &Closures::gives_starvation>),
     choice_row("closures.film", film_formula_words, "law of the flooded film",
                at<&Scene::closures, &Closures::film>),
     {{.path = "closures.damiens_exponent",
@@ -384,7 +384,8 @@ constexpr auto rows = std::to_array<Row>({
     {{.path = "accept",
       .type = FieldType::limits,
       .default_text = "none",
-      .meaning = "limits of the model's validity that are accepted where this scene goes beyond them"}},
+      .meaning =
+          "limits of the model's validity that are accepted where this scene goes beyond them"}},
 });
 static_assert(rows.size() <= field_capacity);
 

@@ -323,8 +323,8 @@ double share_of_planes(const State& state, int planes) {
       model != AsperityModel::greenwood_tripp || state.solves_film())
     return not_assumed;
   const AsperityContact<double> contact = asperity_contact(
-      model, n.summit_density, n.summit_radius, n.summit_height_sd,
-      planes * n.summit_plane_offset, n.effective_modulus, state.hertz.nominal_area, n.load);
+      model, n.summit_density, n.summit_radius, n.summit_height_sd, planes * n.summit_plane_offset,
+      n.effective_modulus, state.hertz.nominal_area, n.load);
   return LoadSharing<double>(model, contact.stiffness, contact.offset).asperity_share(0);
 }
 
@@ -352,9 +352,8 @@ std::string advice_on_ellipticity(const State& state) {
   const FilmLaw& law = film_law(state.scene.closures.film);
   const double k = state.hertz.semi_axis_y / state.hertz.semi_axis_x;
   if (k > law.greatest_ellipticity) {
-    const double change = part_of_ellipticity(law, k) /
-                              part_of_ellipticity(law, law.greatest_ellipticity) -
-                          1;
+    const double change =
+        part_of_ellipticity(law, k) / part_of_ellipticity(law, law.greatest_ellipticity) - 1;
     return "from k = " + scene_detail::number_text(law.greatest_ellipticity) +
            " to this k the film of this law grows by " + scene_detail::rounded_text(100 * change) +
            " % only: accept this of a ball in its groove; a roller is a line: give bodies.length "
@@ -413,8 +412,9 @@ constexpr Row rows[] = {
      "everything",
      [](const State& state) {
        return std::string("this is the groove's radius across the motion over that of the ball") +
-              (concave_groove(state) > 2 ? ": perhaps the groove's diameter was taken for its radius"
-                                         : "; if the groove is as wide as that, accept this");
+              (concave_groove(state) > 2
+                   ? ": perhaps the groove's diameter was taken for its radius"
+                   : "; if the groove is as wide as that, accept this");
      }},
     {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
      "model/README.md, section 1; give radius_x and radius_y for an ellipse",
@@ -485,8 +485,8 @@ constexpr Row rows[] = {
            "at low speed friction comes out below the boundary coefficient, as the summits carry "
            "no more than this part of the load even with no film");
      }},
-    {"default_planes", "One face alone brings the offset of the summits, or both bring as much.", "",
-     0, 1.2,
+    {"default_planes", "One face alone brings the offset of the summits, or both bring as much.",
+     "", 0, 1.2,
      "model/README.md, section 4: A(0) with offset_planes = 2, of two faces that are rough alike, "
      "over that with 1, the default; the bound is this project's",
      [](const State& state) { return share_of_planes(state, 2) / share_of_planes(state, 1); },
@@ -622,9 +622,11 @@ constexpr Row rows[] = {
            "the scene has no friction.slide_roll_ratio, S: 1 is taken, as much sliding as rolling, "
            "with more friction than in a bearing; give S, and be it 1");
      }},
-    {"boundary_sliding", "The summits slide: S is above the creep μ_b a/R, at which a dry contact does.",
-     "", 1, unbounded,
-     "Johnson, Contact Mechanics (1985), chapter 8: Carter's creep of a dry band; this is S over it",
+    {"boundary_sliding",
+     "The summits slide: S is above the creep μ_b a/R, at which a dry contact does.", "", 1,
+     unbounded,
+     "Johnson, Contact Mechanics (1985), chapter 8: Carter's creep of a dry band; this is S over "
+     "it",
      sliding_of_summits, "friction",
      [](const State&) {
        return std::string(
@@ -653,8 +655,9 @@ constexpr Row rows[] = {
               std::string(state.scene.closures.gives_starvation ? "" : "the default, ") +
               "which is of an inlet with nearly enough oil; starved_inlet and damiens leave a film";
      }},
-    {"default_inlet", "The law of the inlet, which the scene leaves to the default, matters little.",
-     "", 0, greatest_factor_of_regimes,
+    {"default_inlet",
+     "The law of the inlet, which the scene leaves to the default, matters little.", "", 0,
+     greatest_factor_of_regimes,
      "model/README.md, section 7: the film by damiens over that by flooded_inlet; formulas of "
      "films scatter by as much",
      [](const State& state) {

@@ -455,7 +455,8 @@ void append_reasons(Text& to, const ContactAccount& account) {
 }
 
 constexpr std::string_view film_hint =
-    "  Formulas of lines differ by some 30 %: `tribocheck film` solves the line, and says how far off "
+    "  Formulas of lines differ by some 30 %: `tribocheck film` solves the line, and says how far "
+    "off "
     "each is.";
 
 constexpr std::string_view about_ratios =

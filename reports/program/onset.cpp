@@ -93,8 +93,9 @@ std::array<protocol::OutputValue, 5> cells_of(const Scene& scene, const Onset<do
 // none has it.
 std::string by_other_laws(const Scene& scene, OnsetCriterion criterion, double departure) {
   std::string told;
-  for (const StarvationClosure law : {StarvationClosure::flooded_inlet,
-                                      StarvationClosure::starved_inlet, StarvationClosure::damiens}) {
+  for (const StarvationClosure law :
+       {StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
+        StarvationClosure::damiens}) {
     if (law == scene.closures.starvation) continue;
     Scene other = scene;
     other.closures.starvation = law;

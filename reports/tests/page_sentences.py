@@ -188,7 +188,7 @@ def drawn(report):
             for one, scene in zip(drawn["surfaces"], scenes)]
     yield "so many lie below the paper's speed: " + ", ".join(f"{name} {whole(at['value'])} m/s: {below(one, column['values'][0])}"
                                                              for name, at, one, column in lies) + "."
-    yield f"Here each of the {drawn['inputs_drawn']} inputs is drawn ({', '.join(one['path'] for one in scenes[0]['inputs'])}; the last one"
+    yield f"Here each of the {drawn['inputs_drawn']} inputs is drawn ({', '.join(one['path'] for one in scenes[0]['inputs'])}; supply.inlet_film_ratio is of the text, and the last one"
     yield f"the onsets of {many(scenes[0]['cases'])} cases of each surface"
 
 

@@ -55,7 +55,7 @@ class OnsetTest(ProgramTest):
                 told = dict(map(reversed, re.findall(r"([\d.e+-]+) m/s by (\w+)", "".join(re.findall(rf"(?m)^  - {criterion}: .*", table)))))
                 expected = {other: self.found({**scene(), "closures": {"starvation": other}})[criterion]["speed"] for other in others}
                 self.assertEqual(told, {other: f"{speed:.5g}" for other, speed in expected.items() if speed is not None})
-            self.assertEqual(table.count("another law of the inlet"), 2)
+                self.assertTrue(told or criterion == "film_maximum")
         self.assertNotIn("another law", run("onset", self.folder.write("wet.toml", scene(supply=None))).out)
 
     def test_only_the_criteria_that_are_asked_for(self):
@@ -121,7 +121,7 @@ class OnsetTest(ProgramTest):
             path = self.folder.write("scene.toml", tree)
             found = self.found(tree)
             rows = run("onset", path, "--format", "csv").rows()
-            table = [line for line in run("onset", path).out.splitlines()[5:] if not line.startswith("  - another law")]
+            table = [line for line in run("onset", path).out.splitlines()[5:] if not line.startswith("  - ")]
             for row, line in zip(rows, table, strict=True):
                 self.assert_agree(found[row["criterion"]], row, line)
 

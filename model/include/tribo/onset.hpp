@@ -352,14 +352,16 @@ Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterio
                const InletOnsets<T>& inlet) {
   if (scene.lubricant.thermal != ThermalInlet::none &&
       criterion != OnsetCriterion::friction_minimum)
-    return detail::no_onset<T>(criterion,
-                               "it is not computed of an inlet that shear heats, lubricant.thermal: "
-                               "`curve` shows where the film is starved");
+    return detail::no_onset<T>(
+        criterion,
+        "it is not computed of an inlet that shear heats, lubricant.thermal: "
+        "`curve` shows where the film is starved");
   if (scene.surface.has_rq_alone() && (criterion == OnsetCriterion::friction_minimum ||
                                        criterion == OnsetCriterion::asperity_minimum))
-    return detail::no_onset<T>(criterion,
-                               "Rq alone does not say what the summits carry where the faces touch: "
-                               "give summits or spectral moments");
+    return detail::no_onset<T>(
+        criterion,
+        "Rq alone does not say what the summits carry where the faces touch: "
+        "give summits or spectral moments");
   if (!scene.surface.is_smooth()) return detail::onset_by(contact, scene, criterion, inlet);
   if (criterion == OnsetCriterion::asperity_minimum)
     return detail::no_onset<T>(criterion, "the bodies are smooth: no load is on asperities");

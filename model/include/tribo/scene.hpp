@@ -66,13 +66,13 @@ struct SpectralMoments {
 };
 
 struct Surface {
-  double summit_density = 0;       // n, 1/m²; GT: of each face, GW: of the one rough face
-  double summit_radius = 0;        // β, m
-  double summit_height_sd = 0;     // σ_s, m; GT: of the sum of both faces' summit heights
-  double summit_plane_offset = 0;  // D_d/σ_s, mean plane to summit plane
-  int offset_planes = 1;           // m: how many faces bring that offset, 0, 1 or 2
+  double summit_density = 0;         // n, 1/m²; GT: of each face, GW: of the one rough face
+  double summit_radius = 0;          // β, m
+  double summit_height_sd = 0;       // σ_s, m; GT: of the sum of both faces' summit heights
+  double summit_plane_offset = 0;    // D_d/σ_s, mean plane to summit plane
+  int offset_planes = 1;             // m: how many faces bring that offset, 0, 1 or 2
   bool gives_offset_planes = false;  // as gives_slide_roll_ratio
-  SpectralMoments moments = {};    // where they are given, the first four numbers follow from them
+  SpectralMoments moments = {};  // where they are given, the first four numbers follow from them
   // Roughness of both faces together, for Λ alone; where the second is given, the first follows
   // from it, as it does from the moments. 0: not given.
   double rms_roughness = 0;      // Rq, m
@@ -158,8 +158,8 @@ struct Friction {
 struct Closures {
   AsperityModel asperity = AsperityModel::greenwood_tripp;
   StarvationClosure starvation = StarvationClosure::flooded_inlet;
-  bool gives_starvation = false;    // as gives_slide_roll_ratio
-  double damiens_exponent = 3;  // γ of Damiens' closure
+  bool gives_starvation = false;  // as gives_slide_roll_ratio
+  double damiens_exponent = 3;    // γ of Damiens' closure
   FilmFormula film = FilmFormula::hamrock_dowson_central;
 };
 

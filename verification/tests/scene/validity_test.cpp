@@ -239,8 +239,8 @@ TEST(Validity, TheHeatOfSlidingInTheContactIsTold) {
       EXPECT_EQ(limit_of(scene_of(other), word).word, "") << word;
 }
 
-// 1.11 of Blok's formula: a half-space under a band of heat √(1 − x²), −1 < x < 1, that moves fast is
-// hotter by ∫ √(1 − ξ²)/√(π(x − ξ)) dξ from −1 to x; over the mean heat π/4 and √2 of its width.
+// 1.11 of Blok's formula: a half-space under a band of heat √(1 − x²), −1 < x < 1, that moves fast
+// is hotter by ∫ √(1 − ξ²)/√(π(x − ξ)) dξ from −1 to x; over the mean heat π/4 and √2 of its width.
 TEST(Validity, TheFactorOfTheFlashTemperatureIsThatOfHertzDistribution) {
   const auto rise = [](double x) {
     constexpr int steps = 20000;  // in s = √(x − ξ), by midpoints
@@ -259,7 +259,8 @@ TEST(Validity, TheFactorOfTheFlashTemperatureIsThatOfHertzDistribution) {
 
 // Where the fastest speed has no film, heat and films are those of the speeds before it.
 TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
-  SceneText text = ordinary().set("supply.inlet_film", "1e-6").set("surface.summit_height_sd", "1e-8");
+  SceneText text =
+      ordinary().set("supply.inlet_film", "1e-6").set("surface.summit_height_sd", "1e-8");
   text.set("friction.slide_roll_ratio", "1");
   const auto of = [&text](const char* speeds) { return scene_of(text.set("speed", speeds)); };
   const Validity alone = limit_of(of("6.5"), "film_heating");
@@ -283,7 +284,8 @@ TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
     const double film = MixedContact<double>(one).solve(scene.speeds[i]).film;
     if (film > 0) least_film = std::min(least_film, film);
   }
-  EXPECT_TRUE(verification::is_within(limit_of(scene, "film_heating").value, greatest, 0.05 * greatest));
+  EXPECT_TRUE(
+      verification::is_within(limit_of(scene, "film_heating").value, greatest, 0.05 * greatest));
   EXPECT_EQ(limit_of(scene, "film_below_molecule").value, least_film);
   // With a film at each speed nothing but the two ends is judged.
   EXPECT_EQ(limit_of(of("[0.1, 1, 2]"), "film_heating").value,
@@ -311,9 +313,9 @@ TEST(Validity, SummitsThatHardlySlideHaveNoBoundaryFriction) {
   EXPECT_TRUE(verification::changes_at_its_limit(
       {"boundary_sliding", 0.13 * a / 9.5e-3, below, is_passed, 1e-12}));
   EXPECT_EQ(is_passed(0), true);
-  for (const SceneText& other : {SceneText(text).set("speed", "10"),
-                                 SceneText(text).set("outputs", R"(["film"])"),
-                                 SceneText(text).set("friction.boundary_coefficient", "0")})
+  for (const SceneText& other :
+       {SceneText(text).set("speed", "10"), SceneText(text).set("outputs", R"(["film"])"),
+        SceneText(text).set("friction.boundary_coefficient", "0")})
     EXPECT_EQ(limit_of(scene_of(SceneText(other).set("friction.slide_roll_ratio", "0")),
                        "boundary_sliding")
                   .word,
@@ -392,16 +394,15 @@ TEST(Validity, AFilmThatCollapsesIsToldWithTheClosuresThatLeaveOne) {
   EXPECT_EQ(limit_of(scene_of(flooded), "inlet_supply").word, "");
 }
 
-// The film behind the inlet by damiens with γ = 3, (1 + r³)^(−1/3), over that by flooded_inlet, where
-// the scene does not choose between them.
+// The film behind the inlet by damiens with γ = 3, (1 + r³)^(−1/3), over that by flooded_inlet,
+// where the scene does not choose between them.
 TEST(Validity, ALawOfTheInletThatWasNotChosenIsToldWhereItMatters) {
   const SceneText flooded = ordinary().set("speed", "0.1");
   const double film = MixedContact<double>(scene_of(flooded)).solve(0.1).film_flooded;
   const auto of = [&](double r) { return with(flooded, "supply.inlet_film", film / r); };
   for (const double r : {0.01, 0.3, 0.9}) {
     const double psi = std::pow(3 / (4 * std::sqrt(2)) * (1 / r - 1), 2.0 / 3);
-    const double factor =
-        1 / std::cbrt(1 + r * r * r) / (2 / pi * std::atan(2.7 * psi));
+    const double factor = 1 / std::cbrt(1 + r * r * r) / (2 / pi * std::atan(2.7 * psi));
     const Validity found = limit_of(scene_of(of(r)), "default_inlet");
     EXPECT_TRUE(verification::is_within(found.value, factor, 1e-7 * factor)) << r;
     EXPECT_EQ(found.holds(), factor <= 1.2) << r;
@@ -629,8 +630,9 @@ TEST(Validity, ALawThatWasNotFittedToTheEllipseSaysWhatToTake) {
   const char* const soft = "\"hamrock_dowson_soft_central\"";
   EXPECT_NE(advice("1", hard).find("bodies.length"), std::string::npos);
   EXPECT_NE(advice("1", hard).find("dowson_toyoda_central"), std::string::npos);
-  EXPECT_NE(advice("1", hard).find("from k = 8 to this k the film of this law grows by 0.178 % only"),
-            std::string::npos)
+  EXPECT_NE(
+      advice("1", hard).find("from k = 8 to this k the film of this law grows by 0.178 % only"),
+      std::string::npos)
       << advice("1", hard);
   EXPECT_NE(advice("1", soft).find("tribocheck film"), std::string::npos);
   EXPECT_EQ(advice("0.004", soft), "");  // a circle
