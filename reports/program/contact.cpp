@@ -455,9 +455,7 @@ void append_reasons(Text& to, const ContactAccount& account) {
 }
 
 constexpr std::string_view film_hint =
-    "  Formulas of lines differ by some 30 %: `tribocheck film` solves the line, and says how far "
-    "off "
-    "each is.";
+    "  These formulas scatter: `tribocheck film` solves the line, and says how far off each is.";
 
 constexpr std::string_view about_ratios =
     "  λ says how deep the summits reach into the film: the model's shares of the load follow from "
