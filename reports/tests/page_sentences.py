@@ -250,7 +250,7 @@ def software(report):
     yield more if faults["catalogue"] > len(faults["faults"]) else ("not", more)
     right = wrong["right_solvers"]
     yield (f"of {wrong['named']} of {len(wrong['wrong_solvers'])} solvers with one, two or three known mistakes tribocheck verify --subject names all of "
-           f"them, a few beside others that give the same numbers; it accuses {'some' if right['accused'] else 'none'} of {many(right['tries'])} right solvers. {measured(wrong)}.")
+           f"them; it accuses {'some' if right['accused'] else 'none'} of {many(right['tries'])} right solvers. {measured(wrong)}.")
     work, least = report["work_precision"], report["skipped_work"]
     beside = work["alternatives"]
     yield (f"as long as tribocheck, over {beside['jobs']} jobs; this fastest one is less exact in "
