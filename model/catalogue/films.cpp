@@ -206,7 +206,7 @@ constexpr std::string_view of_soft_bodies =
     "B. J. Hamrock, D. Dowson: Elastohydrodynamic lubrication of elliptical contacts for materials "
     "of low elastic modulus, part I, fully flooded conjunction. J. Lubr. Technol. 100 (1978) 236";
 constexpr std::string_view of_pan_and_hamrock =
-    "J. Pan, B. J. Hamrock: Simple formulas for performance parameters used in "
+    "P. Pan, B. J. Hamrock: Simple formulas for performance parameters used in "
     "elastohydrodynamically lubricated line contacts. J. Tribol. 111 (1989) 246; as printed in B. "
     "J. Hamrock, S. R. Schmid, B. O. Jacobson: Fundamentals of Fluid Film Lubrication, chapter 18";
 
@@ -247,7 +247,7 @@ constexpr std::array entries{
     entry<dowson_toyoda_central_law>(
         {"dowson_toyoda_central", "central film thickness of the flooded, smooth line contact",
          "h₀/R = 3.06 U^0.69 G^0.56 W^−0.1, U = η₀u/(2E*R), G = 2αE*, W = (F/L)/(2E*R)",
-         "D. Dowson, A. Toyoda: A central film thickness formula for elastohydrodynamic line "
+         "D. Dowson, S. Toyoda: A central film thickness formula for elastohydrodynamic line "
          "contacts. Proc. 5th Leeds–Lyon Symp. (1979) 60"},
         line_parameters, line_combinations, central_results, steel_line),
     entry<pan_hamrock_minimum_law>(

@@ -71,9 +71,11 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
       fitting.push_back(film_formula_words[i]);
   const std::string contact =
       is_line ? "the contact is a line (bodies.length)" : "the contact is no line";
-  problems.error("closures.film", {is_given ? Fault::together : Fault::presence,
-                                   '"' + std::string(film_word(scene)) + '"', ": " + contact,
-                                   joined(fitting, " or ")});
+  problems.error(
+      "closures.film",
+      {is_given ? Fault::together : Fault::presence, '"' + std::string(film_word(scene)) + '"',
+       ": " + contact,
+       joined(fitting, " or ") + (is_line ? "; `tribocheck film` tells how far off each is" : "")});
 }
 
 // Refuses a viscosity that does not rise with pressure for a law whose film would be 0.

@@ -90,7 +90,7 @@ std::string sentence(std::string_view field, const Fault& fault) {
 }  // namespace scene_detail
 
 std::string InputProblem::message() const {
-  constexpr std::size_t longest = 600;
+  constexpr std::size_t longest = 800;
   return printable(scene_detail::sentence(field, fault), longest);
 }
 

@@ -229,6 +229,7 @@ class SceneBinder {
     std::array<std::optional<double>, 2> faces;
     for (std::size_t i = 0; i < faces.size(); ++i)
       faces[i] = number_of(info, entry.elements[i], element_name(info.path, i));
+    scene_.surface.has_two_faces = true;
     if (faces[0] && faces[1]) store_of(field)(scene_, composite_roughness(*faces[0], *faces[1]));
   }
 

@@ -45,6 +45,14 @@ constexpr Access at{[](Scene& scene, double value) { put((scene.*....*members), 
 template <double Numbers::*number, auto... members>
 constexpr Access at_number{at<members...>.store, at<members...>.load, number};
 
+// The same of a member of a table; the scene then knows that it has the number, not its default.
+template <double Numbers::*number, auto section, auto member, auto gives_member>
+constexpr Access at_own{[](Scene& scene, double value) {
+                          put(scene.*section.*member, value);
+                          scene.*section.*gives_member = true;
+                        },
+                        at<section, member>.load, number};
+
 template <std::size_t body, double Body::*member>
 constexpr Access at_body{
     [](Scene& scene, double value) { scene.bodies.bodies[body].*member = value; },
@@ -198,7 +206,8 @@ constexpr auto rows = std::to_array<Row>({
       .maximum = 2,
       .default_text = "1",
       .meaning = "m, how many faces bring that offset"},
-     at_number<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes>},
+     at_own<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes,
+            &Surface::gives_offset_planes>},
     number_row(
         "surface.m0", "m²", {1e-20, 1e-9, "µm²"},
         "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
@@ -209,10 +218,12 @@ constexpr auto rows = std::to_array<Row>({
     number_row("surface.m4", "1/m²", {1, 1e18, "1/mm²"},
                "m₄, mean square of the profile's curvatures",
                at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>),
-    roughness_row("surface.rms_roughness",
-                  "Rq, root-mean-square roughness of both faces together, or [Rq₁, Rq₂] of each; "
-                  "only lambda_ratio needs it, and follows from average_roughness or m0 too",
-                  at_number<&Numbers::rms_roughness, &Scene::surface, &Surface::rms_roughness>),
+    roughness_row(
+        "surface.rms_roughness",
+        "Rq, root-mean-square roughness of both faces together, or [Rq₁, Rq₂] of each; "
+        "for lambda_ratio, and compared with summit_height_sd; follows from average_roughness or "
+        "m0 too",
+        at_number<&Numbers::rms_roughness, &Scene::surface, &Surface::rms_roughness>),
     roughness_row("surface.average_roughness",
                   "Ra, of both faces together, or [Ra₁, Ra₂] of each, in place of Rq: Rq = √(π/2) "
                   "Ra of Gaussian heights",
@@ -348,7 +359,8 @@ constexpr auto rows = std::to_array<Row>({
       .meaning =
           "S, sliding speed over entrainment speed; usual in a rolling bearing 0.01 to 0.05, "
           "in gears 0 to 0.5, on a rig with ball on disc 0.5"},
-     at_number<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio>},
+     at_own<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio,
+            &Friction::gives_slide_roll_ratio>},
     choice_row("friction.fluid", fluid_shear_words, "shear law of the fluid",
                at<&Scene::friction, &Friction::fluid>),
     choice_row("friction.viscosity", viscosity_law_words, "law of viscosity against pressure",
@@ -356,9 +368,9 @@ constexpr auto rows = std::to_array<Row>({
 
     choice_row("closures.asperity", asperity_model_words, "model of the rough contact",
                at<&Scene::closures, &Closures::asperity>),
-    choice_row("closures.starvation", starvation_closure_words,
-               "rule for the film behind a starved inlet",
-               at<&Scene::closures, &Closures::starvation>),
+    choice_row(
+        "closures.starvation", starvation_closure_words, "rule for the film behind a starved inlet",
+        at_own<nullptr, &Scene::closures, &Closures::starvation, &Closures::gives_starvation>),
     choice_row("closures.film", film_formula_words, "law of the flooded film",
                at<&Scene::closures, &Closures::film>),
     {{.path = "closures.damiens_exponent",
@@ -375,7 +387,8 @@ constexpr auto rows = std::to_array<Row>({
     {{.path = "accept",
       .type = FieldType::limits,
       .default_text = "none",
-      .meaning = "limits of the model's validity that are accepted where this scene passes them"}},
+      .meaning =
+          "limits of the model's validity that are accepted where this scene goes beyond them"}},
 });
 static_assert(rows.size() <= field_capacity);
 

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
@@ -40,8 +41,9 @@ constexpr double oil_temperature_coefficient = 0.04;
 constexpr double least_height_ratio = 0.63414;
 // A face of this radius in m is taken for one that was meant to be flat.
 constexpr double flat_radius = 1e3;
-// A groove that holds a ball has a radius of 1.03 to 1.1 times the ball's in bearings.
-constexpr double greatest_groove_ratio = 1.2;
+// A groove that holds a ball has a radius of 1.03 to 1.1 times the ball's in bearings; one of
+// 2.06 to 2.2 times is the diameter of such a groove.
+constexpr double greatest_groove_ratio = 1.2, greatest_diameter_ratio = 2.2;
 // A ratio of two computed numbers may be this much below the bound that it is to meet.
 constexpr double but_for_rounding = 1 - 1e-9;
 // Below this viscosity in mm²/s ASTM D341 has more terms than its line has.
@@ -59,24 +61,24 @@ struct State {
   detail::SceneNumbers<double> numbers;
   HertzContact<double> hertz;
   detail::SpeedSpan speeds;
-  // The points at the slowest and the fastest speed, of film, shares and area, as many as there
-  // are; none without a speed or a film law.
-  std::array<OperatingPoint<double>, 2> points = {};
-  std::size_t count = 0;
+  // The points that are judged, of film, shares and area: at the slowest and the fastest speed, and
+  // where the film of the fastest has collapsed some before. None without a speed or a film law.
+  std::vector<OperatingPoint<double>> points = {};
   // The least Λ at these points, of faces whose roughness is known by Rq alone.
   double lambda_ratio = not_assumed;
   // A(0), where the film of one of these points lets it matter.
   double share_without_film = not_assumed;
-  // The greatest r = h_ff/h_oil at these points, of the closure whose film collapses at 1.
-  double flooded_over_inlet = not_assumed;
+  // The greatest r = h_ff/h_oil at these points, of the closure whose film collapses at 1, and of
+  // r below 1 the greatest film by damiens over that by this closure.
+  double flooded_over_inlet = not_assumed, film_by_damiens = not_assumed;
 
-  std::span<const OperatingPoint<double>> ends() const { return std::span(points).first(count); }
-  void add(const MixedContact<double>& contact, const OperatingPoint<double>& point) {
-    points[count++] = point;
+  void add(const MixedContact<double>& contact, OperatingPoint<double> point) {
     if (!has_summits() && numbers.rms_roughness > 0) {
-      const double ratio =
-          SmoothContact(contact).value(Output::lambda_ratio, point.speed, point.film);
+      const SmoothContact smooth(contact);
+      const double ratio = smooth.value(Output::lambda_ratio, point.speed, point.film);
       if (ratio > 0 && !(lambda_ratio <= ratio)) lambda_ratio = ratio;
+      // Where the faces touch, friction of the oil alone is not that of the contact.
+      if (smooth.has_unknown_summits(point.speed, point.film)) point.friction = not_assumed;
     }
     if (contact.supply() != SupplyKind::flooded && point.film_flooded > 0 &&
         scene.closures.starvation == StarvationClosure::flooded_inlet) {
@@ -84,10 +86,14 @@ struct State {
           contact.inlet_film_parameter(point.speed) * contact.summit_height_sd();
       const double r = point.film_flooded / inlet_film;
       if (!(flooded_over_inlet >= r)) flooded_over_inlet = r;
+      const InletLaw<double> damiens{StarvationClosure::damiens, scene.closures.damiens_exponent};
+      const double factor = damiens.film_ratio(r) / contact.inlet_law().film_ratio(r);
+      if (r < 1 && !(film_by_damiens >= factor)) film_by_damiens = factor;
     }
     const double lambda = point.film_parameter;
     if (has_summits() && lambda > 0 && lambda < film_parameter_near_none)
       share_without_film = contact.sharing().asperity_share(0);
+    points.push_back(point);
   }
 
   bool has_summits() const { return !scene.surface.is_smooth(); }
@@ -100,16 +106,16 @@ struct State {
   }
 };
 
-// The least of a number over the ends that is above 0: a film of 0 has collapsed, and the outputs
+// The least of a number over the points that is above 0: a film of 0 has collapsed, and the outputs
 // say so.
-double least_at_ends(const State& state, double OperatingPoint<double>::*number) {
+double least_of_points(const State& state, double OperatingPoint<double>::*number) {
   double least = not_assumed;
-  for (const OperatingPoint<double>& point : state.ends())
+  for (const OperatingPoint<double>& point : state.points)
     if (point.*number > 0 && !(least <= point.*number)) least = point.*number;
   return least;
 }
 
-// Of the ends at which friction makes heat the one with the most of a number, and that number.
+// Of the points at which friction makes heat the one with the most of a number, and that number.
 struct Hottest {
   double value = not_assumed;
   const OperatingPoint<double>* point = nullptr;
@@ -118,7 +124,7 @@ template <class Number>
 Hottest hottest(const State& state, const Number& number) {
   Hottest found;
   if (!(state.numbers.slide_roll_ratio > 0)) return found;
-  for (const OperatingPoint<double>& point : state.ends()) {
+  for (const OperatingPoint<double>& point : state.points) {
     const double value = point.friction > 0 ? number(point) : not_assumed;
     if (value > 0 && !(found.value >= value)) found = {value, &point};
   }
@@ -151,7 +157,7 @@ Hottest heat_of_contact(const State& state) {
 }
 
 // What the bodies would be heated by if they were of steel: Blok's 1.11 q √(2b)/(√(kρc)(√u₁ + √u₂))
-// of a band whose heat q is spread as Hertz' pressure is; q is π/4 of its greatest.
+// of a band whose heat is spread as Hertz' pressure is, q its mean, π/4 of its greatest.
 std::string advice_on_flash(const State& state) {
   const Hottest heat = heat_of_contact(state);
   const double slip = state.numbers.slide_roll_ratio, speed = heat.point->speed;
@@ -177,9 +183,13 @@ double softer_modulus(const State& state) {
 }
 
 std::string advice_on_softer(const State& state) {
-  return "the bound is one of bearing steel, and a body is softer than steel (E/(1 − ν²) is " +
-         scene_detail::rounded_text(softer_modulus(state) / 1e9) +
-         " GPa or less): what it bears is not known, as a scene has no yield stress";
+  const double modulus = softer_modulus(state);
+  const bool is_soft = modulus < 1e9;
+  return "the bound is one of bearing steel, and a body is softer: its E/(1 − ν²) is " +
+         std::string(state.scene.bodies.bodies[0].modulus > 0 ? "" : "at most ") +
+         scene_detail::rounded_text(modulus / (is_soft ? 1e6 : 1e9)) + (is_soft ? " MPa" : " GPa") +
+         ", that of steel " + scene_detail::number_text(least_steel_modulus / 1e9) +
+         " GPa or more; what it bears is not known, as a scene has no yield stress";
 }
 
 // The mean pressure on the summits: their load over their real area. By load sharing A of
@@ -187,7 +197,7 @@ std::string advice_on_softer(const State& state) {
 // section 6).
 double summit_pressure(const State& state) {
   double greatest = not_assumed;
-  for (const OperatingPoint<double>& point : state.ends()) {
+  for (const OperatingPoint<double>& point : state.points) {
     const double share = point.asperity_load_share;
     if (!(share >= least_share) || !(point.real_area_ratio > 0)) continue;
     const bool is_of_both = state.scene.closures.asperity == AsperityModel::greenwood_tripp;
@@ -241,14 +251,28 @@ RegimeOfFilm regime_of_film(const State& state) {
   return furthest;
 }
 
-// The larger radius across the motion over the smaller one, of two convex faces that would be a
-// ball in its groove if one of them were concave.
-double groove_ratio(const State& state) {
+// The larger radius across the motion over the smaller one, of two faces that are both convex or
+// of which one is concave; not of flat ones.
+double radius_ratio(const State& state, bool are_convex) {
   const auto& [first, second] = state.scene.bodies.bodies;
-  const double least = std::min(first.radius_y, second.radius_y);
-  const double greatest = std::max(first.radius_y, second.radius_y);
-  if (!(least > 0 && greatest < flat_radius)) return not_assumed;
-  return greatest <= greatest_groove_ratio * least ? greatest / least : not_assumed;
+  const double one = std::abs(first.radius_y), other = std::abs(second.radius_y);
+  const bool is_asked = (std::min(first.radius_y, second.radius_y) > 0) == are_convex;
+  if (!is_asked || one == 0 || std::max(one, other) >= flat_radius) return not_assumed;
+  return std::max(one, other) / std::min(one, other);
+}
+
+// That of two convex faces that would be a ball in its groove if one of them were concave, with the
+// groove's radius or its diameter.
+double convex_groove(const State& state) {
+  const double ratio = radius_ratio(state, true);
+  const bool is_near = ratio <= greatest_groove_ratio;
+  return is_near || (ratio > 2 && ratio <= greatest_diameter_ratio) ? ratio : not_assumed;
+}
+
+// That of a ball in its groove; of a groove that is far wider no slip is known.
+double concave_groove(const State& state) {
+  const double ratio = radius_ratio(state, false);
+  return ratio <= greatest_diameter_ratio ? ratio : not_assumed;
 }
 
 std::string advice_on_heating(const State& state) {
@@ -269,6 +293,10 @@ std::string advice_on_heating(const State& state) {
                               : "lubricant.thermal = \"gupta\" computes it");
 }
 
+std::string advice_on_viscosity(const State&) {
+  return "friction.viscosity = \"roelands\" rises less, and is used up to higher pressures";
+}
+
 std::string advice_on_law(const State& state) {
   constexpr std::array of_points{
       std::string_view("the contact is isoviscous_rigid, and scenes have no law of rigid bodies"),
@@ -282,6 +310,61 @@ std::string advice_on_law(const State& state) {
       std::string_view()};
   const auto regime = static_cast<std::size_t>(regime_of_film(state).regime);
   return std::string(state.shape == ContactShape::line ? of_lines[regime] : of_points[regime]);
+}
+
+// A(0) with the summits' offset of so many faces, of summits whose offset is that of one face by
+// default though both are rough alike (Greenwood and Tripp).
+double share_of_planes(const State& state, int planes) {
+  const Surface& surface = state.scene.surface;
+  const bool are_alike = surface.has_moments() || surface.has_two_faces;
+  const AsperityModel model = state.scene.closures.asperity;
+  const auto& n = state.numbers;
+  if (surface.gives_offset_planes || !are_alike || !(n.summit_plane_offset > 0) ||
+      model != AsperityModel::greenwood_tripp || state.solves_film())
+    return not_assumed;
+  const AsperityContact<double> contact = asperity_contact(
+      model, n.summit_density, n.summit_radius, n.summit_height_sd, planes * n.summit_plane_offset,
+      n.effective_modulus, state.hertz.nominal_area, n.load);
+  return LoadSharing<double>(model, contact.stiffness, contact.offset).asperity_share(0);
+}
+
+// S over Carter's creep from which a dry contact slides everywhere, μ_b a/R, where summits carry
+// enough of the load for their friction to matter.
+double sliding_of_summits(const State& state) {
+  const auto& n = state.numbers;
+  const bool is_asked = state.scene.outputs.contains(Output::friction) && !state.solves_film();
+  const auto touches = [](const OperatingPoint<double>& point) {
+    return point.asperity_load_share >= least_share && point.friction >= 0;
+  };
+  if (!is_asked || !(n.boundary_coefficient > 0) ||
+      std::none_of(state.points.begin(), state.points.end(), touches))
+    return not_assumed;
+  return n.slide_roll_ratio * n.radius_x / (n.boundary_coefficient * state.hertz.semi_axis_x);
+}
+
+// The part of a film law's film that depends on k.
+double part_of_ellipticity(const FilmLaw& law, double k) {
+  return 1 - ratio<double>(law.side_leakage) * std::exp(-ratio<double>(law.side_decay) * k);
+}
+
+// What to take in place of a law that was not fitted to the contact's ellipticity.
+std::string advice_on_ellipticity(const State& state) {
+  const FilmLaw& law = film_law(state.scene.closures.film);
+  const double k = state.hertz.semi_axis_y / state.hertz.semi_axis_x;
+  if (k > law.greatest_ellipticity) {
+    const double change =
+        part_of_ellipticity(law, k) / part_of_ellipticity(law, law.greatest_ellipticity) - 1;
+    return "from k = " + scene_detail::number_text(law.greatest_ellipticity) +
+           " to this k the film of this law grows by " + scene_detail::rounded_text(100 * change) +
+           " % only: accept this of a ball in its groove; a roller is a line: give bodies.length "
+           "in place of the radii across the motion, and closures.film = "
+           "\"dowson_toyoda_central\"";
+  }
+  if (least_fitted_ellipticity(law) == 0)
+    return "no text tells to which ellipticities the law was fitted; a roller is a line, which "
+           "`tribocheck film` solves";
+  return "the contact is longer along the motion than across it, and scenes have no law that was "
+         "fitted to that: the film is no more than an estimate";
 }
 
 double summit_roughness(const State& state) {
@@ -315,12 +398,23 @@ constexpr Row rows[] = {
      "bound is common practice",
      slope_at_edge},
     {"groove", "Two convex faces that are nearly alike are no ball in its groove.", "", 0, 1,
-     "common practice: a groove's radius is 1.03 to 1.1 times that of its ball", groove_ratio,
+     "common practice: a groove's radius is 1.03 to 1.1 times that of its ball", convex_groove,
      "everything",
-     [](const State&) {
-       return std::string(
-           "this is the larger radius across the motion over the smaller one, and both are convex: "
-           "the radius of a groove is below 0; if they are convex indeed, accept this");
+     [](const State& state) {
+       return "this is the larger radius across the motion over the smaller one, and both are "
+              "convex: the radius of a groove is below 0" +
+              std::string(convex_groove(state) > 2 ? ", and half its diameter" : "") +
+              "; if they are convex indeed, accept this";
+     }},
+    {"groove_radius", "A groove is little wider than its ball: the ratio of their radii is near 1.",
+     "", 0, greatest_groove_ratio,
+     "common practice: a groove's radius is 1.03 to 1.1 times that of its ball", concave_groove,
+     "everything",
+     [](const State& state) {
+       return std::string("this is the groove's radius across the motion over that of the ball") +
+              (concave_groove(state) > 2
+                   ? ": perhaps the groove's diameter was taken for its radius"
+                   : "; if the groove is as wide as that, accept this");
      }},
     {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
      "model/README.md, section 1; give radius_x and radius_y for an ellipse",
@@ -341,7 +435,7 @@ constexpr Row rows[] = {
        const bool is_ellipse = state.shape == ContactShape::ellipse;
        return is_ellipse ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
      },
-     "film", nullptr, true},
+     "film", advice_on_ellipticity, true},
     {"film_law_regime", "The film law is one of the contact's regime: their films are alike.", "",
      0, greatest_factor_of_regimes,
      "the maps of regimes: Hamrock (1991) of points, Moes (1992) of lines; next to a border both "
@@ -358,7 +452,7 @@ constexpr Row rows[] = {
        const bool is_used = state.follows(ViscosityLaw::barus);
        return is_used ? state.numbers.pressure_viscosity * state.hertz.peak_pressure : not_assumed;
      },
-     "friction"},
+     "friction", advice_on_viscosity},
     {"barus", "The viscosity rises by Barus' law up to the pressure in the film.", "Pa", 0, 1e9,
      "common practice: at 1 GPa Roelands' law (1966) has an oil of 20 mPa·s and α = 20/GPa 400 "
      "times thinner",
@@ -367,7 +461,7 @@ constexpr Row rows[] = {
          return not_assumed;
        return state.solves_film() ? state.hertz.peak_pressure : state.hertz.mean_pressure;
      },
-     "friction"},
+     "friction", advice_on_viscosity},
     {"roelands_index", "Roelands' exponent z, from α and η₀, is one of an oil.", "", 0.2, 1.2,
      "common practice: mineral oils have z near 0.6, synthetic liquids 0.4 to 1", roelands_index,
      "friction"},
@@ -390,6 +484,19 @@ constexpr Row rows[] = {
        return std::string(
            "at low speed friction comes out below the boundary coefficient, as the summits carry "
            "no more than this part of the load even with no film");
+     }},
+    {"default_planes", "One face alone brings the offset of the summits, or both bring as much.",
+     "", 0, 1.2,
+     "model/README.md, section 4: A(0) with offset_planes = 2, of two faces that are rough alike, "
+     "over that with 1, the default; the bound is this project's",
+     [](const State& state) { return share_of_planes(state, 2) / share_of_planes(state, 1); },
+     "shares, friction",
+     [](const State& state) {
+       return "surface.offset_planes is not given, and 1 is taken: with 2, as both faces are rough "
+              "alike, A(0) would be " +
+              scene_detail::rounded_text(share_of_planes(state, 2)) + " in place of " +
+              scene_detail::rounded_text(share_of_planes(state, 1)) +
+              ", and the summits would carry more at each film; give it";
      }},
     {"rough_as_smooth", "Faces without summits do not touch: Λ is 3 or more.", "",
      least_full_film_lambda_ratio, unbounded, "common practice: a full film from Λ = 3 on",
@@ -437,7 +544,7 @@ constexpr Row rows[] = {
      1e-9, unbounded,
      "Christenson and others, J. Chem. Phys. 87 (1987) 1834: alkanes lie in layers of the width of "
      "their chain, 0.4 nm to 0.5 nm; two of them",
-     [](const State& state) { return least_at_ends(state, &OperatingPoint<double>::film); },
+     [](const State& state) { return least_of_points(state, &OperatingPoint<double>::film); },
      "film"},
     {"smooth_film_law", "The film law, which is one of smooth faces, holds at λ = h/σ_s.", "", 0.5,
      unbounded,
@@ -445,7 +552,7 @@ constexpr Row rows[] = {
      "from h/σ = 0.5 on",
      [](const State& state) {
        const bool is_rough = state.has_summits();
-       return is_rough ? least_at_ends(state, &OperatingPoint<double>::film_parameter)
+       return is_rough ? least_of_points(state, &OperatingPoint<double>::film_parameter)
                        : not_assumed;
      },
      "film"},
@@ -480,9 +587,10 @@ constexpr Row rows[] = {
      }},
     {"film_heating", "Sliding does not heat the oil in the contact: τSuh/(8k_f) is a few kelvin.",
      "K", 0, 10,
-     "Crook, Phil. Trans. R. Soc. A 254 (1961) 237: oil that is sheared alike in all its thickness "
-     "is hotter by this in its middle "
-     "than at the faces; the bound is that of inlet_heating",
+     "steady conduction: oil that is sheared alike in all its thickness is hotter by this in its "
+     "middle than at the faces; A. W. Crook, The lubrication of rollers III, Phil. Trans. R. Soc. "
+     "A 254 (1961) 237, is about such temperatures (its text was not at hand); the bound is that "
+     "of inlet_heating",
      heat_of_film, "friction",
      [](const State& state) {
        return std::string("friction comes out too high, as hot oil is thinner") +
@@ -492,9 +600,39 @@ constexpr Row rows[] = {
      }},
     {"flash_temperature", "The faces stay as cold as the oil: sliding does not heat them.", "W", 0,
      unbounded,
-     "Blok, Proc. Inst. Mech. Eng. Gen. Disc. Lubr. 2 (1937) 222: the flash temperature of a band, "
-     "which needs √(kρc) of both bodies",
+     "H. Blok, Theoretical study of temperature rise at surfaces of actual contact under oiliness "
+     "lubricating conditions, Proc. Inst. Mech. Eng. Gen. Disc. Lubr. 2 (1937) 222: a band, which "
+     "needs √(kρc) of both bodies; its 1.11 is of heat spread as by Hertz (T. A. Stolarski, "
+     "Tribology in Machine Design, page 76)",
      [](const State& state) { return heat_of_contact(state).value; }, "friction", advice_on_flash},
+    {"default_sliding", "The sliding, which the scene leaves to the default, is that of a machine.",
+     "", 0, 0.5,
+     "common practice: S is 0.01 to 0.05 in rolling bearings, 0 to 0.5 in gears; the default is "
+     "the published model's",
+     [](const State& state) {
+       const bool is_used = state.scene.outputs.contains(Output::friction) &&
+                            state.scene.lubricant.thermal == ThermalInlet::none;
+       const bool is_left = !state.scene.friction.gives_slide_roll_ratio;
+       return is_used && is_left && !state.solves_film() ? state.numbers.slide_roll_ratio
+                                                         : not_assumed;
+     },
+     "friction",
+     [](const State&) {
+       return std::string(
+           "the scene has no friction.slide_roll_ratio, S: 1 is taken, as much sliding as rolling, "
+           "with more friction than in a bearing; give S, and be it 1");
+     }},
+    {"boundary_sliding",
+     "The summits slide: S is above the creep μ_b a/R, at which a dry contact does.", "", 1,
+     unbounded,
+     "Johnson, Contact Mechanics (1985), chapter 8: Carter's creep of a dry band; this is S over "
+     "it",
+     sliding_of_summits, "friction",
+     [](const State&) {
+       return std::string(
+           "friction still has μ_b A, as if the summits slid: in pure rolling they hardly do, and "
+           "it comes out too high");
+     }},
     {"opposite_motion", "Both faces move in the same direction: S is 2 or less.", "", 0, 2,
      "at S = 2 one face stands; beyond it films have dimples: Kaneta and others, J. Tribol. 118 "
      "(1996) 886, Guo and others, J. Tribol. 123 (2001) 816",
@@ -512,10 +650,24 @@ constexpr Row rows[] = {
     {"inlet_supply", "The oil before the contact is enough for a film: h_ff/h_oil is below 1.", "",
      0, 1, "model/README.md, section 7: the film of flooded_inlet collapses at 1",
      [](const State& state) { return state.flooded_over_inlet; }, "everything",
+     [](const State& state) {
+       return "the film has collapsed: closures.starvation is flooded_inlet, " +
+              std::string(state.scene.closures.gives_starvation ? "" : "the default, ") +
+              "which is of an inlet with nearly enough oil; starved_inlet and damiens leave a film";
+     }},
+    {"default_inlet",
+     "The law of the inlet, which the scene leaves to the default, matters little.", "", 0,
+     greatest_factor_of_regimes,
+     "model/README.md, section 7: the film by damiens over that by flooded_inlet; formulas of "
+     "films scatter by as much",
+     [](const State& state) {
+       return state.scene.closures.gives_starvation ? not_assumed : state.film_by_damiens;
+     },
+     "film",
      [](const State&) {
        return std::string(
-           "the film has collapsed: closures.starvation is flooded_inlet, the default, which is of "
-           "an inlet with nearly enough oil; starved_inlet and damiens leave a film");
+           "the scene gives a supply and no closures.starvation: flooded_inlet is taken, and by "
+           "damiens the film would be thicker by this factor; give the law");
      }},
     {"oil_viscosity", "The oil's viscosity is one of the line of ASTM D341.", "mm²/s",
      least_d341_viscosity, unbounded,
@@ -594,16 +746,36 @@ OutputSet validity_outputs(const Scene& scene) {
   return outputs;
 }
 
+// Adds the points that are judged. Where the fastest speed has no film, limits on film and heat are
+// those of the speeds before: the last that has one, and the 1st, 3rd, 7th … before it, as the film
+// changes fastest next to its collapse.
+void add_points(State& state) {
+  const MixedContact<double> contact(state.scene);
+  const auto film_at = [&](double speed) {
+    state.add(contact, contact.solve(speed, validity_outputs(state.scene)));
+    return state.points.back().film;
+  };
+  const bool has_film = film_at(state.speeds.low) > 0;
+  if (!(state.speeds.high > state.speeds.low) || film_at(state.speeds.high) > 0 || !has_film)
+    return;
+  std::vector<double> list = state.scene.speeds.list;
+  std::sort(list.begin(), list.end());
+  const auto speed = [&](std::size_t i) { return list.empty() ? state.scene.speeds[i] : list[i]; };
+  std::size_t last = 0, beyond = state.scene.speeds.size() - 1;
+  while (beyond - last > 1) {
+    const std::size_t middle = last + (beyond - last) / 2;
+    (film_at(speed(middle)) > 0 ? last : beyond) = middle;
+  }
+  for (std::size_t before = 0; before <= last; before = 2 * before + 1)
+    film_at(speed(last - before));
+}
+
 State state_of(const Scene& scene, SceneUse use) {
   const auto numbers = detail::numbers_of<double>(scene);
   const ContactShape shape = scene.bodies.shape();
   State state{
       scene, use, shape, numbers, hertz_contact(shape, numbers), detail::speed_span(scene.speeds)};
-  if (state.solves_film() || !(state.speeds.low > 0)) return state;
-  const MixedContact<double> contact(scene);
-  state.add(contact, contact.solve(state.speeds.low, validity_outputs(scene)));
-  if (state.speeds.high > state.speeds.low)
-    state.add(contact, contact.solve(state.speeds.high, validity_outputs(scene)));
+  if (!state.solves_film() && state.speeds.low > 0) add_points(state);
   return state;
 }
 
@@ -620,6 +792,9 @@ void take_assumptions(const State& state, Which which, const Take& take) {
       const FilmLaw& law = film_law(state.scene.closures.film);
       least = least_fitted_ellipticity(law);
       greatest = law.greatest_ellipticity;
+      // Any law of points was fitted to circles.
+      if (least == 0 && value >= but_for_rounding && value <= 1 / but_for_rounding)
+        least = but_for_rounding, greatest = 1 / but_for_rounding;
     }
     auto advice = row.advice;
     if (row.is_of_steel && softer_modulus(state) < least_steel_modulus) {

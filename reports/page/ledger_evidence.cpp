@@ -60,7 +60,7 @@ std::vector<TextTable> argument_tables(const Ledger& ledger) {
       table.rows.push_back({one.name, number(one.value, 5), one.agrees ? "yes" : "no"});
     const std::size_t agreeing = argument.agreeing();
     table.note += agreeing == 0   ? "None of them agrees."
-                  : agreeing == 1 ? "One agrees, and is identified."
+                  : agreeing == 1 ? "One agrees."
                                   : fmt::format("{} agree.", agreeing);
     tables.push_back(std::move(table));
   }

@@ -72,6 +72,7 @@ struct AtSpeed {
 
 struct ContactAccount {
   std::string_view id;
+  bool is_line;
   Facts contact, surfaces, lubricant;
   std::vector<AtSpeed> speeds;
   std::vector<Validity> validity;
@@ -172,8 +173,9 @@ Facts surfaces_of(const Asked& asked) {
   if (asked.numbers().summit_plane_offset > 0) {
     const int planes = asked.scene.surface.offset_planes;
     facts.push_back({"offset_planes", "m", "faces that bring the offset of the summits", planes});
-    if (planes == 1) facts.back().note = is_default;
-    if (planes == 1 && asked.scene.closures.asperity == AsperityModel::greenwood_tripp)
+    const bool is_own = asked.scene.surface.gives_offset_planes;
+    if (!is_own) facts.back().note = is_default;
+    if (!is_own && asked.scene.closures.asperity == AsperityModel::greenwood_tripp)
       facts.back().note += ", of one face; where both faces are rough alike, both bring it";
   }
   const double share = sharing.asperity_share(0);
@@ -209,14 +211,14 @@ Facts lubricant_of(const Asked& asked) {
         "slide_roll_ratio", "S",
         is_heated ? "sliding over speed, which heats the inlet" : "sliding over speed, of friction",
         scene.slide_roll_ratio));
-    if (scene.slide_roll_ratio == 1)
+    if (!asked.scene.friction.gives_slide_roll_ratio)
       facts.back().note = fmt::format("{}, as much sliding as rolling", is_default);
   }
   if (asked.scene.supply.kind != SupplyKind::flooded) {
     const StarvationClosure closure = asked.scene.closures.starvation;
     facts.push_back({"starvation", "", "law of the inlet with little oil",
                      starvation_closure_words[static_cast<std::size_t>(closure)]});
-    if (closure == StarvationClosure::flooded_inlet) facts.back().note = is_default;
+    if (!asked.scene.closures.gives_starvation) facts.back().note = is_default;
   }
   return facts;
 }
@@ -308,7 +310,7 @@ AtSpeed account_at(const Asked& asked, double speed) {
     account.numbers.push_back(
         number("elasticity_parameter", "g_E", "number of the bodies' flattening", map.elasticity));
   }
-  account.numbers.push_back({"regime", "",
+  account.numbers.push_back({"ehl_regime", "",
                              asked.is_line() ? "EHL regime, of the film (Moes' map)"
                                              : "EHL regime, of the film (Hamrock's map)",
                              name(regime)});
@@ -363,6 +365,7 @@ std::vector<double> told_speeds(const Speeds& speeds) {
 
 ContactAccount account_of(const Asked& asked) {
   ContactAccount account{asked.scene.id,
+                         asked.is_line(),
                          contact_of(asked),
                          surfaces_of(asked),
                          lubricant_of(asked),
@@ -453,6 +456,9 @@ void append_reasons(Text& to, const ContactAccount& account) {
   for (const AtSpeed& at : account.speeds) tell(at.ratios);
 }
 
+constexpr std::string_view film_hint =
+    "  These formulas scatter: `tribocheck film` solves the line, and says how far off each is.";
+
 constexpr std::string_view about_ratios =
     "  λ says how deep the summits reach into the film: the model's shares of the load follow from "
     "it.\n"
@@ -479,6 +485,7 @@ void append_table(Text& to, const ContactAccount& account) {
     append_facts(to, at.numbers);
     append(to, "\n");
     append_films(to, at.films);
+    if (account.is_line) append_line(to, film_hint);
     append(to, "\n");
     append_facts(to, at.ratios);
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <forward_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -88,34 +89,53 @@ std::array<protocol::OutputValue, 5> cells_of(const Scene& scene, const Onset<do
            {{}, law_of(scene)}}};
 }
 
+// The speeds of one criterion by the other laws of the inlet that scenes are made with; empty where
+// none has it.
+std::string by_other_laws(const Scene& scene, OnsetCriterion criterion, double departure) {
+  std::string told;
+  for (const StarvationClosure law :
+       {StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
+        StarvationClosure::damiens}) {
+    if (law == scene.closures.starvation) continue;
+    Scene other = scene;
+    other.closures.starvation = law;
+    const Onset<double> found =
+        checked(onset(MixedContact<double>(other), other, criterion, departure));
+    if (found.exists)
+      told += fmt::format("{}{} m/s by {}", told.empty() ? "" : ", ", readable(found.speed),
+                          starvation_closure_words[static_cast<std::size_t>(law)]);
+  }
+  return told.empty() ? told : told + ", another law of the inlet: closures.starvation";
+}
+
 int find_onsets(const OnsetArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::onset);
   if (loaded.scenes.empty()) return exit_bad;
   const std::string& format = arguments.scenes.format;
   const std::vector<Column> told = columns(format);
   RowWriter writer(format, output, told, {"onset/1", "onsets"}, RowWriter::Reasons::in_rows);
-  bool is_any_supplied = false;
+  std::forward_list<std::string> notes;  // the writer has views of them
   for (const Scene& scene : loaded.scenes) {
-    is_any_supplied = is_any_supplied || scene.supply.kind != SupplyKind::flooded;
     writer.begin(scene.id, title_of(scene), told);
-    for (const Onset<double>& onset : onsets_of(scene, arguments)) {
-      const auto cells = cells_of(scene, onset);
+    for (const Onset<double>& found : onsets_of(scene, arguments)) {
+      const auto cells = cells_of(scene, found);
       writer.add(std::span(cells).first(told.size()));
+      const bool is_of_film = found.criterion == OnsetCriterion::film_departure ||
+                              found.criterion == OnsetCriterion::film_maximum;
+      if (format != "table" || !is_of_film || scene.supply.kind == SupplyKind::flooded) continue;
+      notes.push_front(by_other_laws(scene, found.criterion, arguments.departure));
+      if (!notes.front().empty()) writer.note(name(found.criterion), notes.front());
     }
   }
   writer.finish({{"warnings", loaded.warnings.json()}});
-  if (format == "table" && is_any_supplied)
-    append(output.text(),
-           "  - another law of the inlet gives other speeds, several times as high or "
-           "low: closures.starvation\n");
   return loaded.exit_code(arguments.scenes);
 }
 
 constexpr const char* onset_footer =
     R"(Speed in m/s, film in m, film_parameter = film/summit_height_sd. Where a criterion has no point, the
 answer says why. `speed` may be absent from the scene; friction_minimum alone needs it. The title, or
-"starvation" in CSV and JSON, names the law of the inlet, closures.starvation: another law gives other
-speeds, several times as high or low.
+"starvation" in CSV and JSON, names the law of the inlet, closures.starvation; below the table stand the
+speeds by other laws.
 
 Example:
   tribocheck onset reference/published/rough.toml

@@ -82,9 +82,10 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments) {
 }
 
 void add_strict_option(CLI::App& app, bool& is_strict) {
-  app.add_flag("--strict", is_strict,
-               "exit code 1 where a scene passes a limit of the model that it does not accept; the "
-               "results are written all the same");
+  app.add_flag(
+      "--strict", is_strict,
+      "exit code 1 where a scene goes beyond a limit of the model that it does not accept; the "
+      "results are written all the same");
 }
 
 int LoadedScenes::exit_code(const SceneArguments& arguments) const {

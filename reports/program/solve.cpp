@@ -310,8 +310,8 @@ the defaults, its dry contact, the outputs that it asks for, and the work that t
 steps of each kind, which tells where time goes.
 
 With --explain a table follows the points: what the model assumes, its number here, the limit, and
-whether that holds. `accept = ["smooth_film_law"]` in a scene accepts a limit that it passes: no
-warning is written for it.
+whether that holds. `accept = ["smooth_film_law"]` in a scene accepts a limit that it goes
+beyond: no warning is written for it.
 
 Example:
   tribocheck solve reference/published/rough.toml --format csv > rough.csv

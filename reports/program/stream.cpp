@@ -40,7 +40,7 @@ one function of the model. Each gets one line out, in order:
 A line that is not JSON or is over 1 MiB gets an error too, with "id": null; blank lines get no
 answer. An id is a text or a number, and comes back as it is. Answers are flushed whenever no complete line is waiting. Errors are answers: the exit code
 is 0 at the end of the input. A limit of the model's validity is told on stderr for the first scene
-that passes it and does not accept it.
+that goes beyond it and does not accept it.
 
 `tribocheck functions` lists the functions, and `tribocheck functions NAME` explains one.
 

@@ -176,9 +176,14 @@ void RowWriter::add_line(std::span<const OutputValue> cells) {
 }
 
 void RowWriter::end_table() {
-  for (const auto& [name, reason] : notes_)
-    append(output_.text(), fmt::format("  - {}: {}\n", name, reason));
-  notes_.clear();
+  while (!notes_.empty()) {
+    const std::string_view reason = notes_.front().second;
+    std::string names;
+    for (const auto& note : notes_)
+      if (note.second == reason) names += (names.empty() ? "" : ", ") + std::string(note.first);
+    append(output_.text(), fmt::format("  - {}: {}\n", names, reason));
+    std::erase_if(notes_, [&](const auto& note) { return note.second == reason; });
+  }
 }
 
 void RowWriter::finish(const nlohmann::ordered_json& members) {

@@ -139,11 +139,11 @@ def of_ledger(report):
            f"{sig(ranking['mean_score'], 2)}.")
     alone = [f"{one['reported']} ({next(way['name'] for way in one['candidates'] if way['agrees'])})" for one in ledger["arguments"]
              if one["agreeing"] == 1 and any(way["agrees"] for way in one["candidates"])]
-    yield f"Of the candidates tried, one alone gives these printed numbers: {'; '.join(alone)}." if alone else "claims; one drawn at random"
+    yield f"Of the candidates tried, with hoil/σs = 4 taken as exact, one alone gives these printed numbers: {'; '.join(alone)}." if alone else "claims; one drawn at random"
     yield f"reproduces {sig(ranking['mean_score'], 3)} claims (standard deviation {sig(ranking['score_standard_deviation'], 2)})."
     yield f"{many(ranking['above_corrected'])} readings reproduce more than the corrected one, and {many(ranking['equal_to_corrected'] - 1)} others as many"
     for one in ledger["arguments"]:
-        words = {0: "None of them agrees.", 1: "One agrees, and is identified."}.get(one["agreeing"], f"{one['agreeing']} agree.")
+        words = {0: "None of them agrees.", 1: "One agrees."}.get(one["agreeing"], f"{one['agreeing']} agree.")
         yield f"Reported: {one['reported']}, by print precision {ends([one['low'], one['high']], 5)}. {words}"
     for item in ledger["items"]:
         got, wanted = item["readings"]["corrected"], [one for one in ledger["requirements"] if one["item"] == item["item"]]
@@ -188,7 +188,7 @@ def drawn(report):
             for one, scene in zip(drawn["surfaces"], scenes)]
     yield "so many lie below the paper's speed: " + ", ".join(f"{name} {whole(at['value'])} m/s: {below(one, column['values'][0])}"
                                                              for name, at, one, column in lies) + "."
-    yield f"Here each of the {drawn['inputs_drawn']} inputs is drawn ({', '.join(one['path'] for one in scenes[0]['inputs'])}; the last one"
+    yield f"Here each of the {drawn['inputs_drawn']} inputs is drawn ({', '.join(one['path'] for one in scenes[0]['inputs'])}; supply.inlet_film_ratio is of the text, and the last one"
     yield f"the onsets of {many(scenes[0]['cases'])} cases of each surface"
 
 
@@ -222,7 +222,7 @@ def of_films(report):
            f"The central film is {sig(1e9 * profile['central']['value'], 5)} nm, the least {sig(1e9 * profile['minimum']['value'], 5)} nm, "
            f"each to {sig(off, 1)} of itself.")
     unsure = "; how high it is, grids of double numbers do not resolve." if profile["spike_pressure"]["value"] is None else "."
-    yield f"a spike at x/b = {sig(profile['spike_place']['value'], 4)}, just before the film's constriction{unsure}"
+    yield f"a spike at x/b = {sig(profile['spike_place']['value'], 3)} ± {sig(profile['spike_place']['error'], 1)}, just before the film's constriction{unsure}"
     titles = ("ball on a flat", "bearing's outer ring", "gear's flank")
     yield "friction is least (●) at λ = " + ", ".join(f"{sig(one['least_friction']['film_parameter'], 3)} ({title})" for one, title in
                                                      zip(report["contacts"]["scenes"].values(), titles)) + "."
@@ -253,8 +253,8 @@ def software(report):
            f"them; it accuses {'some' if right['accused'] else 'none'} of {many(right['tries'])} right solvers. {measured(wrong)}.")
     work, least = report["work_precision"], report["skipped_work"]
     beside = work["alternatives"]
-    yield (f"as long as tribocheck, over {beside['jobs']} jobs; it is less exact in "
-           f"{'each of them' if beside['less_exact'] == beside['jobs'] else str(beside['less_exact']) + ' of them'}. {measured(work)}.")
+    yield (f"as long as tribocheck, over {beside['jobs']} jobs; this fastest one is less exact in "
+           f"{'each of them' if beside['less_exact'] == beside['jobs'] else str(beside['less_exact']) + ' of them'}, slower ones are partly more exact. {measured(work)}.")
     yield f"without failures takes {ends([beside['least_times_ours'], beside['greatest_times_ours']], 3)} times as long as tribocheck"
     for job in work["jobs"]:
         ours, other = job["ours"], job["fastest_alternative"]

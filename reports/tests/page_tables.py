@@ -177,7 +177,7 @@ def first(report):
             return "no value: " + got["none"]
         times = "" if got["verdict"] == "reproduced" else f" ({sig(got['factor'], 3)} times)"
         return f"{sig(got['computed'], 3)}{times}: {got['verdict']}"
-    yield ("The paper's numbers, and ours", ["", "paper", "one rough face, m = 1", "two, m = 2"],
+    yield ("The paper's numbers, and ours", ["", "paper", "offset Dd, m = 1", "offset 2Dd, m = 2"],
            [[labels[id], whole(items[id]["reported"]), *(word(items[id]["readings"][name]) for name in ("corrected", "m = 2"))]
             for id in report["ledger"]["headline"]])
 
@@ -202,7 +202,7 @@ def comparison(report):
 
 def offsets_table(report):
     offsets, printed = report["paper"]["offsets"], {item["item"]: item["reported"] for item in report["ledger"]["items"]}
-    return ("One rough face or two: what the paper's main numbers become (E9)", ["number", "paper", *(one["name"] for one in offsets)],
+    return ("The offset of one face or of two: what the paper's main numbers become (E9)", ["number", "paper", *(one["name"] for one in offsets)],
             [["offset of the summits' planes, over σs", DASH, *(sig(one["offset"], 4) for one in offsets)]] +
             [[f"share of the load on summits at the lowest speed, {name}", whole(printed.get("C4." + name)),
               *(sig(one["surfaces"][name]["slow_asperity_share"], 3) for one in offsets)] for name in SURFACES] +
@@ -363,10 +363,29 @@ def total_text(total):
 
 def misprints(report):
     yield ("The misprints, and what each would do",
-           ["erratum", "place", "printed", "right", "settled by", "kind", "what is computed", "as printed", "as corrected", "against"],
+           ["erratum", "place", "printed", "right", "settled by", "kind", "what is computed", "one way", "the other way", "against"],
            [[one["erratum"], one["place"], one["printed"], one["right"], one["settled_by"],
              one["kind"] + (f": {one['switch_or_reason']}" if one["kind"] == "reading" else ""), one["computed"] or DASH,
              sig(one["as_printed"], 4), sig(one["as_corrected"], 4), one["against"] or DASH] for one in report["ledger"]["errata"]])
+
+
+def quantity(value, unit, digits):
+    if value is None:
+        return DASH
+    scale, usual = {"Pa": (1e-9, " GPa"), "m": (1e9, " nm"), "": (1, "")}.get(unit, (1, f" {unit}"))
+    return sig(scale * value, digits) + usual
+
+
+def bounds(one):
+    least, greatest, unit = one["least"], one["greatest"], one["unit"]
+    if least is not None and greatest is not None:
+        return f"{quantity(least, unit, 3)} to {quantity(greatest, unit, 3)}"
+    return f"at most {quantity(greatest, unit, 2)}" if least is None else f"at least {quantity(least, unit, 2)}"
+
+
+def limits_passed(title, names, heads, limits):
+    return (title, ["the model assumes", "limit", *heads, "the limit is from"],
+            [[one["assumption"], bounds(one), *(quantity(one["values"].get(name), one["unit"], 3) for name in names), one["source"]] for one in limits])
 
 
 def model(report):
@@ -377,21 +396,7 @@ def model(report):
         found = one["values"].get(name, DASH)
         return found if isinstance(found, str) else whole(found)
 
-    def quantity(value, unit, digits):
-        if value is None:
-            return DASH
-        scale, usual = {"Pa": (1e-9, " GPa"), "m": (1e9, " nm"), "": (1, "")}.get(unit, (1, f" {unit}"))
-        return sig(scale * value, digits) + usual
-
-    def bounds(one):
-        least, greatest, unit = one["least"], one["greatest"], one["unit"]
-        if least is not None and greatest is not None:
-            return f"{quantity(least, unit, 3)} to {quantity(greatest, unit, 3)}"
-        return f"at most {quantity(greatest, unit, 2)}" if least is None else f"at least {quantity(least, unit, 2)}"
-    yield ("Outside of the model: limits that these scenes pass",
-           ["the model assumes", "limit", *SURFACES, "the limit is from"],
-           [[one["assumption"], bounds(one), *(quantity(one["values"].get(name), one["unit"], 3) for name in SURFACES), one["source"]]
-            for one in report["paper"]["limits_passed"]])
+    yield limits_passed("Outside of the model: limits that these scenes go beyond", SURFACES, SURFACES, report["paper"]["limits_passed"])
     yield ("The inputs of the scenes", ["input", "meaning", "unit", *SURFACES, "differs from the print"],
            [[one["field"], one["meaning"], one["unit"] or DASH, *(value(one, name) for name in SURFACES),
              f"{one['erratum']}, printed: {errata[one['erratum']]}" if one["erratum"] else ""] for one in report["paper"]["inputs"]])
@@ -421,7 +426,10 @@ def contacts(report):
         if isinstance(value, str) or value is None:
             return value or DASH
         return whole(value) if digits is None else sig(factor * value, digits)
-    yield ("Hertz' contact of each scene", ["", "ball on a flat", "bearing's outer ring", "gear's flank"],
+    titles = ["ball on a flat", "bearing's outer ring", "gear's flank"]
+    yield limits_passed("Outside of the model: limits that the machines' scenes go beyond", report["contacts"]["scenes"], titles,
+                        report["contacts"]["limits_passed"])
+    yield ("Hertz' contact of each scene", ["", *titles],
            [[what, *(cell(one, digits, factor, keys) for one in scenes)] for what, digits, factor, *keys in
             [("shape", None, 1, "shape"), ("load F, N", None, 1, "load"), *fields]])
 

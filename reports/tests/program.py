@@ -53,7 +53,8 @@ def scene(surface="rough", **changes):
 def quiet_scene(*arguments, **changes):
     """A scene() with summits that an isotropic Gaussian face may have, which accepts what else it passes, so that there is no
     warning."""
-    accepted = {"accept": ["elastic_summits", "film_below_molecule", "smooth_film_law", "summit_capacity", "inlet_supply"]}
+    accepted = {"accept": ["elastic_summits", "film_below_molecule", "smooth_film_law", "summit_capacity", "inlet_supply", "default_inlet",
+                           "default_sliding"]}
     return with_field(scene(*arguments, **accepted | changes), "surface.summit_plane_offset", 0.919)
 
 

@@ -16,7 +16,9 @@ from program import ENVIRONMENT, PROGRAM, ProgramTest, run
 with open(PROGRAM, "rb") as program:
     SANITIZED = b"__asan_init" in program.read()  # sanitizers take time and memory of their own
 
-ONE_LINE = {"accept": '["elastic_summits", "film_below_molecule", "smooth_film_law", "summit_capacity", "inlet_supply"]', "load": "50", "bodies.effective_modulus": "107.9e9", "bodies.reduced_radius": "9.5e-3",
+ONE_LINE = {"accept": '["elastic_summits", "film_below_molecule", "smooth_film_law", "summit_capacity", "inlet_supply", '
+                      '"default_inlet", "default_sliding"]',
+            "load": "50", "bodies.effective_modulus": "107.9e9", "bodies.reduced_radius": "9.5e-3",
             "surface.summit_density": "2e11", "surface.summit_radius": "1e-5",
             "surface.summit_height_sd": "2.5e-8", "surface.summit_plane_offset": "0.919",
             "lubricant.viscosity": "0.0202", "lubricant.pressure_viscosity": "2e-8",

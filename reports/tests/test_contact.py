@@ -78,6 +78,15 @@ class Numbers(ContactTest):
             total += weight * 2 * math.sqrt(a * b) * cosine ** 2 / (p * math.sqrt(p * q))
         return total * math.pi / 2 / steps / 3
 
+    def test_of_a_line_the_command_that_solves_its_film_is_named(self):
+        roller = (ROOT / "reference/scenes/roller.toml").read_text(encoding="utf-8")
+        hint = "`tribocheck film` solves the line"
+        self.assertEqual(run("contact", ROOT / "reference/scenes/roller.toml", "--speed", "1").out.count(hint), 1)
+        self.assertNotIn(hint, run("contact", ROOT / "reference/scenes/ball_on_flat.toml", "--speed", "1").out)
+        path = self.folder.path("roller.toml")
+        pathlib.Path(path).write_text(roller.replace('film = "dowson_toyoda_central"', ""), encoding="utf-8")
+        self.assertIn("`tribocheck film` tells how far off each is", run("contact", path).err)
+
     def test_of_a_line_they_are_those_of_film(self):
         roller = str(ROOT / "reference/scenes/roller.toml")
         film, = run("film", roller, "--speed", "0.586", "--tolerance", "1e-2", "--format", "json").json()["films"]
@@ -88,7 +97,8 @@ class Numbers(ContactTest):
         self.assert_near(contact["peak_pressure"], film["peak_pressure"])
         self.assert_near(numbers["moes_load_number"], film["load_number"])
         self.assert_near(numbers["moes_material_number"], film["material_number"])
-        self.assertEqual(numbers["regime"], "piezoviscous_elastic")
+        self.assertEqual(numbers["ehl_regime"], "piezoviscous_elastic")
+        self.assertNotIn("regime", numbers)  # which is the output that tells what carries the load
 
     def test_numbers_of_a_point_are_those_of_their_formulas(self):
         told = values(self.at(quiet_scene(), 0.1)["numbers"])
@@ -216,7 +226,8 @@ class Ranges(ContactTest):
         self.assertIs(narrow["hamrock_dowson_central"]["is_inside_range"], False)
         self.assertIs(films(1e-2, 4e-2)[0]["hamrock_dowson_soft_central"]["is_inside_range"], None)
         self.assertIs(films(1e-2, 4e-2, 107.9e9)[0]["hamrock_dowson_soft_central"]["is_inside_range"], False)  # of another regime
-        self.assertIs(films(1e-2, 1e-2)[0]["hamrock_dowson_soft_central"]["is_inside_range"], True)
+        circle, holds = films(1e-2, 1e-2)
+        self.assertEqual((circle["hamrock_dowson_soft_central"]["is_inside_range"], holds), (True, "yes"))
 
     def test_the_speeds_are_up_to_four_of_the_scene_or_its_slowest_and_fastest(self):
         for speed, expected in (([0.5, 0.1, 2], [0.1, 0.5, 2]), ([1, 2, 3, 4, 1], [1, 4]), ([2, 2], [2]),
@@ -243,7 +254,7 @@ class Ranges(ContactTest):
         self.assertIsNone(films["hamrock_dowson_central"])
         rising = {film["law"]: film["film"] for film in self.at(with_field(soft, "lubricant.pressure_viscosity", 1e-10), 0.1)["films"]}
         self.assertEqual(films["hamrock_dowson_soft_central"], rising["hamrock_dowson_soft_central"])
-        self.assertEqual(values(at["numbers"])["regime"], "isoviscous_elastic")
+        self.assertEqual(values(at["numbers"])["ehl_regime"], "isoviscous_elastic")
         points = [run("solve", self.folder.write("soft.json", with_field(soft, "lubricant.pressure_viscosity", alpha) | {"outputs": ["film"]}),
                       "--format", "json").json()["points"][0]["film"] for alpha in (0, 1e-10)]
         self.assertEqual(points[0], points[1])
@@ -280,7 +291,10 @@ class Ranges(ContactTest):
         chosen = with_field(with_field(chosen, "friction.slide_roll_ratio", 0.02), "surface.offset_planes", 2)
         told = notes(chosen)
         self.assertEqual([told[name] for name in ("slide_roll_ratio", "starvation", "offset_planes")], ["", "", ""])
-        self.assertEqual(notes(with_field(chosen, "surface.offset_planes", 1))["offset_planes"], "the default")
+        # A value that the scene gives is no default, though it is the same.
+        same = quiet_scene(speed=0.1, closures={"starvation": "flooded_inlet"})
+        told = notes(with_field(with_field(same, "friction.slide_roll_ratio", 1), "surface.offset_planes", 1))
+        self.assertEqual([told[name] for name in ("slide_roll_ratio", "starvation", "offset_planes")], ["", "", ""])
         still = notes(without_field(with_field(chosen, "surface.summit_plane_offset", 0), "supply") | {"outputs": ["film"]})
         self.assertEqual({"slide_roll_ratio", "starvation", "offset_planes"} & set(still), set())
 

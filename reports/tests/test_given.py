@@ -326,7 +326,9 @@ class HeatedInlets(GivenTest):
         onsets = json.loads(run("onset", path, "--format", "json").out)["onsets"]
         for one in onsets:
             if one["criterion"] != "friction_minimum":
-                self.assertIn("lubricant.thermal", one["undefined"]["speed"])
+                self.assertIn("lubricant.thermal: `curve` shows where the film is starved", one["undefined"]["speed"])
+            else:
+                self.assertNotIn("thermal", one["undefined"]["speed"])
 
 
 if __name__ == "__main__":

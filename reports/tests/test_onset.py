@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """onset: the four criteria, and the reasons where there is no onset."""
 
+import re
 import unittest
 
-from program import ProgramTest, run, scene
+from program import ProgramTest, run, scene, without_field
 
 CRITERIA = ["film_maximum", "film_departure", "friction_minimum", "asperity_minimum"]
 VALUES = ["speed", "film", "film_parameter"]
@@ -49,7 +50,13 @@ class OnsetTest(ProgramTest):
             self.assertEqual({one["starvation"] for one in self.found(tree).values()}, {law})
             table = run("onset", self.folder.write("law.toml", tree)).out
             self.assertIn(f": onset of starvation, starvation = {law}\n", table)
-            self.assertEqual(table.count("another law of the inlet gives other speeds"), 1)
+            others = {"flooded_inlet", "starved_inlet", "damiens"} - {law}
+            for criterion in ("film_departure", "film_maximum"):
+                told = dict(map(reversed, re.findall(r"([\d.e+-]+) m/s by (\w+)", "".join(re.findall(rf"(?m)^  - {criterion}: .*", table)))))
+                expected = {other: self.found({**scene(), "closures": {"starvation": other}})[criterion]["speed"] for other in others}
+                self.assertEqual(told, {other: f"{speed:.5g}" for other, speed in expected.items() if speed is not None})
+                self.assertTrue(told or criterion == "film_maximum")
+        self.assertNotIn("another law", run("onset", self.folder.write("wet.toml", scene(supply=None))).out)
 
     def test_only_the_criteria_that_are_asked_for(self):
         found = self.found(scene(), "--criterion", "friction_minimum", "--criterion", "film_maximum")
@@ -66,6 +73,32 @@ class OnsetTest(ProgramTest):
                 self.assertEqual([onset[value] for value in VALUES], [None] * 3)
                 for value in VALUES:
                     self.assertTrue(onset["undefined"][value])
+
+    def why(self, tree, criterion):
+        return self.found(tree)[criterion].get("undefined", {}).get("speed")
+
+    def test_faces_known_by_rq_alone_have_no_onset_of_what_their_summits_do(self):
+        faces = {"supply": {"inlet_film": 1e-7}, "surface": {"rms_roughness": 1e-8}}
+        for criterion in CRITERIA:
+            why = self.why(scene() | faces, criterion)
+            if criterion in ("friction_minimum", "asperity_minimum"):
+                self.assertIn("Rq alone does not say what the summits carry", why)
+            else:
+                self.assertIsNone(why)
+        smooth = {key: value for key, value in (scene() | faces).items() if key != "surface"}
+        self.assertNotIn("Rq", self.why(smooth, "friction_minimum"))
+        self.assertIn("the bodies are smooth", self.why(smooth, "asperity_minimum"))
+
+    def test_friction_names_the_input_that_it_lacks(self):
+        for missing, named in ((["lubricant.eyring_stress"], "friction needs lubricant.eyring_stress"),
+                               (["friction.boundary_coefficient"], "friction needs friction.boundary_coefficient"),
+                               (["lubricant.eyring_stress", "friction.boundary_coefficient"],
+                                "friction needs lubricant.eyring_stress and friction.boundary_coefficient")):
+            tree = scene()
+            for path in missing:
+                tree = without_field(tree, path)
+            self.assertEqual(self.why(tree, "friction_minimum"), named)
+        self.assertIsNone(self.why(scene(), "friction_minimum"))
 
     def test_an_onset_beyond_the_range_of_double_is_none(self):
         tree = scene()
@@ -88,7 +121,7 @@ class OnsetTest(ProgramTest):
             path = self.folder.write("scene.toml", tree)
             found = self.found(tree)
             rows = run("onset", path, "--format", "csv").rows()
-            table = [line for line in run("onset", path).out.splitlines()[5:] if not line.startswith("  - another law")]
+            table = [line for line in run("onset", path).out.splitlines()[5:] if not line.startswith("  - ")]
             for row, line in zip(rows, table, strict=True):
                 self.assert_agree(found[row["criterion"]], row, line)
 

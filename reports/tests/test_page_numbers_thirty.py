@@ -230,7 +230,7 @@ class Thirty(Told):
         alpha = m0 * m4 / m2 ** 2
         density, summit = m4 / (6 * math.pi * math.sqrt(3) * m2), 3 * math.sqrt(math.pi) / (8 * math.sqrt(m4))
         sd = math.sqrt(2 * m0 * (1 - 0.8968 / alpha))
-        offset = 4 * math.sqrt(m0 / (math.pi * alpha)) / sd
+        offset = 2 * 4 * math.sqrt(m0 / (math.pi * alpha)) / sd  # of two faces, both rough
         mean = line / (2 * half_width)
         stiffness = 16 * math.sqrt(2) * math.pi / 15 * (density * summit * sd) ** 2 * math.sqrt(sd / summit) * STEEL / mean
         plain = 2 * STEEL

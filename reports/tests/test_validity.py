@@ -28,7 +28,7 @@ class ValidityTest(unittest.TestCase):
         """The words that a command warns of, in its line and in its JSON alike."""
         done = run(command, self.write(tree), "--format", "json", *more)
         words = [one["word"] for one in done.json()["warnings"]]
-        said = re.findall(r'"(\w+)"', done.warned)
+        said = re.findall(r'"(\w+)"', done.warned.rpartition("accept = ")[2])
         self.assertEqual((words, len(done.said.splitlines())), (said, 1 if words else 0), done.said)
         return words
 
@@ -60,6 +60,22 @@ class Warnings(ValidityTest):
         self.assertEqual(self.passed("solve", self.smooth_scene(1) | faces | {"surface": {"rms_roughness": "1 nm"}}), [])
 
     UNKNOWN = {"regime", "asperity_load_share", "fluid_load_share", "real_area_ratio", "summit_count", "friction"}
+
+    def test_a_reason_of_several_outputs_stands_once_below_a_table(self):
+        tree = self.smooth_scene([0.1, 0.2]) | {"surface": {"rms_roughness": 1e-8}}
+        table = run("solve", self.write(tree)).out
+        self.assertEqual(table.count("Λ is below 3"), 1)
+        names, = re.findall(r"(?m)^  - ([a-z_, ]+): Λ is below 3", table)
+        self.assertEqual(set(names.split(", ")), self.UNKNOWN)
+        collapsed = run("solve", self.write(quiet_scene(speed=[1, 3], supply={"inlet_film": 1e-8}))).out
+        self.assertEqual(collapsed.count("the film has collapsed"), 1)
+        self.assertNotIn("Λ is below 3", collapsed)
+
+    def test_defaults_that_matter_are_warned_of_until_the_scene_gives_them(self):
+        tree = quiet_scene(speed=0.1, accept=[], supply={"inlet_film": "60 nm"})
+        self.assertLessEqual({"default_sliding", "default_inlet"}, set(self.passed("solve", tree)))
+        given = with_field(with_field(tree, "friction.slide_roll_ratio", 1), "closures.starvation", "flooded_inlet")
+        self.assertEqual({"default_sliding", "default_inlet"} & set(self.passed("solve", given)), set())
 
     def test_no_command_says_what_unknown_summits_carry(self):
         tree = self.smooth_scene([0.1, 1]) | {"surface": {"rms_roughness": 1e-8}}

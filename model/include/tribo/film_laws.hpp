@@ -77,7 +77,7 @@ inline constexpr FilmLaw hamrock_dowson_soft_minimum_law{.constant = {743, 100},
                                                          .side_decay = {31, 100}};
 
 // Lines. Minimum film: D. Dowson: Elastohydrodynamics. Proc. Inst. Mech. Eng. 182 (1967) 151.
-// Central film: D. Dowson, A. Toyoda: A central film thickness formula for elastohydrodynamic line
+// Central film: D. Dowson, S. Toyoda: A central film thickness formula for elastohydrodynamic line
 // contacts. Proc. 5th Leeds–Lyon Symp. (1979) 60.
 inline constexpr FilmLaw dowson_higginson_minimum_law{.constant = {265, 100},
                                                       .speed_exponent = {70, 100},
@@ -89,7 +89,7 @@ inline constexpr FilmLaw dowson_toyoda_central_law{.constant = {306, 100},
                                                    .material_exponent = {56, 100},
                                                    .load_exponent = {-10, 100},
                                                    .is_of_lines = true};
-// Both films of J. Pan, B. J. Hamrock: Simple formulas for performance parameters used in
+// Both films of P. Pan, B. J. Hamrock: Simple formulas for performance parameters used in
 // elastohydrodynamically lubricated line contacts. J. Tribol. 111 (1989) 246.
 inline constexpr FilmLaw pan_hamrock_minimum_law{.constant = {1714, 1000},
                                                  .speed_exponent = {694, 1000},

@@ -269,9 +269,13 @@ Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
   using std::log;
   using std::sqrt;
   constexpr OnsetCriterion criterion = OnsetCriterion::friction_minimum;
-  if (!has_friction_inputs(scene))
-    return no_onset<T>(criterion,
-                       "friction needs lubricant.eyring_stress and friction.boundary_coefficient");
+  if (!scene.lubricant.eyring_stress)
+    return no_onset<T>(criterion, scene.friction.boundary_coefficient
+                                      ? "friction needs lubricant.eyring_stress"
+                                      : "friction needs lubricant.eyring_stress and "
+                                        "friction.boundary_coefficient");
+  if (!scene.friction.boundary_coefficient)
+    return no_onset<T>(criterion, "friction needs friction.boundary_coefficient");
   const SpeedSpan span = speed_span(scene.speeds);
   if (!(span.low < span.high))
     return no_onset<T>(criterion, "the scene gives no range of speeds to look in");
@@ -348,8 +352,16 @@ Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterio
                const InletOnsets<T>& inlet) {
   if (scene.lubricant.thermal != ThermalInlet::none &&
       criterion != OnsetCriterion::friction_minimum)
-    return detail::no_onset<T>(criterion,
-                               "with lubricant.thermal the speed does not follow from the film");
+    return detail::no_onset<T>(
+        criterion,
+        "it is not computed of an inlet that shear heats, lubricant.thermal: "
+        "`curve` shows where the film is starved");
+  if (scene.surface.has_rq_alone() && (criterion == OnsetCriterion::friction_minimum ||
+                                       criterion == OnsetCriterion::asperity_minimum))
+    return detail::no_onset<T>(
+        criterion,
+        "Rq alone does not say what the summits carry where the faces touch: "
+        "give summits or spectral moments");
   if (!scene.surface.is_smooth()) return detail::onset_by(contact, scene, criterion, inlet);
   if (criterion == OnsetCriterion::asperity_minimum)
     return detail::no_onset<T>(criterion, "the bodies are smooth: no load is on asperities");

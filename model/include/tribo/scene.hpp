@@ -66,16 +66,18 @@ struct SpectralMoments {
 };
 
 struct Surface {
-  double summit_density = 0;       // n, 1/m²; GT: of each face, GW: of the one rough face
-  double summit_radius = 0;        // β, m
-  double summit_height_sd = 0;     // σ_s, m; GT: of the sum of both faces' summit heights
-  double summit_plane_offset = 0;  // D_d/σ_s, mean plane to summit plane
-  int offset_planes = 1;           // m: how many faces bring that offset, 0, 1 or 2
-  SpectralMoments moments = {};    // where they are given, the first four numbers follow from them
+  double summit_density = 0;         // n, 1/m²; GT: of each face, GW: of the one rough face
+  double summit_radius = 0;          // β, m
+  double summit_height_sd = 0;       // σ_s, m; GT: of the sum of both faces' summit heights
+  double summit_plane_offset = 0;    // D_d/σ_s, mean plane to summit plane
+  int offset_planes = 1;             // m: how many faces bring that offset, 0, 1 or 2
+  bool gives_offset_planes = false;  // as gives_slide_roll_ratio
+  SpectralMoments moments = {};  // where they are given, the first four numbers follow from them
   // Roughness of both faces together, for Λ alone; where the second is given, the first follows
   // from it, as it does from the moments. 0: not given.
   double rms_roughness = 0;      // Rq, m
   double average_roughness = 0;  // Ra, m
+  bool has_two_faces = false;    // the scene gives the roughness of each face
 
   bool has_moments() const { return moments.m0 > 0; }
   // Without summits: smooth bodies, between which the film carries all the load. λ has no σ_s.
@@ -148,6 +150,7 @@ struct Supply {
 struct Friction {
   std::optional<double> boundary_coefficient;  // μ_b; friction needs it
   double slide_roll_ratio = 1;                 // S: sliding speed = S·u
+  bool gives_slide_roll_ratio = false;         // set by readers: S is no default
   FluidShear fluid = FluidShear::eyring;
   ViscosityLaw viscosity = ViscosityLaw::barus;
 };
@@ -155,7 +158,8 @@ struct Friction {
 struct Closures {
   AsperityModel asperity = AsperityModel::greenwood_tripp;
   StarvationClosure starvation = StarvationClosure::flooded_inlet;
-  double damiens_exponent = 3;  // γ of Damiens' closure
+  bool gives_starvation = false;  // as gives_slide_roll_ratio
+  double damiens_exponent = 3;    // γ of Damiens' closure
   FilmFormula film = FilmFormula::hamrock_dowson_central;
 };
 

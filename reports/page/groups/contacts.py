@@ -47,4 +47,4 @@ def contacts(asked):
         marks.append((stem, at_least))
     files.append(("data/contact_marks.tsv", tables.named("Points to mark: the least friction (friction_minimum)",
                                                          "the scenes of the curves contact_*.tsv", marks)))
-    return Group({"told_speed": TOLD_SPEED, "scenes": made}, files=files)
+    return Group({"told_speed": TOLD_SPEED, "scenes": made, "limits_passed": scenes.limits_passed(asked.program, paths)}, files=files)

@@ -81,7 +81,9 @@ TEST(Onset, FilmMaximumAtConstantFlowIsTheGreatestOfSeveral) {
     scene.surface.summit_plane_offset = 8;
     scene.surface.summit_density *=
         0.99 / MixedContact<double>(scene).sharing().asperity_share(0);  // A(0) = 0.99
-    scene.closures = {AsperityModel::greenwood_williamson, damiens, 0.04};
+    scene.closures = {.asperity = AsperityModel::greenwood_williamson,
+                      .starvation = damiens,
+                      .damiens_exponent = 0.04};
     scene.supply = {SupplyKind::inlet_flow, flow};
     const std::vector<OperatingPoint<double>> maxima = swept_film_maxima(scene, 0.01, 100);
     ASSERT_EQ(maxima.size(), 2U) << flow;
@@ -130,7 +132,9 @@ TEST(Onset, FrictionMinimumIsTheLowestOfSeveral) {
       {{0.001, true}, {0.01, false}}};
   for (const auto& [slide_roll_ratio, first_is_lowest] : slide_roll_ratios) {
     Scene scene = paper_scene(PaperSurface::medium);
-    scene.friction = {0.01, slide_roll_ratio, FluidShear::limiting, ViscosityLaw::barus};
+    scene.friction = {.boundary_coefficient = 0.01,
+                      .slide_roll_ratio = slide_roll_ratio,
+                      .fluid = FluidShear::limiting};
     // A collapsed film has no friction, and no minimum beside it.
     const std::vector<OperatingPoint<double>> minima =
         swept_minima(scene, scene.speeds.from, scene.speeds.to, 1.001, 1e-11, friction);

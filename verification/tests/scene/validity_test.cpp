@@ -48,6 +48,7 @@ SceneText with(SceneText text, std::string_view path, double value) {
 // Moderate in all respects: a ball with a little speed, on a fine surface.
 SceneText ordinary() {
   SceneText text = SceneText::good().remove_section("supply");
+  text.set("friction.slide_roll_ratio", "1");
   text.set("surface.summit_density", "2e11").set("surface.summit_height_sd", "5e-9");
   return text.set("surface.summit_plane_offset", "0").set("surface.summit_radius", "5e-5");
 }
@@ -215,8 +216,7 @@ TEST(Validity, TheHeatOfSlidingInTheContactIsTold) {
   EXPECT_TRUE(verification::is_within(flash.value, power, 1e-9 * power));
   EXPECT_FALSE(flash.is_known());
   EXPECT_FALSE(flash.is_passed());
-  // Blok's formula once more, from the heat of the whole circle: π/4 of 1.5 q is the mean of a
-  // band.
+  // Blok's formula once more: π/4 of 1.5 q, q of the whole circle, is the mean of a band.
   const double a = contact.hertz().semi_axis_x, q = power / (pi * a * a);
   const double kelvin =
       1.11 * pi / 4 * 1.5 * q * std::sqrt(2 * a) / (13e3 * (std::sqrt(1.15) + std::sqrt(0.85)));
@@ -237,6 +237,115 @@ TEST(Validity, TheHeatOfSlidingInTheContactIsTold) {
                                  SceneText(smooth).set("outputs", R"(["film"])")})
     for (const char* word : {"film_heating", "flash_temperature"})
       EXPECT_EQ(limit_of(scene_of(other), word).word, "") << word;
+}
+
+// 1.11 of Blok's formula: a half-space under a band of heat √(1 − x²), −1 < x < 1, that moves fast
+// is hotter by ∫ √(1 − ξ²)/√(π(x − ξ)) dξ from −1 to x; over the mean heat π/4 and √2 of its width.
+TEST(Validity, TheFactorOfTheFlashTemperatureIsThatOfHertzDistribution) {
+  const auto rise = [](double x) {
+    constexpr int steps = 20000;  // in s = √(x − ξ), by midpoints
+    const double width = std::sqrt(x + 1) / steps;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+      const double s = (i + 0.5) * width, from = x - s * s;
+      sum += 2 * std::sqrt(1 - from * from) * width;
+    }
+    return sum / std::sqrt(pi) / (pi / 4 * std::sqrt(2));
+  };
+  double greatest = 0;
+  for (double x = 0; x < 1; x += 1e-2) greatest = std::max(greatest, rise(x));
+  EXPECT_TRUE(verification::is_within(greatest, 1.11, 0.005));
+}
+
+// Where the fastest speed has no film, heat and films are those of the speeds before it.
+TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
+  SceneText text =
+      ordinary().set("supply.inlet_film", "1e-6").set("surface.summit_height_sd", "1e-8");
+  text.set("friction.slide_roll_ratio", "1");
+  const auto of = [&text](const char* speeds) { return scene_of(text.set("speed", speeds)); };
+  const Validity alone = limit_of(of("6.5"), "film_heating");
+  EXPECT_TRUE(alone.is_passed());
+  for (const char* speeds : {"[0.1, 6.5, 20]", "[20, 0.1, 0.2, 6.5, 30]"}) {
+    const Scene scene = of(speeds);
+    EXPECT_EQ(MixedContact<double>(scene).solve(20).film, 0);
+    EXPECT_EQ(limit_of(scene, "film_heating").value, alone.value) << speeds;
+    EXPECT_EQ(limit_of(scene, "flash_temperature").value,
+              limit_of(of("6.5"), "flash_temperature").value);
+  }
+  // Of a range the greatest is found, wherever it is before the collapse: by all its points here.
+  SceneText range = SceneText(text).remove("speed").set("speed.from", "0.1").set("speed.to", "20");
+  range.set("speed.count", "60");
+  const Scene scene = scene_of(range);
+  double greatest = 0, least_film = 1;
+  for (std::size_t i = 0; i < scene.speeds.size(); ++i) {
+    const Scene one = of(fmt::format("{}", scene.speeds[i]).c_str());
+    const Validity heat = limit_of(one, "film_heating");
+    if (!heat.word.empty()) greatest = std::max(greatest, heat.value);
+    const double film = MixedContact<double>(one).solve(scene.speeds[i]).film;
+    if (film > 0) least_film = std::min(least_film, film);
+  }
+  EXPECT_TRUE(
+      verification::is_within(limit_of(scene, "film_heating").value, greatest, 0.05 * greatest));
+  EXPECT_EQ(limit_of(scene, "film_below_molecule").value, least_film);
+  // With a film at each speed nothing but the two ends is judged.
+  EXPECT_EQ(limit_of(of("[0.1, 1, 2]"), "film_heating").value,
+            limit_of(of("2"), "film_heating").value);
+}
+
+// Friction of the oil alone makes no heat of a contact whose faces touch.
+TEST(Validity, OfFacesThatTouchTheHeatIsNotKnown) {
+  SceneText text = ordinary().remove_section("surface").set("speed", "1");
+  for (const char* word : {"film_heating", "flash_temperature"}) {
+    EXPECT_EQ(limit_of(scene_of(text.set("surface.rms_roughness", "1e-6")), word).word, "");
+    EXPECT_EQ(limit_of(scene_of(text.set("surface.rms_roughness", "1e-9")), word).word, word);
+  }
+}
+
+// S R/(μ_b a) where summits carry a part of the load.
+TEST(Validity, SummitsThatHardlySlideHaveNoBoundaryFriction) {
+  using enum verification::True;
+  const SceneText text = ordinary().set("speed", "0.01");
+  const double a = std::cbrt(3 * 50 * 9.5e-3 / (4 * 107.9e9));
+  const auto is_passed = [&text](double slip) {
+    return passes(with(text, "friction.slide_roll_ratio", slip), "boundary_sliding");
+  };
+  EXPECT_GE(MixedContact<double>(scene_of(text)).solve(0.01).asperity_load_share, 0.01);
+  EXPECT_TRUE(verification::changes_at_its_limit(
+      {"boundary_sliding", 0.13 * a / 9.5e-3, below, is_passed, 1e-12}));
+  EXPECT_EQ(is_passed(0), true);
+  for (const SceneText& other :
+       {SceneText(text).set("speed", "10"), SceneText(text).set("outputs", R"(["film"])"),
+        SceneText(text).set("friction.boundary_coefficient", "0")})
+    EXPECT_EQ(limit_of(scene_of(SceneText(other).set("friction.slide_roll_ratio", "0")),
+                       "boundary_sliding")
+                  .word,
+              "");
+}
+
+// A(0) = √(K F_{5/2}(−m D_d/σ_s)) with m = 2 over that with m = 1, of faces that are rough alike.
+TEST(Validity, TheOffsetOfOneFaceIsToldWhereBothAreAlike) {
+  SceneText profile = ordinary().remove_section("surface").set("surface.m0", "1.6e-13");
+  profile.set("surface.m2", "4e-3").set("surface.m4", "6e8");
+  const auto share = [&profile](const char* planes) {
+    return MixedContact<double>(scene_of(SceneText(profile).set("surface.offset_planes", planes)))
+        .sharing()
+        .asperity_share(0);
+  };
+  const Validity found = limit_of(scene_of(profile), "default_planes");
+  const double factor = share("2") / share("1");
+  EXPECT_TRUE(verification::is_within(found.value, factor, 1e-9 * factor));
+  EXPECT_TRUE(found.is_passed());
+  EXPECT_NE(found.advice.find(fmt::format("{:.3g} in place of {:.3g}", share("2"), share("1"))),
+            std::string::npos)
+      << found.advice;
+  SceneText faces = ordinary().set("surface.summit_plane_offset", "0.9");
+  EXPECT_TRUE(
+      passes(SceneText(faces).set("surface.rms_roughness", "[5e-9, 5e-9]"), "default_planes"));
+  for (const SceneText& other :
+       {SceneText(profile).set("surface.offset_planes", "1"),
+        SceneText(profile).set("closures.asperity", "\"greenwood_williamson\""), faces,
+        SceneText(faces).set("surface.rms_roughness", "7e-9"), ordinary()})
+    EXPECT_EQ(limit_of(scene_of(other), "default_planes").word, "");
 }
 
 // L^0.42 of the first term of Gupta's numerator.
@@ -283,6 +392,51 @@ TEST(Validity, AFilmThatCollapsesIsToldWithTheClosuresThatLeaveOne) {
     EXPECT_EQ(limit_of(scene_of(other.set("closures.starvation", closure)), "inlet_supply").word,
               "");
   EXPECT_EQ(limit_of(scene_of(flooded), "inlet_supply").word, "");
+}
+
+// The film behind the inlet by damiens with γ = 3, (1 + r³)^(−1/3), over that by flooded_inlet,
+// where the scene does not choose between them.
+TEST(Validity, ALawOfTheInletThatWasNotChosenIsToldWhereItMatters) {
+  const SceneText flooded = ordinary().set("speed", "0.1");
+  const double film = MixedContact<double>(scene_of(flooded)).solve(0.1).film_flooded;
+  const auto of = [&](double r) { return with(flooded, "supply.inlet_film", film / r); };
+  for (const double r : {0.01, 0.3, 0.9}) {
+    const double psi = std::pow(3 / (4 * std::sqrt(2)) * (1 / r - 1), 2.0 / 3);
+    const double factor = 1 / std::cbrt(1 + r * r * r) / (2 / pi * std::atan(2.7 * psi));
+    const Validity found = limit_of(scene_of(of(r)), "default_inlet");
+    EXPECT_TRUE(verification::is_within(found.value, factor, 1e-7 * factor)) << r;
+    EXPECT_EQ(found.holds(), factor <= 1.2) << r;
+    EXPECT_EQ(found.holds(), r == 0.01);
+    EXPECT_EQ(found.advice.empty(), found.holds());
+  }
+  // Beyond collapse another limit tells it, and says whether the law was chosen.
+  const auto of_collapse = [&](const char* closure) {
+    SceneText text = of(2);
+    if (*closure != 0) text.set("closures.starvation", closure);
+    EXPECT_EQ(limit_of(scene_of(text), "default_inlet").word, "");
+    return limit_of(scene_of(text), "inlet_supply").advice;
+  };
+  EXPECT_NE(of_collapse("").find("flooded_inlet, the default, which"), std::string::npos);
+  EXPECT_NE(of_collapse("\"flooded_inlet\"").find("flooded_inlet, which"), std::string::npos);
+  for (const char* closure : {"\"flooded_inlet\"", "\"damiens\""})
+    EXPECT_EQ(limit_of(scene_of(of(0.3).set("closures.starvation", closure)), "default_inlet").word,
+              "");
+  EXPECT_EQ(limit_of(scene_of(flooded), "default_inlet").word, "");
+}
+
+// S = 1 of a scene that has none, where friction takes it.
+TEST(Validity, SlidingThatTheSceneLeavesToTheDefaultIsTold) {
+  const SceneText silent = ordinary().remove("friction.slide_roll_ratio");
+  const Validity found = limit_of(scene_of(silent), "default_sliding");
+  EXPECT_EQ(found.value, 1);
+  EXPECT_TRUE(found.is_passed());
+  EXPECT_NE(found.advice.find("no friction.slide_roll_ratio"), std::string::npos);
+  SceneText heated = SceneText(silent).set("lubricant.thermal", "\"gupta\"");
+  heated.set("lubricant.conductivity", "0.14").set("lubricant.temperature_coefficient", "0.04");
+  for (const SceneText& other : {SceneText(silent).set("friction.slide_roll_ratio", "1"),
+                                 SceneText(silent).set("friction.slide_roll_ratio", "0.02"),
+                                 SceneText(silent).set("outputs", R"(["film"])"), heated})
+    EXPECT_EQ(limit_of(scene_of(other), "default_sliding").word, "");
 }
 
 // α p₀ is of Barus' law, where friction takes it.
@@ -439,6 +593,52 @@ TEST(Validity, AGrooveThatIsConvexIsTold) {
   EXPECT_EQ(is_passed("0.004", "-0.00416"), false);
   EXPECT_EQ(is_passed("0.004", "0.004"), false);
   EXPECT_EQ(is_passed("0.004", "inf"), false);
+  // 2.08 is 1.04 of the ball's diameter; twice the radius alone is no such slip.
+  EXPECT_EQ(is_passed("0.004", "0.00832"), true);
+  EXPECT_EQ(is_passed("0.00879", "0.004"), true);
+  EXPECT_EQ(is_passed("0.004", "0.008"), false);
+  EXPECT_EQ(is_passed("0.004", "0.00881"), false);
+}
+
+// A groove whose diameter was written for its radius, or that is wide for its ball.
+TEST(Validity, AGrooveThatIsWiderThanItsBallIsTold) {
+  const auto found = [](const char* first, const char* second) {
+    SceneText text = ordinary().remove("bodies.reduced_radius");
+    text.set("bodies.first_radius_x", "0.004").set("bodies.second_radius_x", "0.015");
+    text.set("bodies.first_radius_y", first).set("bodies.second_radius_y", second);
+    return limit_of(scene_of(text), "groove_radius");
+  };
+  EXPECT_TRUE(verification::is_within(found("0.004", "-0.00832").value, 2.08, 1e-14));
+  EXPECT_TRUE(found("0.004", "-0.00832").is_passed());
+  EXPECT_NE(found("-0.00832", "0.004").advice.find("diameter"), std::string::npos);
+  EXPECT_TRUE(found("0.004", "-0.00481").is_passed());
+  EXPECT_EQ(found("0.004", "-0.00481").advice.find("diameter"), std::string::npos);
+  EXPECT_FALSE(found("0.004", "-0.00479").is_passed());
+  EXPECT_EQ(found("0.004", "-0.00479").word, "groove_radius");
+  for (const char* const other : {"0.00832", "-0.00881", "-0.1", "inf"})
+    EXPECT_EQ(found("0.004", other).word, "") << other;
+}
+
+// What to write for a contact whose ellipticity the law does not have.
+TEST(Validity, ALawThatWasNotFittedToTheEllipseSaysWhatToTake) {
+  const auto advice = [](const char* across, const char* film) {
+    SceneText text = ordinary().remove("bodies.reduced_radius").set("closures.film", film);
+    text.set("bodies.radius_x", "0.004").set("bodies.radius_y", across);
+    return limit_of(scene_of(text), "film_law_ellipticity").advice;
+  };
+  const char* const hard = "\"hamrock_dowson_central\"";
+  const char* const soft = "\"hamrock_dowson_soft_central\"";
+  EXPECT_NE(advice("1", hard).find("bodies.length"), std::string::npos);
+  EXPECT_NE(advice("1", hard).find("dowson_toyoda_central"), std::string::npos);
+  EXPECT_NE(
+      advice("1", hard).find("from k = 8 to this k the film of this law grows by 0.178 % only"),
+      std::string::npos)
+      << advice("1", hard);
+  EXPECT_NE(advice("1", soft).find("tribocheck film"), std::string::npos);
+  EXPECT_EQ(advice("0.004", soft), "");  // a circle
+  EXPECT_NE(advice("0.001", hard).find("longer along the motion"), std::string::npos);
+  EXPECT_NE(advice("0.01", soft).find("no text tells"), std::string::npos);
+  EXPECT_EQ(advice("0.01", hard), "");
 }
 
 // Radii of faces in mm, along the motion; one that was meant to be flat is no slip.
@@ -648,7 +848,7 @@ TEST(Accept, EachWordIsTakenAndSilencesItsLimitAlone) {
     std::erase(left, word);
     EXPECT_EQ(words_passed(quiet), left) << word;
   }
-  EXPECT_EQ(assumption_words().size(), 26u);
+  EXPECT_EQ(assumption_words().size(), 31u);
   for (const std::string_view word : assumption_words()) EXPECT_FALSE(word.ends_with("_range"));
 }
 
