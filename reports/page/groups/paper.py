@@ -77,19 +77,6 @@ def supply_of(about):
     return {"kind": kind, "value": value}
 
 
-def limits_passed(program, places):
-    """The limits of the model's validity that at least one of the scenes with GT passes, whether accepted or not."""
-    rows = {}
-    answer = program.answer("contact", *(places.scenes / f"{surface}.toml" for surface in ledger.SURFACES))
-    for surface, scene in zip(ledger.SURFACES, answer["scenes"], strict=True):
-        for limit in scene["validity"]:
-            row = rows.setdefault(limit["word"], {name: limit[name] for name in (
-                "word", "assumption", "unit", "least", "greatest", "source")} | {"values": {}, "is_passed": False})
-            row["values"][surface] = limit["value"]
-            row["is_passed"] |= limit["holds"] not in ("yes", "not known")
-    return [{name: value for name, value in row.items() if name != "is_passed"} for row in rows.values() if row["is_passed"]]
-
-
 def inputs_of(cases):
     """Rows of the inputs for which at least one scene has a value."""
     rows = []
@@ -297,7 +284,7 @@ def paper(asked):
     data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": inputs_of(asked.published),
             "departure": scenes.DEPARTURE, "comparisons": {quantity: compared for quantity, (compared, _) in comparisons.items()},
             "offsets": offsets(asked.program, [case for case in cases.values() if case.model == "GT"]), "two_slopes": slopes.told,
-            "limits_passed": limits_passed(asked.program, places)}
+            "limits_passed": scenes.limits_passed(asked.program, {name: places.scenes / f"{name}.toml" for name in ledger.SURFACES})}
     files = [(f"data/curve_{stem}.tsv", tables.curve("Stribeck curve", case.source.file, case.solved.curve))
              for stem, case in cases.items()]
     files += [*slope_files(tables, slopes, cases["smooth"].source.file), ratio_file(tables, cases["smooth"], cases["smooth_gw"]),

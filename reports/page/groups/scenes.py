@@ -95,3 +95,16 @@ def points(scene, *speeds):
     """Lines that ask `tribocheck stream` for all outputs of a scene, each at a speed."""
     start = text_of({name: one for name, one in scene.items() if name not in ("outputs", "speed")}).removesuffix("}")
     return [f'{start}, "speed": {speed!r}}}' for speed in speeds]
+
+
+def limits_passed(program, paths):
+    """The limits of the model's validity that at least one of the scenes goes beyond, whether accepted or not; `paths` by their names."""
+    rows = {}
+    answer = program.answer("contact", *paths.values())
+    for name, scene in zip(paths, answer["scenes"], strict=True):
+        for limit in scene["validity"]:
+            row = rows.setdefault(limit["word"], {key: limit[key] for key in (
+                "word", "assumption", "unit", "least", "greatest", "source")} | {"values": {}, "is_passed": False})
+            row["values"][name] = limit["value"]
+            row["is_passed"] |= limit["holds"] not in ("yes", "not known")
+    return [{key: value for key, value in row.items() if key != "is_passed"} for row in rows.values() if row["is_passed"]]

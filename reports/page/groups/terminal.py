@@ -40,9 +40,15 @@ def headline(ledger):
 def verdict(report):
     text, ledger = "", report.get("ledger", {})
     if "summary" in ledger:
-        text = headline(ledger) + printable(f"The paper: {ledger['summary']}.") + "\n"
-    count = collections.Counter(one["standing"] for one in report["findings"] if one["about"] == "software")
-    text += (f"This software: {count['holds']} checks hold, {count['fails']} fail, {count['missed']} missed a target, "
+        scores = [one["score"] for one in ledger["readings"] if one["name"] in ("corrected", "m = 2", "equal faces")]
+        text = headline(ledger) + printable(f"The paper: {ledger['summary']}. So with the offset of one face (E9, m = 1); by how E9 is read "
+                                            f"{min(scores)} to {max(scores)} are reproduced.") + "\n"
+    about = [one for one in report["findings"] if one["about"] == "software"]
+    count = collections.Counter(one["standing"] for one in about)
+    several = {"mutants": ("mutants", "goals_missed"), "sweep_speed": ("sweep_speed", "targets_missed")}  # others have one target
+    targets = sum(report[several[one["id"]][0]][several[one["id"]][1]] if one["id"] in several else 1
+                  for one in about if one["standing"] == "missed")
+    text += (f"This software: {count['holds']} checks hold, {count['fails']} fail, {count['missed']} missed targets ({targets}), "
              f"{count['absent']} did not run.\n")
     return text + "".join(printable(f"  {WORDS[one['standing']]}: {one['id']}: {one.get('why', '')}") + "\n"
                           for one in report["findings"] if one["standing"] in WORDS)
