@@ -222,11 +222,9 @@ def of_films(report):
 
     def place(one):
         return f"(M = {whole(one['load_number'])}, L = {whole(one['material_number'])})"
-    films = {"central": "central, x = 0", "minimum": "minimum", "at_greatest_pressure": "at the greatest pressure"}
-    home = [f"{signed(one['elastic_viscous']['least']['error'])} to {signed(one['elastic_viscous']['greatest']['error'])} ({one['authors']}, {films[one['quantity']]})"
-            for one in found["formulas"]]
-    yield (f"{best['authors']}' is the closest ({signed(best['least']['error'])} to {signed(best['greatest']['error'])}) over all contacts; where the bodies are elastic "
-           f"and pressure thickens the liquid, for which all six are made, the errors are {', '.join(home)}.")
+    home = [one["elastic_viscous"] for one in found["formulas"]]
+    yield (f"{best['authors']}' is the closest ({signed(best['least']['error'])} to {signed(best['greatest']['error'])}) over all contacts; in the regime that all six are "
+           f"made for, their errors are {signed(min(one['least']['error'] for one in home))} to {signed(max(one['greatest']['error'] for one in home))}.")
     yield f"In its regime: at the {found['formulas'][0]['elastic_viscous']['points']} contacts where, of Moes' four asymptotes"
     for one in found["scenes"]:
         if one["is_on_map"]:
