@@ -51,13 +51,16 @@ std::vector<TextTable> argument_tables(const Ledger& ledger) {
   std::vector<TextTable> tables;
   for (const Argument& argument : ledger.arguments) {
     TextTable table{argument.question,
-                    {"candidate", "gives", "agrees"},
-                    {false, true, false},
+                    {"candidate", "gives", "by print precision", "agrees"},
+                    {false, true, false, false},
                     {},
                     fmt::format("Reported: {}, by print precision {} to {}. ", argument.reported,
                                 rounded(argument.low, 5), rounded(argument.high, 5))};
     for (const Candidate& one : argument.candidates)
-      table.rows.push_back({one.name, number(one.value, 5), one.agrees ? "yes" : "no"});
+      table.rows.push_back(
+          {one.name, number(one.value, 5),
+           one.value ? fmt::format("{} to {}", number(one.low, 4), number(one.high, 4)) : no_entry,
+           one.agrees ? "yes" : "no"});
     const std::size_t agreeing = argument.agreeing();
     table.note += agreeing == 0   ? "None of them agrees."
                   : agreeing == 1 ? "One agrees."
@@ -190,22 +193,28 @@ TextTable uncertainty_table(const Ledger& ledger) {
   return table;
 }
 
-TextTable errata_table(const Ledger& ledger) {
-  TextTable table{
-      "The misprints, and what each would do",
-      {"erratum", "place", "printed", "right", "settled by", "kind", "what is computed",
-       "as printed", "as corrected", "against"},
-      {false, false, false, false, false, false, false, true, true, false},
-      {},
-      "A reading may have been computed with, and is a switch; a finding is kept as printed; the "
-      "others are mended everywhere."};
-  for (const Erratum& one : ledger.errata)
-    table.rows.push_back(
+std::vector<TextTable> errata_tables(const Ledger& ledger) {
+  TextTable settled{"The misprints, and how each is settled",
+                    {"erratum", "place", "printed", "right", "settled by", "kind"},
+                    {false, false, false, false, false, false},
+                    {},
+                    "A reading may have been computed with, and is a switch; a finding is kept as "
+                    "printed; the others are mended everywhere."};
+  TextTable effects{"The misprints, and what each would do",
+                    {"erratum", "what is computed", "first form", "second form", "against"},
+                    {false, false, true, true, false},
+                    {},
+                    "First and second form: those that “what is computed” names."};
+  for (const Erratum& one : ledger.errata) {
+    settled.rows.push_back(
         {one.id, one.place, one.printed, one.right, one.settled_by,
-         one.kind == "reading" ? fmt::format("reading: {}", one.switch_or_reason) : one.kind,
-         one.evidence.empty() ? no_entry : one.evidence, number(one.as_printed),
-         number(one.as_corrected), one.decided_by.empty() ? no_entry : one.decided_by});
-  return table;
+         one.kind == "reading" ? fmt::format("reading: {}", one.switch_or_reason) : one.kind});
+    if (!one.evidence.empty())
+      effects.rows.push_back({one.id, one.evidence, number(one.as_printed),
+                              number(one.as_corrected),
+                              one.decided_by.empty() ? no_entry : one.decided_by});
+  }
+  return {std::move(settled), std::move(effects)};
 }
 
 TextTable independent_table(const Ledger& ledger) {

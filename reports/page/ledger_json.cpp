@@ -207,6 +207,8 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
     for (const Candidate& candidate : one.candidates)
       argument["candidates"].push_back({{"name", candidate.name},
                                         {"value", number(candidate.value)},
+                                        {"low", number(candidate.low)},
+                                        {"high", number(candidate.high)},
                                         {"agrees", candidate.agrees}});
     object["arguments"].push_back(argument);
   }

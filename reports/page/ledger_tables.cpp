@@ -65,6 +65,7 @@ std::string against_the_paper(const Item& item, const ItemResult& result) {
     return fmt::format("{} times", number(*result.observed.value / item.reported, 3));
   if (!is_over_speeds(item)) return no_entry;
   const double part = result.observed.part;
+  if (part < 0.5 && percent(part) == percent(0.5)) return "just under half of speeds";
   return part == 0   ? "at no speed"
          : part == 1 ? "at all speeds"
                      : fmt::format("at {} of speeds", percent(part));

@@ -55,7 +55,7 @@ std::vector<TextTable> requirement_tables(const reproduction::Ledger& ledger,
                                           const std::vector<std::string>& claims = {});
 TextTable departure_table(const reproduction::Ledger& ledger);
 TextTable uncertainty_table(const reproduction::Ledger& ledger);
-TextTable errata_table(const reproduction::Ledger& ledger);
+std::vector<TextTable> errata_tables(const reproduction::Ledger& ledger);
 TextTable independent_table(const reproduction::Ledger& ledger);
 
 // The whole ledger as JSON. `readings` are the columns; `claims` names the claims, all if empty.

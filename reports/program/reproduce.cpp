@@ -129,7 +129,7 @@ std::vector<TextTable> tables(const Ledger& ledger, const std::vector<NamedReadi
       add({report::departure_table(ledger)});
   }
   if (wants("uncertainty")) add({report::uncertainty_table(ledger)});
-  if (wants("errata")) add({report::errata_table(ledger)});
+  if (wants("errata")) add(report::errata_tables(ledger));
   if (wants("independent")) add({report::independent_table(ledger)});
   return made;
 }

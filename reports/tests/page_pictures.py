@@ -205,9 +205,10 @@ class Data:
             return [(factor * a, b) for a, b in column(rows, x, of)]
         bars = [] if of_evaluations or stem == "line_film" else [series("", None, points(rows) + points(rows, "mean error"), True) for _, rows in found]
         shown = [one for one in found if not of_evaluations or one[1][0][x] != "NaN"]
-        failing = [row for _, rows in found for row in rows if float(row["no numbers"]) > 0]
-        return [(True, True, bars + [series(title, None, points(rows)) for title, rows in shown] +
-                 [series("no number in some cases", 0, points(failing))], False)]
+        missing, title = ("no numbers", "no number in some cases") if stem == "line_film" else ("failures", "failures in some cases")
+        failing = [row for _, rows in found for row in rows if float(row[missing]) > 0]
+        return [(True, True, bars + [series(name, None, points(rows)) for name, rows in shown] +
+                 [series(title, 0, points(failing))], False)]
 
     # --- The sweep's, by report.json alone.
 

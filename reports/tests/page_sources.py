@@ -22,7 +22,7 @@ def stress(base):
     for one in base["outputs"]:
         at = one["worst_ulp_per_condition_at"]
         rows.append(of(one, *names) | {
-            "worst_ulp_per_condition_in_balls": one["in_balls"]["worst_ulp_per_condition"],
+            "worst_ulp_per_condition_in_balls": one["in_balls"]["worst_ulp_per_condition"], "cases_in_balls": one["in_balls"]["cases"],
             "worst_point": at and {"index": at["index"], "inputs": {name: value for name, (value, _) in at["inputs"].items()}}})
     return run_of(base) | of(base, "points", "seed") | {"outputs": rows} | judged(rows)
 
@@ -43,6 +43,7 @@ def mutants(base):
 def diagnosis(base):
     solvers = [of(one, "function", "said", "fakes", "named") for one in base["wrong_solvers"]]
     return run_of(base) | {"right_solvers": of(base["right_solvers"], "tries", "accused"), "wrong_solvers": solvers,
+                           "with_alternatives": sum("do not tell these apart" in one["said"] for one in solvers),
                            "named": sum(one["named"] for one in solvers)}
 
 
@@ -93,16 +94,21 @@ def work_precision(base):
         ours = told.get("tribocheck")
         timed = {family: one | {"times_ours": ours and one["ns"] / ours["ns"]} for family, one in told.items()}
         others = [one for family, one in timed.items() if family != "tribocheck"]
+        good = sorted((row for row in rows if ours and row["failures"] == 0 and row["family"] != "tribocheck" and row["max_ulp"] is not None and
+                       row["max_ulp"] <= ours["max_ulp"]), key=lambda row: row["ns"])
         jobs.append({"job": job, "ours": ours, "fastest_alternative": min(others, key=lambda one: one["ns"], default=None),
+                     "as_exact": of(good[0], "family", "name", "ns", "max_ulp", "evaluations") | {"times_ours": good[0]["ns"] / ours["ns"]} if good else None,
                      "is_counted": any(row["evaluations"] is not None and row["family"] != "tribocheck" for row in rows),
                      "ways": list(timed.values())})
     both = [(job["ours"], job["fastest_alternative"]) for job in jobs if job["ours"] and job["fastest_alternative"]]
     times = [other["times_ours"] for _, other in both]
+    same = [job["as_exact"]["times_ours"] for job in jobs if job["as_exact"]]
     films = base["line_film_run"]
     return run_of(base) | {
         "environment": of(base["environment"], "cpu", "compiler", "instruction_set"), "jobs": jobs,
         "alternatives": {"jobs": len(both), "less_exact": sum(other["max_ulp"] > ours["max_ulp"] for ours, other in both),
-                         "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None)},
+                         "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None),
+                         "as_exact": {"jobs": len(same), "least_times_ours": min(same, default=None), "greatest_times_ours": max(same, default=None)}},
         "line_film": run_of(films) | {
             "ways": [of(row, "family", "name", "ns", "steps", "max_relative", "mean_relative", "no_numbers", "judged") for row in base["line_film"]],
             "exponents": [of(row, "solver", "quantity", "exponent", "uncertainty", "from_cells", "to_cells") for row in base["line_film_exponents"]],

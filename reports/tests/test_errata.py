@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each erratum's two numbers, as printed and as corrected, against formulas written here once more."""
+"""The numbers of each erratum's two forms against formulas written here once more."""
 import json
 import math
 import unittest
@@ -139,12 +139,21 @@ class Errata(unittest.TestCase):
     def setUpClass(cls):
         cls.rows = {row["erratum"]: row for row in json.loads(run("reproduce", "--format", "json").out)["errata"]}
 
-    def test_each_has_the_numbers_that_its_formula_gives_as_printed_and_corrected(self):
+    def test_each_has_the_numbers_that_its_two_forms_give(self):
         self.assertEqual(set(self.rows), set(TWO) | OF_NOTATION)
         for name, numbers in TWO.items():
             for key, expected in zip(("as_printed", "as_corrected"), numbers):
                 with self.subTest(erratum=name, which=key, expected=expected, got=self.rows[name][key]):
                     self.assertAlmostEqual(self.rows[name][key], expected, delta=1e-6 * abs(expected))  # the error of the quadrature in this file
+
+    def test_each_names_its_two_forms_and_none_but_these(self):
+        for name in TWO:
+            quantity, forms = self.rows[name]["computed"].split(": ")
+            self.assertEqual(len(forms.split("; ")), 2, name)
+            self.assertNotIn(";", quantity)
+        forms = {name: row["computed"].partition(": ")[2] for name, row in self.rows.items()}
+        self.assertEqual(forms["E23"], "E* in U alone; 2E* throughout")
+        self.assertEqual(forms["E13"], "line gap, as printed and kept; circular gap, right")
 
     def test_each_number_stands_beside_what_decides_it(self):
         decided = {"C4: 0.82": ("E3", "E4", "E9", "E15", "E17"), "1.22: 1.899": ("E14", "E25"), "C2: 1.4": ("E13",),

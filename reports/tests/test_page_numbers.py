@@ -59,7 +59,7 @@ class Numbers(Told):
         steel = 206e9 / (2 * (1 - 0.3 ** 2))
         k, across, pressure = elliptic_contact(1111.0, steel, 0.005748648097826087, 0.08413750000000013)
         self.tells("contacts", r"ellipticity k = ay/ax \| 1.00 \| NUMBER", k)
-        self.tells("contacts", r"semi-axis ay, µm \| \d+ \| NUMBER", 1e6 * across)
+        self.tells("contacts", r"semi-axis ay, µm \| [\d.]+ \| NUMBER", 1e6 * across)
         half_width = math.sqrt(4 * 11000 / 0.02 * 0.008381199885452462 / (math.pi * steel))
         self.tells("contacts", r"mean pressure, GPa \| [\d.]+ \| NUMBER \| NUMBER", 1e-9 * pressure, 1e-9 * 11000 / 0.02 / (2 * half_width))
 

@@ -169,6 +169,7 @@ class Thirty(Told):
     def test_18_and_23_film_parameters_of_other_inlets(self):
         fixed = optimize.brentq(lambda r: r - ratio_of_films(r), 0.01, 0.999)
         self.tells("readings", r"as_printed, line gap: at every speed \| NUMBER", RATIO * fixed)
+        self.tells("readings", r"flooded_inlet, point gap \| 1.3062 \| NUMBER to NUMBER \| yes", *(oil * greatest_film(POINT_GAP)[1] for oil in (3.5, 4.5)))
         self.tells("misprints", r"E13 .* \| NUMBER \| NUMBER \| C2: 1.4", *(RATIO * greatest_film(gap)[1] for gap in (LINE_GAP, POINT_GAP)))
         self.tells("first", r"λ at the onset is NUMBER \(within 10 %\)", RATIO * greatest_film(POINT_GAP)[1])
 
@@ -198,7 +199,7 @@ class Thirty(Told):
         generator = numpy.random.default_rng(7)
         a, b = (numpy.array([value + half * generator.uniform(-1, 1, draws) for value, half in PRINTED]) for _ in range(2))
         of_a = onset_in_closed_form(a)
-        row = next(row for row in self.rows("uncertainty", "Onset speeds within the precision of Table 1") if row[:2] == ["rough", "film_maximum"])
+        row = next(row for row in self.rows("uncertainty", "Onset speeds within the print precision of the inputs") if row[:2] == ["rough", "film_maximum"])
         for shown, level in ((row[3], 0.025), (row[5], 0.975)):
             self.assertAlmostEqual(float(shown) / numpy.quantile(of_a, level), 1, delta=0.03)
         mixed = a.copy()

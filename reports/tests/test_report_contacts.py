@@ -104,6 +104,21 @@ class Contacts(WrittenReport):
                 for key in POINT:
                     self.assertLessEqual(abs(mine[key] - float(other[key])), 1e-12 * abs(float(other[key])), (name, key))
 
+    def test_heating_at_the_least_friction_is_that_of_its_speed(self):
+        """η₀u²/k_f in the inlet, k_f of mineral oil; far beyond some kelvin at the gear's flank, and not in the bearing."""
+        for name, one in self.told["scenes"].items():
+            speed = one["least_friction"]["speed"]
+            self.assert_close(one["heating_at_least_friction"]["inlet_heating"], one["viscosity"] * speed**2 / 0.14, 1e-12)
+        gear = self.told["scenes"]["gear_flank"]["heating_at_least_friction"]
+        self.assertGreater(min(gear.values()), 100)
+        self.assertLess(self.told["scenes"]["bearing_outer_ring"]["heating_at_least_friction"]["film_heating"], 10)
+
+    def test_limits_are_those_that_contact_tells_beyond(self):
+        done = run("contact", *(SCENES / f"{name}.toml" for name in CONTACTS), "--format", "json")
+        beyond = {limit["word"] for scene in json.loads(done.out)["scenes"] for limit in scene["validity"] if limit["holds"] in ("no", "accepted")}
+        self.assertEqual({one["word"] for one in self.told["limits_passed"]}, beyond)
+        self.assertIn("film_heating", beyond)
+
     def test_least_friction_is_that_of_onset(self):
         done = run("onset", *(SCENES / f"{name}.toml" for name in CONTACTS), "--format", "csv")
         speeds = {row["id"]: float(row["speed"]) for row in done.rows()

@@ -75,6 +75,21 @@ class LineFilms(WrittenReport):
                 self.assertIn(f"| `{name}` |", self.text)
                 self.assertIn(f"{float(shown):g}"[:3], self.text)
 
+    def test_the_regime_of_elastic_bodies_and_a_thickening_liquid_has_its_own_extremes(self):
+        for one in self.told["formulas"]:
+            films = solved_films(liquid_of(one["name"]))
+            home = [(m, l) for m, l in films if l > 0 and all(1.311 * l**0.75 / m**0.125 > other for other in (
+                3 / m, 1.287 * l**(2 / 3), 2.621 / m**0.2))]
+            found = one["elastic_viscous"]
+            self.assertEqual(found["points"], len(home))
+            self.assertNotIn((1, 1), home)
+            for key in ("least", "greatest"):
+                self.assertIn((found[key]["load_number"], found[key]["material_number"]), home)
+            if one["name"] in LAWS:
+                errors = [error(one["name"], *place, films[place]) for place in home]
+                self.assertAlmostEqual(found["least"]["error"], min(errors), 7)
+                self.assertAlmostEqual(found["greatest"]["error"], max(errors), 7)
+
     def test_the_map_meets_the_table_at_its_corners(self):
         rows = table(self.out / "data/line_film_errors.tsv")
         self.assertGreater(len(rows), 2500)
@@ -130,7 +145,7 @@ class LineFilms(WrittenReport):
 
     def test_the_papers_contacts_are_points(self):
         self.assertEqual([one["name"] for one in self.told["scenes"]], ["gear_flank", "roller"])
-        self.assertIn("The scenes of this report are contacts at points", self.text)
+        self.assertIn("The paper's scenes are contacts at points", self.text)
 
 
 class OtherFiles(unittest.TestCase):
@@ -154,7 +169,7 @@ class OtherFiles(unittest.TestCase):
         tracks = (self.project / "reports/out/data/line_film_tracks.blocks.tsv").read_text()
         self.assertEqual(re.findall(r'^"(\w+)"$', tracks, re.MULTILINE), ["gear_flank", "roller", "own"])
         self.assertIn(">own<", (self.project / "reports/out/figures/line_film_errors.svg").read_text())
-        self.assertNotIn("The scenes of this report are contacts at points", (self.project / "reports/out/report.md").read_text())
+        self.assertNotIn("The paper's scenes are contacts at points", (self.project / "reports/out/report.md").read_text())
 
     def test_without_a_table_the_page_says_so(self):
         for path in TABLES.values():

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "reproduction/ledger.hpp"
 #include "tribo/film_thickness.hpp"
@@ -23,37 +24,97 @@ Printed printed(const std::vector<Item>& items, std::string_view id) {
   return {};
 }
 
+using Value = std::function<std::optional<double>(const PaperScenes&)>;
+
+// The scenes with one input at an end of what prints alike.
+PaperScenes at_end(PaperScenes scenes, const Input& input, int side) {
+  for (std::size_t i = 0; i < contact_count; ++i)
+    if (input.is_of(i))
+      scale(scenes, i, input.field, 1 + side * input.last_digit / (2 * input.value));
+  return scenes;
+}
+
+// Candidates with the interval that the print precision of their inputs leaves open. Each input
+// moves a value one way only, so that the ends of the interval lie in two corners.
+class Candidates {
+ public:
+  Candidates(const PaperScenes& scenes, const std::vector<Input>& inputs)
+      : scenes_(scenes), inputs_(inputs) {}
+
+  Candidate operator()(std::string name, const Value& value) const {
+    Candidate made{std::move(name), value(scenes_), {}, {}, false};
+    if (!made.value) return made;
+    PaperScenes least = scenes_, greatest = scenes_;
+    for (const Input& input : inputs_) {
+      const int rises = direction(input, value, *made.value);
+      if (rises == 0) continue;
+      least = at_end(std::move(least), input, -rises);
+      greatest = at_end(std::move(greatest), input, rises);
+    }
+    made.low = value(least);
+    made.high = value(greatest);
+    return made;
+  }
+
+ private:
+  // 1 where the value rises with the input, −1 where it falls, 0 where it does not depend on it.
+  int direction(const Input& input, const Value& value, double here) const {
+    std::optional<double> there = value(at_end(scenes_, input, 1));
+    const int side = there ? 1 : -1;
+    if (!there) there = value(at_end(scenes_, input, -1));
+    if (!there || *there == here) return 0;
+    return *there > here ? side : -side;
+  }
+
+  const PaperScenes& scenes_;
+  const std::vector<Input>& inputs_;
+};
+
+// A number of formulas alone, which are exact as published.
+Candidate exact(std::string name, double value) {
+  return {std::move(name), value, value, value, false};
+}
+
 Argument decided(Argument argument) {
   for (Candidate& one : argument.candidates)
-    one.agrees = one.value && *one.value >= argument.low && *one.value <= argument.high;
+    one.agrees = one.value && one.high.value_or(argument.low) >= argument.low &&
+                 one.low.value_or(argument.high) <= argument.high;
   return argument;
 }
 
 // A = (K F_{5/2})^q: between the rough and the smooth surface K doubles, at equal λ.
-Argument sharing_exponent(const PaperScenes& scenes, const std::vector<Item>& items) {
+Argument sharing_exponent(const PaperScenes& scenes, const std::vector<Item>& items,
+                          const Candidates& candidate) {
   const Printed a = printed(items, "C4.rough"), b = printed(items, "C4.smooth");
-  const auto stiffness = [&](std::size_t i) {
-    const Scene& s = scenes.scene[i];
+  const auto stiffness = [](const Scene& s) {
     return std::pow(s.surface.summit_density * s.surface.summit_radius * s.surface.summit_height_sd,
                     2) *
            std::sqrt(s.surface.summit_height_sd / s.surface.summit_radius);
   };
-  const double ratio = stiffness(roughest) / stiffness(smoothest);
-  const double shares = slow_asperity_share(scenes, corrected_reading(), roughest) /
-                        slow_asperity_share(scenes, corrected_reading(), smoothest);
+  const auto ratio = [&](const PaperScenes& changed) {
+    return stiffness(changed.scene[roughest]) / stiffness(changed.scene[smoothest]);
+  };
+  const auto shares = [](const PaperScenes& changed) {
+    return slow_asperity_share(changed, corrected_reading(), roughest) /
+           slow_asperity_share(changed, corrected_reading(), smoothest);
+  };
+  const double here = ratio(scenes);
   return decided(
       {"the exponent q of A = (K F_5/2)^q, from the ratio of the asperity shares at low speed, "
        "rough over smooth",
        fmt::format("{}/{} = {:.3g}", a.value, b.value, a.value / b.value),
        a.low / b.high,
        a.high / b.low,
-       {{fmt::format("q = 1/2, equal separations: {:.3g}^1/2", ratio), std::sqrt(ratio), false},
-        {"q = 1/2, the separations that come out", shares, false},
-        {fmt::format("q = 1, equal separations: {:.3g}", ratio), ratio, false},
-        {"q = 1, the same separations", shares * shares, false}}});
+       {candidate(fmt::format("q = 1/2, equal separations: {:.3g}^1/2", here),
+                  [&](const PaperScenes& changed) { return std::sqrt(ratio(changed)); }),
+        candidate("q = 1/2, the separations that come out", shares),
+        candidate(fmt::format("q = 1, equal separations: {:.3g}", here), ratio),
+        candidate("q = 1, the same separations",
+                  [&](const PaperScenes& changed) { return std::pow(shares(changed), 2); })}});
 }
 
-Argument onset_film_parameter(const PaperScenes& scenes, const std::vector<Item>& items) {
+// λ is h_oil/σ_s times a number of the inlet alone.
+Argument onset_film_parameter(const std::vector<Item>& items, const Candidates& candidate) {
   const Printed lambda = printed(items, "C2.smooth");
   Argument argument{"the inlet, from λ at the greatest film, whatever the surface",
                     fmt::format("{}", lambda.value),
@@ -64,23 +125,26 @@ Argument onset_film_parameter(const PaperScenes& scenes, const std::vector<Item>
     for (std::uint8_t gap = 0; gap < 2; ++gap) {
       const Reading reading = with(Switch::gap, gap, with(Switch::inlet, rule));
       const ReadInlet inlet(reading);
-      const double ratio = scenes.scene[smoothest].supply.value;
-      std::optional<double> value;
-      if (inlet.rule() == InletRule::as_printed) value = ratio * inlet.film_ratio(1);
-      if (inlet.maximum()) value = ratio * *inlet.maximum() * inlet.film_ratio(*inlet.maximum());
+      const bool is_as_printed = inlet.rule() == InletRule::as_printed;
       argument.candidates.push_back(
-          {fmt::format("{}, {} gap{}", info(Switch::inlet).choices[rule],
-                       info(Switch::gap).choices[gap],
-                       inlet.rule() == InletRule::as_printed ? ": at every speed"
-                       : inlet.maximum()                     ? ""
-                                                             : ": no greatest film"),
-           value, false});
+          candidate(fmt::format("{}, {} gap{}", info(Switch::inlet).choices[rule],
+                                info(Switch::gap).choices[gap],
+                                is_as_printed     ? ": at every speed"
+                                : inlet.maximum() ? ""
+                                                  : ": no greatest film"),
+                    [&](const PaperScenes& changed) -> std::optional<double> {
+                      if (!is_as_printed && !inlet.maximum()) return std::nullopt;
+                      const double r = is_as_printed ? 1 : *inlet.maximum();
+                      return changed.scene[smoothest].supply.value * r * inlet.film_ratio(r);
+                    }));
     }
-  const ReadInlet inlet(corrected_reading());
-  argument.candidates.push_back({"flooded_inlet, line gap, λ by σ = 1.4σ_s",
-                                 scenes.scene[smoothest].supply.value * *inlet.maximum() *
-                                     inlet.film_ratio(*inlet.maximum()) / 1.4,
-                                 false});
+  // 1.4 is printed to two digits too.
+  Candidate by_sigma = argument.candidates.front();
+  by_sigma.name = "flooded_inlet, line gap, λ by σ = 1.4σ_s";
+  by_sigma.value = *by_sigma.value / 1.4;
+  by_sigma.low = *by_sigma.low / 1.45;
+  by_sigma.high = *by_sigma.high / 1.35;
+  argument.candidates.push_back(std::move(by_sigma));
   return decided(std::move(argument));
 }
 
@@ -91,32 +155,31 @@ Argument film_formula(const PaperScenes& scenes, const std::vector<Item>& items)
        fmt::format("{}", constant.value),
        constant.low,
        constant.high,
-       {{"2.69 (1 − 0.61 e^−0.73)", film_constant(scenes, corrected_reading()), false},
-        {"2.69 (1 − 0.6 e^−0.73), as 1.20 prints it", 2.69 * (1 - 0.6 * std::exp(-0.73)), false},
-        {"2.69, the bracket dropped", film_constant(scenes, with(Switch::film_constant, 1)),
-         false}}});
+       {exact("2.69 (1 − 0.61 e^−0.73)", film_constant(scenes, corrected_reading())),
+        exact("2.69 (1 − 0.6 e^−0.73), as 1.20 prints it", 2.69 * (1 - 0.6 * std::exp(-0.73))),
+        exact("2.69, the bracket dropped",
+              film_constant(scenes, with(Switch::film_constant, 1)))}});
 }
 
-// 0.82 σ in units of σ_s, beside Table 1's number. All three numbers are printed to a few digits,
-// and the factors less precisely than Table 1's.
+// 0.82 σ in units of σ_s, beside Table 1's number. Both factors are printed to two digits.
 Argument plane_offset(const PaperScenes& scenes, const std::vector<Input>& inputs) {
   const double offset = scenes.scene[smoothest].surface.summit_plane_offset;
   const auto precision = std::find_if(inputs.begin(), inputs.end(), [](const Input& one) {
     return one.field == Field::summit_plane_offset;
   });
   const double half = precision == inputs.end() ? 0 : precision->last_digit / 2;
-  const double factors = (1 + 0.005 / 0.82) * (1 + 0.05 / 1.4);
   return decided(
       {"σ against σ_s, from D_d = 0.82 σ (Whitehouse and Archard), the factor 1.4 and "
        "Table 1's D_d",
        fmt::format("{}", offset),
-       (offset - half) / factors,
-       (offset + half) * factors,
-       {{"σ = 1.4 σ_s: 0.82·1.4", 0.82 * 1.4, false},
-        {"σ_s = 1.4 σ, as 1.8 prints it: 0.82/1.4", 0.82 / 1.4, false}}});
+       offset - half,
+       offset + half,
+       {{"σ = 1.4 σ_s: 0.82·1.4", 0.82 * 1.4, 0.815 * 1.35, 0.825 * 1.45, false},
+        {"σ_s = 1.4 σ, as 1.8 prints it: 0.82/1.4", 0.82 / 1.4, 0.815 / 1.45, 0.825 / 1.35,
+         false}}});
 }
 
-Argument summit_radius(const PaperScenes& scenes, const std::vector<Item>& items) {
+Argument summit_radius(const std::vector<Item>& items, const Candidates& candidate) {
   const Printed share = printed(items, "C4.smooth");
   Argument argument{
       "β and what multiplies the asperities' load, from their share on the smooth surface at low "
@@ -130,22 +193,24 @@ Argument summit_radius(const PaperScenes& scenes, const std::vector<Item>& items
   const std::vector<std::pair<std::string, Reading>> readings{
       {"β = 10 µm", corrected_reading()},
       {"β = 0.1 µm", small},
-      {"β = 0.1 µm, two offset planes", with(Switch::offset_planes, 1, small)},
-      {"β = 10 µm, two offset planes", two_planes},
-      {"β = 10 µm, two offset planes, 8√2/15", with(Switch::asperity_prefactor, 1, two_planes)},
-      {"β = 10 µm, two offset planes, A_nom = a²", with(Switch::nominal_area, 1, two_planes)},
-      {"β = 10 µm, two offset planes, A_nom = a², 8√2/15",
+      {"β = 0.1 µm, offset 2D_d", with(Switch::offset_planes, 1, small)},
+      {"β = 10 µm, offset 2D_d", two_planes},
+      {"β = 10 µm, offset 2D_d, 8√2/15", with(Switch::asperity_prefactor, 1, two_planes)},
+      {"β = 10 µm, offset 2D_d, A_nom = a²", with(Switch::nominal_area, 1, two_planes)},
+      {"β = 10 µm, offset 2D_d, A_nom = a², 8√2/15",
        with(Switch::asperity_prefactor, 1, with(Switch::nominal_area, 1, two_planes))}};
-  for (const auto& [name, reading] : readings)
-    argument.candidates.push_back({name, slow_asperity_share(scenes, reading, smoothest), false});
+  for (const auto& entry : readings)
+    argument.candidates.push_back(candidate(entry.first, [&](const PaperScenes& changed) {
+      return slow_asperity_share(changed, entry.second, smoothest);
+    }));
   return decided(std::move(argument));
 }
 
 // A criterion on r alone gives the same λ on all surfaces. Then u ∝ σ_s^{1/0.67}, apart from load
 // sharing.
 Argument onset_spacing(const PaperScenes& scenes, const std::vector<Item>& items,
-                       std::string_view above, std::size_t upper, std::string_view below,
-                       std::size_t lower) {
+                       const Candidates& candidate, std::string_view above, std::size_t upper,
+                       std::string_view below, std::size_t lower) {
   const Printed a = printed(items, fmt::format("C1.{}", above));
   const Printed b = printed(items, fmt::format("C1.{}", below));
   Argument argument{
@@ -154,26 +219,30 @@ Argument onset_spacing(const PaperScenes& scenes, const std::vector<Item>& items
       a.low / b.high,
       a.high / b.low,
       {}};
-  const double sds =
-      scenes.scene[upper].surface.summit_height_sd / scenes.scene[lower].surface.summit_height_sd;
   argument.candidates.push_back(
-      {"σ_s^1/0.67, no load sharing",
-       decimal_power(sds, inverse(hamrock_dowson_central_law.speed_exponent)), false});
+      candidate("σ_s^1/0.67, no load sharing", [&](const PaperScenes& changed) {
+        return decimal_power(changed.scene[upper].surface.summit_height_sd /
+                                 changed.scene[lower].surface.summit_height_sd,
+                             inverse(hamrock_dowson_central_law.speed_exponent));
+      }));
   const std::vector<double> speeds =
       speed_grid(scenes.scene[0].speeds.from, scenes.scene[0].speeds.to);
   for (std::size_t k = 0; k < onset_choices.size(); ++k) {
     const Reading reading = with(Switch::criterion, static_cast<std::uint8_t>(k));
     const ReadInlet inlet(reading);
-    const auto onset = [&](std::size_t i) {
+    const auto onset = [&](const PaperScenes& changed, std::size_t i) {
       const FloodedCurve flooded =
-          flooded_curve(ReadContact(scenes.scene[i], reading, scenes.film_scale()), speeds);
+          flooded_curve(ReadContact(changed.scene[i], reading, changed.film_scale()), speeds);
       return onset_of(flooded, starved_curve(flooded, inlet, speeds), inlet, reading.onset(),
                       friction_law(reading));
     };
-    const auto high = onset(upper), low = onset(lower);
-    std::optional<double> ratio;
-    if (high && low) ratio = high->speed / low->speed;
-    argument.candidates.push_back({std::string(info(Switch::criterion).choices[k]), ratio, false});
+    argument.candidates.push_back(
+        candidate(std::string(info(Switch::criterion).choices[k]),
+                  [&](const PaperScenes& changed) -> std::optional<double> {
+                    const auto high = onset(changed, upper), low = onset(changed, lower);
+                    if (!high || !low) return std::nullopt;
+                    return high->speed / low->speed;
+                  }));
   }
   return decided(std::move(argument));
 }
@@ -187,11 +256,12 @@ std::size_t Argument::agreeing() const {
 
 std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
                                 const std::vector<Input>& inputs) {
-  return {sharing_exponent(scenes, items),
-          onset_film_parameter(scenes, items),
-          onset_spacing(scenes, items, "medium", 1, "smooth", 2),
-          onset_spacing(scenes, items, "rough", 0, "medium", 1),
-          summit_radius(scenes, items),
+  const Candidates candidate(scenes, inputs);
+  return {sharing_exponent(scenes, items, candidate),
+          onset_film_parameter(items, candidate),
+          onset_spacing(scenes, items, candidate, "medium", 1, "smooth", 2),
+          onset_spacing(scenes, items, candidate, "rough", 0, "medium", 1),
+          summit_radius(items, candidate),
           film_formula(scenes, items),
           plane_offset(scenes, inputs)};
 }

@@ -12,12 +12,14 @@
 
 namespace tribo::reproduction {
 
-// arguments.cpp: the reading that a number of the paper identifies, by the number with its print
-// precision and the value of each candidate.
+// arguments.cpp: the reading that a number of the paper identifies, by the number and the value of
+// each candidate, both with their print precision.
 struct Candidate {
   std::string name;
   std::optional<double> value;  // empty: it gives no such number
-  bool agrees;                  // within the reported interval
+  // By the print precision of what it is computed from; empty where there is no number at that end.
+  std::optional<double> low, high;
+  bool agrees;  // this interval and the reported one meet
 };
 
 struct Argument {
@@ -32,11 +34,11 @@ struct Argument {
 std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
                                 const std::vector<Input>& inputs);
 
-// errata.cpp: the paper's misprints, from reference/published/errata.tsv, with the numbers of the
-// printed and of the right form, which show whether the misprint matters.
+// errata.cpp: the paper's misprints, from reference/published/errata.tsv, with the numbers of two
+// forms, which show whether the misprint matters: as a rule the printed and the right one.
 struct Erratum {
   std::string id, place, printed, right, settled_by, kind, switch_or_reason;
-  std::string evidence;  // the computed quantity; empty where there is none
+  std::string evidence;  // the quantity, and the two forms; empty where there is none
   std::optional<double> as_printed, as_corrected;
   std::string decided_by;  // the number of the paper, or the bound, that settles it
 };

@@ -37,8 +37,9 @@ constexpr std::array<SwitchInfo, switch_count> infos{{
      "16√2/15 or 8√2/15 in Greenwood and Tripp's load, with E*"},
     {"nominal_area", "E4", areas, 0, 1, "A_nom is πa², or a² as printed"},
     {"offset_planes", "E9", plane_counts, 0, 1,
-     "how many faces bring the offset D_d, with GT, m = 1 or 2; or two equal faces, D_d/σ_s of one "
-     "of them and σ_s of their sum, m = √2"},
+     "the offset of the summits over D_d, with GT, m = 1 or 2; or √2 of two equal faces, D_d/σ_s "
+     "of "
+     "one of them and σ_s of their sum"},
     {"inlet", "E10, E11", inlets, 0, 3,
      "ψ at the flooded film; at the starved one; with the printed exponents; or 1.10 to 1.14 as "
      "they stand"},

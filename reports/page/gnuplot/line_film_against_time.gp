@@ -21,4 +21,4 @@ do for [i=1:n] {
 plot for [i=0:n-1] table index i using ($5*1e-9):7 with linespoints \
        pointtype shape(i) pointsize size(family[i+1]) linewidth (is_ours(family[i+1]) ? 2.2 : 1.2) \
        linecolor rgb colour(family[i+1]) title columnheader(1), \
-     table index 0:(n-1) using ($5*1e-9):($9 > 0 ? $7 : NaN) with points linestyle 10 title failing_title
+     table index 0:(n-1) using ($5*1e-9):($9 > 0 ? $7 : NaN) with points linestyle 10 title "no number in some cases"

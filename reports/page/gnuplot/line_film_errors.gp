@@ -54,7 +54,7 @@ named(y) = strlen(strcol(5)) > 0 ? y : NaN
 words = kind eq "svg" ? ",13" : ",9.5"
 contour(i, side) = sprintf("$%s%d", side, i)
 
-top = 1 - 108.0/tall; bottom = 200.0/tall; gap = 88.0/tall
+top = 1 - 108.0/tall; bottom = 200.0/tall; gap = 112.0/tall
 panel = (top - bottom - 2*gap)/3
 unset title
 set multiplot
@@ -96,7 +96,7 @@ do for [i=1:6] {
   set xtics ("1" 1, "2" 2, "5" 5, "10" 10, "20" 20, "50" 50, "100" 100, "200" 200) nomirror out scale 1,0.5
   set ytics ("1" 1, "2" 2, "5" 5, "10" 10, "20" 20) nomirror out scale 1,0.5
   set title title_of[i] offset 0, (kind eq "svg" ? 0 : -0.4)
-  if (row == 2) { set xlabel "load number M (–)" offset 0, x_words }
+  set xlabel "load number M (–)" offset 0, x_words
   if (place == 0) { set ylabel "material number L (–)" offset y_words - 1 }
   if (i == 6 && track_count > 0) {
     set key at screen 0.5, screen 4.0/tall center bottom horizontal maxrows 2 Left reverse samplen 3.5 font small noenhanced

@@ -29,6 +29,14 @@ def before_solved(file, about):
         "slide_roll_ratio": about.input("friction.slide_roll_ratio"), "film_law": about.input("closures.film")}
 
 
+def heating(program, path, speed):
+    """By how many kelvin the oil gets hotter at a speed, by the limits of the model's validity."""
+    if speed is None:
+        return None
+    scene, = program.answer("contact", path, "--speed", repr(speed))["scenes"]
+    return {limit["word"]: limit["value"] for limit in scene["validity"] if limit["word"] in ("inlet_heating", "film_heating")}
+
+
 def contacts(asked):
     paths = {stem: asked.places.reference / f"scenes/{stem}.toml" for stem in STEMS}
     abouts = dict(zip(STEMS, scenes.abouts(asked.program.said("solve", *paths.values(), "--about", "--format", "json")[0])))
@@ -41,7 +49,7 @@ def contacts(asked):
         at_least = None if least is None else one.contact.at(least)
         made[stem] = fact | {
             "at_told_speed": told(one.contact.at(TOLD_SPEED)), "slowest": told(one.curve[0]), "fastest": told(one.curve[-1]),
-            "least_friction": told(at_least)}
+            "least_friction": told(at_least), "heating_at_least_friction": heating(asked.program, paths[stem], least)}
         files += [(f"data/contact_{stem}.tsv", tables.curve("Stribeck curve", fact["file"], one.curve)),
                   (f"data/scenes/{stem}.toml", scenes.file_text(paths[stem]))]
         marks.append((stem, at_least))

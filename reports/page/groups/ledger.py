@@ -188,7 +188,7 @@ def ledger(asked):
     compared, left_out = comparison(committed)
     found = [finding("claims", "claims", "paper", "holds" if reproduces_all else "differs"),
              finding("readings", "readings", "paper", "measured"),
-             finding("independent_numbers", "uncertainty", "software", "holds" if all_independent else "fails"), compared]
+             finding("independent_numbers", "uncertainty", "software", "measured" if all_independent else "fails"), compared]
     return Group(told | {"committed": committed}, found, left_out, [
         surfaces_data(asked, told, contacts), law_data(asked, contacts[SURFACES.index("smooth")]), scores_data(told),
         table_data(told)])

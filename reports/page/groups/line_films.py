@@ -185,6 +185,11 @@ def place_of(error, at):
     return {"error": error, "load_number": at.load, "material_number": at.material}
 
 
+def is_elastic_and_viscous(at):
+    """Whether elastic bodies with a liquid that pressure thickens have the thickest film of Moes' four asymptotes (1992)."""
+    return 1.311 * at.load**(-1 / 8) * at.material**(3 / 4) > max(3 / at.load, 1.287 * at.material**(2 / 3), 2.621 * at.load**(-1 / 5))
+
+
 def formula_data(formula, films):
     """The errors of a formula over the rows of the table with L > 0."""
     table = [one for one in films.table if one.material > 0]
@@ -192,10 +197,12 @@ def formula_data(formula, films):
         raise Missing("line_films.csv has no films with L > 0")
     numbers = films.formula(formula.name, [(one.load, one.material) for one in table])
     errors = [number / one.of(formula) - 1 for number, one in zip(numbers, table)]
+    at_home = [place for place in zip(errors, table) if is_elastic_and_viscous(place[1])]
     return {"name": formula.name, "authors": formula.authors, "quantity": formula.quantity, "liquid": formula.liquid,
             "points": len(errors), "least": place_of(*min(zip(errors, table))), "median": statistics.median_high(errors),
             "greatest": place_of(*max(zip(errors, table))),
-            "median_size": statistics.median_high([abs(error) for error in errors])}
+            "median_size": statistics.median_high([abs(error) for error in errors]),
+            "elastic_viscous": {"points": len(at_home), "least": place_of(*min(at_home)), "greatest": place_of(*max(at_home))} if at_home else None}
 
 
 def solved_data(table):

@@ -50,7 +50,7 @@ GROUPS = {
     "paper": Maker(paper.paper, "", "solving the published scenes"),
     "ledger": Maker(ledger.ledger, "`tribocheck reproduce`", "judging the paper's claims under every reading"),
     "onset_uncertainty": Maker(onset_uncertainty.onset_uncertainty, "`tribocheck sweep` of `reference/published/sweeps`",
-                               "drawing onsets within the precision of Table 1"),
+                               "drawing onsets within the print precision of the inputs"),
     "contacts": Maker(contacts.contacts, "The checkout's folder `reference/scenes`", "solving the contacts of machines"),
     "line_films": Maker(line_films.line_films, "The checkout's folders `reference/ehl` and `reference/scenes`",
                         "solving films of line contacts"),

@@ -29,6 +29,7 @@ def stressed_output(output):
             copied(output, number, "worst_part_of_bound") | copied(output, flag, "held") |
             copied(output, number_or_none, "worst_ulp", "worst_ulp_per_condition") |
             {"worst_ulp_per_condition_in_balls": number_or_none(output["in_balls"]["worst_ulp_per_condition"]),
+             "cases_in_balls": count(output["in_balls"]["cases"]),
              "worst_point": worst_point(output["worst_ulp_per_condition_at"])})
 
 
@@ -71,7 +72,7 @@ def noticed(baseline):
     left_out = [not_run("random changes", f"{waiting} of those that were drawn wait for slow tests", "`make mutants`")]
     found = finding("mutants", "mutants", "software", "holds")
     if not data["goals_reached"]:
-        found = finding("mutants", "mutants", "software", "missed", "a goal is missed" + (f"; {waiting} changes wait for slow tests." if waiting else "."))
+        found = finding("mutants", "mutants", "software", "missed", f"{data['goals_missed']} of {len(data['rooms'])} goals are missed" + (f"; {waiting} changes wait for slow tests." if waiting else "."))
     return Group(run_of(baseline) | data, [found], left_out if waiting else [])
 
 
@@ -81,7 +82,8 @@ def diagnosed(baseline):
                for one in baseline["wrong_solvers"]]
     named = sum(solver["named"] for solver in solvers)
     right = copied(baseline["right_solvers"], count, "tries") | copied(baseline["right_solvers"], flag, "accused")
-    return Group(run_of(baseline) | {"right_solvers": right, "named": named, "wrong_solvers": solvers},
+    open_ends = sum("The numbers do not tell these apart." in solver["said"] for solver in solvers)
+    return Group(run_of(baseline) | {"right_solvers": right, "named": named, "with_alternatives": open_ends, "wrong_solvers": solvers},
                  [promise("diagnosis", "diagnosis", 0 if right["accused"] else named, len(solvers))])
 
 

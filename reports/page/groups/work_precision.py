@@ -58,6 +58,13 @@ def drawn_first(rows, error="max_ulp"):
     return [row for row in rows if row["series"] in chosen] + [row for row in rows if row["series"] not in chosen]
 
 
+def fastest_as_exact(rows, ours):
+    """The fastest way of other families that failed nowhere, and whose greatest error is that of our fastest way or less."""
+    ways = fastest_ways([row for row in rows if row["max_ulp"] is not None and number(row["max_ulp"]) <= ours["max_ulp"]])
+    others = [way | {"times_ours": way["ns"] / ours["ns"]} for family, way in ways.items() if family != OURS]
+    return min(others, key=lambda way: way["ns"], default=None)
+
+
 def job_of(name, rows):
     """The fastest ways beside ours, and the fastest alternative."""
     ways = fastest_ways(rows)
@@ -65,6 +72,7 @@ def job_of(name, rows):
     timed = {family: way | {"times_ours": way["ns"] / ours["ns"] if ours else None} for family, way in ways.items()}
     others = [way for family, way in timed.items() if family != OURS]
     return {"job": name, "ours": ours, "fastest_alternative": min(others, key=lambda way: way["ns"], default=None),
+            "as_exact": ours and fastest_as_exact(rows, ours),
             "is_counted": any(row["family"] != OURS and row["evaluations"] is not None for row in rows),
             "ways": list(timed.values())}
 
@@ -73,8 +81,11 @@ def contest(jobs):
     """How many times as long as ours the fastest alternative takes, over the jobs that have both."""
     both = [(job["ours"], job["fastest_alternative"]) for job in jobs if job["ours"] and job["fastest_alternative"]]
     times = [other["times_ours"] for _, other in both]
+    as_exact = [job["as_exact"]["times_ours"] for job in jobs if job["as_exact"]]
     return {"jobs": len(both), "less_exact": sum(other["max_ulp"] > ours["max_ulp"] for ours, other in both),
-            "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None)}
+            "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None),
+            "as_exact": {"jobs": len(as_exact), "least_times_ours": min(as_exact, default=None),
+                         "greatest_times_ours": max(as_exact, default=None)}}
 
 
 def line_film(baseline):

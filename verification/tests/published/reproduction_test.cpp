@@ -594,15 +594,39 @@ TEST(Errata, OfTheKindReadingNameTheirSwitches) {
   }
 }
 
-TEST(Arguments, IdentifyTheExponentTheInletAndTheConstant) {
+TEST(Arguments, IdentifyTheConstantAndSigmaAlone) {
   std::vector<std::size_t> agreeing;
   for (const Argument& one : ledger().arguments) agreeing.push_back(one.agreeing());
-  // The candidates that agree: q = 1/2 by both its ways; one inlet; no criterion, twice; no share;
-  // one constant; one σ, because 0.82·1.4 is 1.146 within the precision of its factors.
-  EXPECT_EQ(agreeing, (std::vector<std::size_t>{2, 1, 0, 0, 0, 1, 1}));
-  EXPECT_TRUE(ledger().arguments[0].candidates[0].agrees);
-  EXPECT_TRUE(ledger().arguments[0].candidates[1].agrees);
-  EXPECT_TRUE(ledger().arguments[1].candidates[0].agrees);
+  // The rough surface's σ_s, of one digit, leaves all exponents and all criteria of rough over
+  // medium open, but none of medium over smooth. One constant; one σ, because 0.82·1.4 is 1.146
+  // within the precision of its factors.
+  EXPECT_EQ(agreeing, (std::vector<std::size_t>{4, 3, 0, 9, 5, 1, 1}));
+}
+
+// h_oil/σ_s = 4 has one digit: λ, which is in proportion to it, may be off by an eighth.
+TEST(Arguments, OfTheInletCountThePrintPrecisionOfTheOil) {
+  std::vector<std::string> agree;
+  for (const Candidate& one : ledger().arguments[1].candidates) {
+    if (one.agrees) agree.push_back(one.name);
+    if (!one.value || one.name.ends_with("1.4σ_s")) continue;
+    EXPECT_TRUE(is_close(*one.low, *one.value * 3.5 / 4, 1e-15, {})) << one.name;
+    EXPECT_TRUE(is_close(*one.high, *one.value * 4.5 / 4, 1e-15, {})) << one.name;
+  }
+  EXPECT_EQ(agree, (std::vector<std::string>{"flooded_inlet, line gap", "flooded_inlet, point gap",
+                                             "printed_exponents, line gap"}));
+}
+
+// An interval has its candidate's value within; both its ends are on one side where it disagrees.
+TEST(Arguments, IntervalsHoldTheirValuesAndDecide) {
+  for (const Argument& argument : ledger().arguments)
+    for (const Candidate& one : argument.candidates) {
+      EXPECT_EQ(one.value.has_value(), one.low || one.high) << one.name;
+      if (!one.value) continue;
+      EXPECT_LE(one.low.value_or(*one.value), *one.value) << one.name;
+      EXPECT_GE(one.high.value_or(*one.value), *one.value) << one.name;
+      if (!one.low || !one.high) continue;
+      EXPECT_EQ(one.agrees, *one.low <= argument.high && *one.high >= argument.low) << one.name;
+    }
 }
 
 TEST(IndependentNumbers, AreReproducedToTheirLastDigit) {
