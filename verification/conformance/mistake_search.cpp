@@ -143,6 +143,12 @@ void for_each_set(const std::vector<Mistake>& mistakes, std::size_t count, Mista
   }
 }
 
+void sort_by_what_they_explain(std::vector<Fit>& fits) {
+  std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
+    return a.explains.size() > b.explains.size();
+  });
+}
+
 // The causes of the fewest mistakes, the one that explains most first. Quick: those alone that
 // nearly all probes are as.
 std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mistakes,
@@ -157,9 +163,7 @@ std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mis
       if (made.is_consistent() && search.is_worth_telling(made)) fits.push_back(std::move(made));
     });
     if (fits.empty()) continue;
-    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
-      return a.explains.size() > b.explains.size();
-    });
+    sort_by_what_they_explain(fits);
     const bool is_close = fits.front().is_close();
     if (best.empty() || is_close) best = std::move(fits);
     // One mistake that is met roughly may be two that are met closely.
@@ -190,6 +194,7 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
     // They may explain the result that was left out, too.
     for (Fit& one : fits)
       if (Fit whole = search.fit(one.mistakes); whole.is_consistent()) one = std::move(whole);
+    sort_by_what_they_explain(fits);
     if (!fits.empty() &&
         (best.empty() || fits.front().explains.size() > best.front().explains.size())) {
       best = std::move(fits);
