@@ -23,6 +23,9 @@
 namespace tribo::scene_detail {
 namespace {
 
+// Two faces are rough alike up to this ratio of their roughness.
+constexpr double greatest_factor_of_alike_faces = 2;
+
 bool is_whole(double number) { return std::trunc(number) == number; }
 
 // The places of fields that the rules below name, looked up once.
@@ -229,8 +232,10 @@ class SceneBinder {
     std::array<std::optional<double>, 2> faces;
     for (std::size_t i = 0; i < faces.size(); ++i)
       faces[i] = number_of(info, entry.elements[i], element_name(info.path, i));
-    scene_.surface.has_two_faces = true;
-    if (faces[0] && faces[1]) store_of(field)(scene_, composite_roughness(*faces[0], *faces[1]));
+    if (!faces[0] || !faces[1]) return;
+    const auto [less, greater] = std::minmax(*faces[0], *faces[1]);
+    scene_.surface.has_alike_faces = greater <= greatest_factor_of_alike_faces * less;
+    store_of(field)(scene_, composite_roughness(*faces[0], *faces[1]));
   }
 
   void take_choice(std::size_t field, const Value& value) {

@@ -62,7 +62,7 @@ struct State {
   HertzContact<double> hertz;
   detail::SpeedSpan speeds;
   // The points that are judged, of film, shares and area: at the slowest and the fastest speed, and
-  // where the film of the fastest has collapsed some before. None without a speed or a film law.
+  // of a film that starves at some before. None without a speed or a film law.
   std::vector<OperatingPoint<double>> points = {};
   // The least Λ at these points, of faces whose roughness is known by Rq alone.
   double lambda_ratio = not_assumed;
@@ -316,7 +316,7 @@ std::string advice_on_law(const State& state) {
 // default though both are rough alike (Greenwood and Tripp).
 double share_of_planes(const State& state, int planes) {
   const Surface& surface = state.scene.surface;
-  const bool are_alike = surface.has_moments() || surface.has_two_faces;
+  const bool are_alike = surface.has_moments() || surface.has_alike_faces;
   const AsperityModel model = state.scene.closures.asperity;
   const auto& n = state.numbers;
   if (surface.gives_offset_planes || !are_alike || !(n.summit_plane_offset > 0) ||
@@ -746,9 +746,9 @@ OutputSet validity_outputs(const Scene& scene) {
   return outputs;
 }
 
-// Adds the points that are judged. Where the fastest speed has no film, limits on film and heat are
-// those of the speeds before: the last that has one, and the 1st, 3rd, 7th … before it, as the film
-// changes fastest next to its collapse.
+// Adds the points that are judged. A film that starves thins again at high speed: there limits on
+// film and heat are also those of the speeds before, the last that has a film, and the 1st, 3rd,
+// 7th … before it, as the film changes fastest next to its collapse.
 void add_points(State& state) {
   const MixedContact<double> contact(state.scene);
   const auto film_at = [&](double speed) {
@@ -756,13 +756,15 @@ void add_points(State& state) {
     return state.points.back().film;
   };
   const bool has_film = film_at(state.speeds.low) > 0;
-  if (!(state.speeds.high > state.speeds.low) || film_at(state.speeds.high) > 0 || !has_film)
-    return;
+  if (!(state.speeds.high > state.speeds.low)) return;
+  const bool has_last_film = film_at(state.speeds.high) > 0;
+  if (!has_film || contact.supply() == SupplyKind::flooded) return;
   std::vector<double> list = state.scene.speeds.list;
   std::sort(list.begin(), list.end());
   const auto speed = [&](std::size_t i) { return list.empty() ? state.scene.speeds[i] : list[i]; };
-  std::size_t last = 0, beyond = state.scene.speeds.size() - 1;
-  while (beyond - last > 1) {
+  const std::size_t fastest = state.scene.speeds.size() - 1;
+  std::size_t last = has_last_film ? fastest : 0, beyond = fastest;
+  while (!has_last_film && beyond - last > 1) {
     const std::size_t middle = last + (beyond - last) / 2;
     (film_at(speed(middle)) > 0 ? last : beyond) = middle;
   }

@@ -605,8 +605,8 @@ range of that law, λ = h*/σ_s and Λ = h_min/Rq. A scene may be without a spee
 not depend on it is told.
 
 The table has units that people use; CSV and JSON have SI units, and numbers that read back to the
-same double. The regime is the one whose film is the thickest: of points by the formulas of Hamrock
-(1991), of lines by those of Moes (1992).
+same double. The regime is the one whose formula gives the film: of points the thickest by
+Hamrock (1991), of lines by the map of Moes (1992), where bodies that give way thin the film.
 
 To have these numbers at each speed, beside others: outputs = ["peak_pressure", "mean_pressure",
 "minimum_film", "lambda_ratio"] in a scene, and `solve`, `curve`, `stream` or `sweep`.

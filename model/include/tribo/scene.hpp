@@ -77,7 +77,7 @@ struct Surface {
   // from it, as it does from the moments. 0: not given.
   double rms_roughness = 0;      // Rq, m
   double average_roughness = 0;  // Ra, m
-  bool has_two_faces = false;    // the scene gives the roughness of each face
+  bool has_alike_faces = false;  // the scene gives the roughness of each face, and both are alike
 
   bool has_moments() const { return moments.m0 > 0; }
   // Without summits: smooth bodies, between which the film carries all the load. λ has no σ_s.

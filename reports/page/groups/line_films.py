@@ -186,8 +186,10 @@ def place_of(error, at):
 
 
 def is_elastic_and_viscous(at):
-    """Whether elastic bodies with a liquid that pressure thickens have the thickest film of Moes' four asymptotes (1992)."""
-    return 1.311 * at.load**(-1 / 8) * at.material**(3 / 4) > max(3 / at.load, 1.287 * at.material**(2 / 3), 2.621 * at.load**(-1 / 5))
+    """Whether Moes' film (1992), max(RI, EI, min(RP, EP)) of his four asymptotes, is the one of elastic bodies with a liquid that
+    pressure thickens: such bodies give way, so that their film is the thinner one of the two with this liquid."""
+    elastic, rigid = 1.311 * at.load**(-1 / 8) * at.material**(3 / 4), 1.287 * at.material**(2 / 3)
+    return max(3 / at.load, 2.621 * at.load**(-1 / 5)) < elastic < rigid
 
 
 def formula_data(formula, films):

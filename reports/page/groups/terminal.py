@@ -41,7 +41,7 @@ def verdict(report):
     text, ledger = "", report.get("ledger", {})
     if "summary" in ledger:
         scores = [one["score"] for one in ledger["readings"] if one["name"] in ("corrected", "m = 2", "equal faces")]
-        text = headline(ledger) + printable(f"The paper: {ledger['summary']}. So with the offset of one face (E9, m = 1); by how E9 is read "
+        text = headline(ledger) + printable(f"The paper: {ledger['summary']}. So with the offset taken once (E9, m = 1); by how E9 is read "
                                             f"{min(scores)} to {max(scores)} are reproduced.") + "\n"
     about = [one for one in report["findings"] if one["about"] == "software"]
     count = collections.Counter(one["standing"] for one in about)

@@ -287,7 +287,16 @@ TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
   EXPECT_TRUE(
       verification::is_within(limit_of(scene, "film_heating").value, greatest, 0.05 * greatest));
   EXPECT_EQ(limit_of(scene, "film_below_molecule").value, least_film);
-  // With a film at each speed nothing but the two ends is judged.
+  // The fastest speed may still have a film, which is as thin as at the slowest.
+  double with_film = 6.5, without = 20;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (with_film + without) / 2;
+    (MixedContact<double>(scene).solve(middle).film > 0 ? with_film : without) = middle;
+  }
+  const std::string last = fmt::format("{}", with_film);
+  EXPECT_LT(limit_of(of(last.c_str()), "film_heating").value, alone.value / 2);
+  EXPECT_EQ(limit_of(of(fmt::format("[0.1, 6.5, {}]", last).c_str()), "film_heating").value,
+            alone.value);
   EXPECT_EQ(limit_of(of("[0.1, 1, 2]"), "film_heating").value,
             limit_of(of("2"), "film_heating").value);
 }
@@ -339,12 +348,14 @@ TEST(Validity, TheOffsetOfOneFaceIsToldWhereBothAreAlike) {
             std::string::npos)
       << found.advice;
   SceneText faces = ordinary().set("surface.summit_plane_offset", "0.9");
-  EXPECT_TRUE(
-      passes(SceneText(faces).set("surface.rms_roughness", "[5e-9, 5e-9]"), "default_planes"));
+  for (const char* alike : {"[5e-9, 5e-9]", "[5e-9, 10e-9]", "[10e-9, 5e-9]"})
+    EXPECT_TRUE(passes(SceneText(faces).set("surface.rms_roughness", alike), "default_planes"));
   for (const SceneText& other :
        {SceneText(profile).set("surface.offset_planes", "1"),
         SceneText(profile).set("closures.asperity", "\"greenwood_williamson\""), faces,
-        SceneText(faces).set("surface.rms_roughness", "7e-9"), ordinary()})
+        SceneText(faces).set("surface.rms_roughness", "7e-9"),
+        SceneText(faces).set("surface.rms_roughness", "[5e-9, 10.01e-9]"),
+        SceneText(faces).set("surface.rms_roughness", "[10.01e-9, 5e-9]"), ordinary()})
     EXPECT_EQ(limit_of(scene_of(other), "default_planes").word, "");
 }
 

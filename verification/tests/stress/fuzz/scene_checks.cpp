@@ -30,7 +30,7 @@ auto values_of(const Scene& scene) {
                accepted] = scene;
   const auto& [list, from, to, count, spacing] = speeds;
   const auto& [density, radius, height_sd, offset, planes, gives_planes, moments, rms, average,
-               has_two_faces] = surface;
+               has_alike_faces] = surface;
   const auto& [modulus, reduced_radius, ellipticity, radius_x, radius_y, length, both] = bodies;
   const auto of_body = [](const Body& body) {
     return std::tuple(body.modulus, body.poisson_ratio, body.radius_x, body.radius_y);
@@ -42,7 +42,7 @@ auto values_of(const Scene& scene) {
   const auto& [asperity, starvation, gives_starvation, damiens_exponent, film] = closures;
   return std::tuple_cat(
       std::tuple(id, load, list, from, to, count, spacing, density, radius, height_sd, offset),
-      std::tuple(moments.m0, moments.m2, moments.m4, rms, average, has_two_faces),
+      std::tuple(moments.m0, moments.m2, moments.m4, rms, average, has_alike_faces),
       std::tuple(gives_planes, gives_sliding, gives_starvation),
       std::tuple(planes, modulus, reduced_radius, ellipticity, viscosity, pressure_viscosity),
       std::tuple(eyring_stress, supply.kind, supply.value, boundary_coefficient, slide_roll_ratio),
