@@ -25,6 +25,7 @@ constexpr std::string_view source = "fuzz";
 
 // --- Two readings of a scene, compared in everything.
 
+// All numbers and words; a scene that is written again gives each of them, whatever the first gave.
 auto values_of(const Scene& scene) {
   const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures,
                accepted] = scene;
@@ -42,8 +43,7 @@ auto values_of(const Scene& scene) {
   const auto& [asperity, starvation, gives_starvation, damiens_exponent, film] = closures;
   return std::tuple_cat(
       std::tuple(id, load, list, from, to, count, spacing, density, radius, height_sd, offset),
-      std::tuple(moments.m0, moments.m2, moments.m4, rms, average, has_alike_faces),
-      std::tuple(gives_planes, gives_sliding, gives_starvation),
+      std::tuple(moments.m0, moments.m2, moments.m4, rms, average),
       std::tuple(planes, modulus, reduced_radius, ellipticity, viscosity, pressure_viscosity),
       std::tuple(eyring_stress, supply.kind, supply.value, boundary_coefficient, slide_roll_ratio),
       std::tuple(fluid, law, asperity, starvation, damiens_exponent, film, radius_x, radius_y,
