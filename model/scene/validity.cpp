@@ -118,7 +118,7 @@ double least_of_points(const State& state, double OperatingPoint<double>::*numbe
 // Of the points at which friction makes heat the one with the most of a number, and that number.
 struct Hottest {
   double value = not_assumed;
-  const OperatingPoint<double>* point = nullptr;
+  OperatingPoint<double> point = {};
 };
 template <class Number>
 Hottest hottest(const State& state, const Number& number) {
@@ -126,7 +126,7 @@ Hottest hottest(const State& state, const Number& number) {
   if (!(state.numbers.slide_roll_ratio > 0)) return found;
   for (const OperatingPoint<double>& point : state.points) {
     const double value = point.friction > 0 ? number(point) : not_assumed;
-    if (value > 0 && !(found.value >= value)) found = {value, &point};
+    if (value > 0 && !(found.value >= value)) found = {value, point};
   }
   return found;
 }
@@ -160,8 +160,8 @@ Hottest heat_of_contact(const State& state) {
 // of a band whose heat is spread as Hertz' pressure is, q its mean, π/4 of its greatest.
 std::string advice_on_flash(const State& state) {
   const Hottest heat = heat_of_contact(state);
-  const double slip = state.numbers.slide_roll_ratio, speed = heat.point->speed;
-  const double greatest = heat.point->friction * state.hertz.peak_pressure * slip * speed;
+  const double slip = state.numbers.slide_roll_ratio, speed = heat.point.speed;
+  const double greatest = heat.point.friction * state.hertz.peak_pressure * slip * speed;
   const double speeds =
       std::sqrt(speed) * (std::sqrt(1 + slip / 2) + std::sqrt(std::abs(1 - slip / 2)));
   const double flash = 1.11 * std::numbers::pi / 4 * greatest *
