@@ -115,7 +115,7 @@ double least_of_points(const State& state, double OperatingPoint<double>::*numbe
   return least;
 }
 
-// Of the points at which friction makes heat the one with the most of a number, and that number.
+// The point with the most of a number, of those at which friction makes heat, and that number.
 struct Hottest {
   double value = not_assumed;
   OperatingPoint<double> point = {};
@@ -156,7 +156,7 @@ Hottest heat_of_contact(const State& state) {
   });
 }
 
-// What the bodies would be heated by if they were of steel: Blok's 1.11 q √(2b)/(√(kρc)(√u₁ + √u₂))
+// Tells by how much friction would heat bodies of steel: Blok's 1.11 q √(2b)/(√(kρc)(√u₁ + √u₂))
 // of a band whose heat is spread as Hertz' pressure is, q its mean, π/4 of its greatest.
 std::string advice_on_flash(const State& state) {
   const Hottest heat = heat_of_contact(state);
@@ -347,7 +347,7 @@ double part_of_ellipticity(const FilmLaw& law, double k) {
   return 1 - ratio<double>(law.side_leakage) * std::exp(-ratio<double>(law.side_decay) * k);
 }
 
-// What to take in place of a law that was not fitted to the contact's ellipticity.
+// The law to take in place of one that was not fitted to the contact's ellipticity.
 std::string advice_on_ellipticity(const State& state) {
   const FilmLaw& law = film_law(state.scene.closures.film);
   const double k = state.hertz.semi_axis_y / state.hertz.semi_axis_x;
@@ -768,7 +768,7 @@ void add_points(State& state) {
     const std::size_t middle = last + (beyond - last) / 2;
     (film_at(speed(middle)) > 0 ? last : beyond) = middle;
   }
-  for (std::size_t before = 0; before <= last; before = 2 * before + 1)
+  for (std::size_t before = has_last_film ? 1 : 0; before <= last; before = 2 * before + 1)
     film_at(speed(last - before));
 }
 

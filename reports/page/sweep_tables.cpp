@@ -214,8 +214,7 @@ std::string groups_text(const ColumnResult* column, std::uint64_t all, std::stri
     return fmt::format("; {} of {} groups have {}", grouped(groups), grouped(all), name);
   return fmt::format(
       "; no indices{}: {} of {} groups of cases have it, and these are no random choice of the "
-      "draws "
-      "(99 % are needed)",
+      "draws (99 % are needed)",
       name == "it" ? "" : fmt::format(" of {}", name), grouped(groups), grouped(all));
 }
 

@@ -129,8 +129,8 @@ void append_formulas(Text& to, const FilmCase& film) {
                 std::string(formula.fitted_to)});
 }
 
-// What the numbers mean for an oil, whose film is that which the formulas of such an oil were held
-// to.
+// Tells what the numbers mean for an oil, whose film is that which the formulas of such an oil were
+// held to.
 std::string note_on_oil(const FilmCase& film) {
   constexpr std::string_view options = "`--viscosity roelands --density dowson_higginson`";
   const auto of_oil = std::ranges::find_if(film.formulas, [](const FormulaFilm& formula) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -156,8 +157,8 @@ std::optional<ColumnName> column_name(std::string_view plain) {
   return known;
 }
 
-// What a rig holds, and a scene too: each row is to have the scene's number. Names in small
-// letters.
+// A quantity that a rig holds, and a scene too: each row is to have the scene's number. Names in
+// small letters.
 struct HeldColumn {
   std::string_view field, unit;
   std::span<const std::string_view> names;
@@ -170,6 +171,7 @@ constexpr auto ratio_names = std::to_array<std::string_view>(
     {"srr", "slide roll ratio", "slide-roll ratio", "slide to roll ratio"});
 constexpr auto temperature_names =
     std::to_array<std::string_view>({"temperature", "oil temperature", "temp", "t"});
+// Rigs hold a load and a speed to some per cent, and a bath to a kelvin.
 constexpr double tolerance_of_rigs = 0.02, tolerance_of_kelvins = 1;
 constexpr auto held_columns = std::to_array<HeldColumn>({
     {"load", "N", load_names, [](const Scene& scene) { return std::optional(scene.load); },
@@ -186,10 +188,9 @@ constexpr auto held_columns = std::to_array<HeldColumn>({
 });
 
 const HeldColumn* held_column(std::string_view plain) {
-  const std::string_view field = plain;
   for (const HeldColumn& held : held_columns)
     if (std::ranges::find(held.names, plain) != held.names.end() ||
-        plain_name(held.field.substr(held.field.find('.') + 1)) == field)
+        plain_name(held.field.substr(held.field.find('.') + 1)) == plain)
       return &held;
   return nullptr;
 }
@@ -353,8 +354,7 @@ class MeasuredReader {
     };
     return fmt::format(
         "column {}: {} of {} rows have {}, and the scene has {} = {}; these points are compared "
-        "with "
-        "the scene as it stands",
+        "with the scene as it stands",
         column.heading, column.other_rows, column.held_rows,
         column.least == column.greatest
             ? text(column.least)
@@ -393,7 +393,7 @@ class MeasuredReader {
                     units_for(column.si()) + ", in brackets or after a / behind the name");
   }
 
-  // What the column holds; null where its unit does not fit, or the scene does not have it.
+  // The quantity that the column holds; null where its unit does not fit, or the scene has none.
   const HeldColumn* held_here(std::string_view plain, const Heading& parts) const {
     const HeldColumn* const held = held_column(plain);
     const bool fits = held != nullptr && parts.is_closed &&
@@ -545,11 +545,8 @@ void append_comparison_table(Text& to, std::string_view title,
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-// Of numbers in their order; NaN without any.
-double median(const std::vector<double>& numbers) {
-  const std::size_t middle = numbers.size() / 2;
-  if (numbers.empty()) return no_number;
-  return numbers.size() % 2 == 1 ? numbers[middle] : (numbers[middle - 1] + numbers[middle]) / 2;
+double median(std::vector<double> numbers) {
+  return numbers.empty() ? no_number : boost::math::statistics::median(numbers);
 }
 
 // Empty for NaN.
@@ -640,7 +637,6 @@ std::vector<DeviationSummary> summaries_of(const std::vector<Comparison>& compar
     }
     if (summary.points == 0) continue;
     std::sort(all.begin(), all.end());
-    std::sort(on_curve.begin(), on_curve.end());
     summary.compared = all.size();
     summary.on_curve = on_curve.size();
     summary.median_percent = median(all);

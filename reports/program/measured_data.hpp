@@ -29,7 +29,7 @@ struct MeasuredNumber {
 struct MeasuredPoints {
   std::vector<MeasuredNumber> numbers;
   std::vector<std::string> ignored;  // headings of the columns that are not read
-  // Of the columns that a scene has a number for, as its load: which rows have another.
+  // Columns that a scene has a number for, as its load, and which of their rows have another.
   std::vector<std::string> contradictions;
 };
 

@@ -337,7 +337,7 @@ class Estimates(SweepTest):
         return [float(number) * units[unit] for _, number, unit in found], own * 2**20
 
     def test_memory_and_files_are_what_a_sweep_takes_within_a_factor_of_one_and_a_half(self):
-        # Of memory, which differs between the shapes, sanitizers take some of their own; the first and the last file are written in other ways.
+        # Sanitizers take memory of their own, which differs between the shapes; the first and the last file are written in other ways.
         for i, text in enumerate(self.SHAPES[::4] if SANITIZED else self.SHAPES):
             with self.subTest(shape=i):
                 (memory, file, parts), _ = self.estimate(text)

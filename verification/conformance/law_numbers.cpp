@@ -173,7 +173,7 @@ bool has_exchanged_digits(double value, double other) {
          is_printed_like(value, other);
 }
 
-// What comes where two digits of a number are exchanged.
+// The numbers that come where two digits of a number are exchanged.
 std::vector<double> with_exchanged_digits(double number) {
   std::vector<double> found;
   const int digits = digits_of(number);

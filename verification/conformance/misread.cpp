@@ -319,11 +319,10 @@ void add_steps(const Input& input, const std::vector<Part::Number>& wrong,
     least = std::min(least, value);
     greatest = std::max(greatest, value);
   }
-  constexpr double most_steps = 1e4;
+  constexpr double most_steps = 1e4;  // of a table that somebody makes
   if (!(greatest > least)) return;
   const double decade = std::pow(10, std::floor(std::log10(greatest - least)));
-  for (double power = 1; decade / power * most_steps > greatest - least && power < most_steps;
-       power *= 10)
+  for (double power = 1; power < most_steps; power *= 10)
     for (const double digit : {5.0, 2.5, 2.0, 1.0}) {
       const double step = digit * decade / power;
       const double from = std::floor(least / step), to = std::ceil(greatest / step);

@@ -137,7 +137,7 @@ TEST(Conversation, WithSeveralProcessesAsksEachCaseOfOneAndGreetsTheOthersWithAC
   EXPECT_EQ(made.starts, 1);
 }
 
-// Of a long line what was asked for stays, and of a long text in it the beginning.
+// The fields that were asked for stay of a long line, and the beginning of a long text in it.
 TEST(Conversation, KeepsOfAnAnswerBeyond4096CharactersWhatWasAskedFor) {
   TestCase asked = case_of("a");
   asked.expected.push_back({.field = "x"});

@@ -272,7 +272,7 @@ TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
     EXPECT_EQ(limit_of(scene, "flash_temperature").value,
               limit_of(of("6.5"), "flash_temperature").value);
   }
-  // Of a range the greatest is found, wherever it is before the collapse: by all its points here.
+  // The greatest of a range is found, wherever it is before the collapse: by all its points here.
   SceneText range = SceneText(text).remove("speed").set("speed.from", "0.1").set("speed.to", "20");
   range.set("speed.count", "60");
   const Scene scene = scene_of(range);
@@ -630,7 +630,7 @@ TEST(Validity, AGrooveThatIsWiderThanItsBallIsTold) {
     EXPECT_EQ(found("0.004", other).word, "") << other;
 }
 
-// What to write for a contact whose ellipticity the law does not have.
+// The message names the law to take for a contact whose ellipticity the law does not have.
 TEST(Validity, ALawThatWasNotFittedToTheEllipseSaysWhatToTake) {
   const auto advice = [](const char* across, const char* film) {
     SceneText text = ordinary().remove("bodies.reduced_radius").set("closures.film", film);
