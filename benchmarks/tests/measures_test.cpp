@@ -111,7 +111,9 @@ TEST(ErrorsByRange, AreOfTheRangeAndNoneWhereNothingIsClaimed) {
 
 // The contenders that are measured are those of the baseline, with its evaluations, and with its
 // errors where no case was certified since. The last digits depend on the system's functions,
-// errors near rounding too, and SciPy may be missing.
+// errors near rounding too, and SciPy may be missing. A search whose last bits differ (without FMA)
+// may end a step sooner or later in a few cases: one in fifty moves the mean by as much of the
+// greatest error.
 TEST(Contenders, AreThoseOfTheBaselineAndAsFarOff) {
   std::ifstream file(TRIBOCHECK_SOURCE_DIR "/reference/baselines/work_precision.json");
   const Row baseline = Row::parse(file);
@@ -125,9 +127,9 @@ TEST(Contenders, AreThoseOfTheBaselineAndAsFarOff) {
     const auto found = kept.extract({one.job, one.family, one.name});
     ASSERT_FALSE(found.empty()) << one.job << ", " << one.name << " is not in the baseline";
     const Row& row = found.mapped();
-    const auto is_near = [&](const char* what, double got) {
+    const auto is_near = [&](const char* what, double got, double more = 0) {
       const auto expected = row.at(what).get<double>();
-      EXPECT_TRUE(verification::is_within(got, expected, 0.01 * expected))
+      EXPECT_TRUE(verification::is_within(got, expected, 0.01 * expected + more))
           << what << " of " << one.job << ", " << one.name;
     };
     EXPECT_EQ(one.evaluations != nullptr, row.at("evaluations").is_number()) << one.name;
@@ -140,7 +142,9 @@ TEST(Contenders, AreThoseOfTheBaselineAndAsFarOff) {
     ++compared;
     is_near("failures", static_cast<double>(errors.failures));
     is_near("no_numbers", static_cast<double>(errors.no_numbers));
-    if (judged > 0 && errors.mean_ulp > 1e5) is_near("mean_ulp", errors.mean_ulp);
+    if (judged > 0 && errors.mean_ulp > 1e5) {
+      is_near("mean_ulp", errors.mean_ulp, 0.02 * row.at("max_ulp").get<double>());
+    }
   }
   EXPECT_TRUE(kept.empty());
   EXPECT_GT(compared, 150U);
