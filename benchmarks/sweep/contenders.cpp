@@ -67,6 +67,7 @@ class NewParts {
     sweep::PartFile file(path);
     sweep::write_part(path, file, header_, sweep::content_of(whole), {.any = true, .only = {}});
   }
+  std::uint64_t kept() const { return next_; }
 
  private:
   TemporaryFolder folder_;
@@ -294,6 +295,8 @@ Contender on_threads(const sweep::SweepPlan& (Subject::*plan)() const, int threa
                      [&](const sweep::Chunk& chunk) { parts.keep(chunk); });
       state.SetIterationTime(time.seconds(threads));
     }
+    if (parts.kept() != chunks_on_threads * static_cast<std::uint64_t>(state.iterations()))
+      state.SkipWithError("the threads did not compute each chunk once");
     set_points(state, chunks_on_threads * subject.cases());
     state.counters[std::string(threads_counter)] = threads;
   };

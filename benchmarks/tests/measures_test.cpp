@@ -150,6 +150,22 @@ TEST(Contenders, AreThoseOfTheBaselineAndAsFarOff) {
   EXPECT_GT(compared, 150U);
 }
 
+// The films that all ways are judged by are those of these contacts.
+TEST(LineFilmErrors, AreJudgedAtFourContactsFromSoftToHighPressure) {
+  const std::vector<std::pair<double, double>> expected{{1, 0}, {10, 5}, {100, 10}, {200, 20}};
+  const std::vector<JudgedContact> contacts = judged_contacts(1e-4);
+  ASSERT_EQ(contacts.size(), expected.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& [contact, exact] = contacts[i];
+    EXPECT_EQ(contact.load_number, expected[i].first);
+    EXPECT_EQ(contact.material_number, expected[i].second);
+    const LineFilmAnswer again =
+        film_numbers(contact, ehl::solve_line_film(contact, {.tolerance = 1e-3}));
+    EXPECT_TRUE(verification::is_within(exact.central, again.central, 2e-3 * again.central));
+    EXPECT_TRUE(verification::is_within(exact.minimum, again.minimum, 2e-3 * again.minimum));
+  }
+}
+
 TEST(LineFilmErrors, AreThoseOfTheNumbersThatAWayGives) {
   const std::vector<JudgedContact> contacts{
       {ehl::barus_contact(10, 0), {.central = 2, .minimum = 1, .at_greatest_pressure = 3}},

@@ -51,13 +51,13 @@ RelativeErrors judge(const LineFilmWay& way, const std::vector<JudgedContact>& c
 
 }  // namespace
 
-std::vector<JudgedContact> judged_contacts() {
+std::vector<JudgedContact> judged_contacts(double tolerance) {
   std::vector<JudgedContact> all;
   for (const auto& [load_number, material_number] :
        {std::pair{1., 0.}, {10., 5.}, {100., 10.}, {200., 20.}}) {
     const ehl::LineContact contact = ehl::barus_contact(load_number, material_number);
     const ehl::SolvedFilm solved =
-        ehl::solve_line_film(contact, {.tolerance = 1e-9, .greatest_cells = 16384});
+        ehl::solve_line_film(contact, {.tolerance = tolerance, .greatest_cells = 16384});
     if (solved.outcome != ehl::Outcome::solved) throw std::runtime_error(solved.reason);
     all.push_back({contact, film_numbers(contact, solved)});
   }

@@ -54,13 +54,19 @@ std::size_t hierarchical_step(const ehl::LineContact& contact, const StepState& 
   return kernel.bytes() + jacobian.bytes();
 }
 
-nlohmann::ordered_json growth_row(const char* solver, int cells, double kernel, double step,
-                                  std::size_t bytes) {
-  return {{"solver", solver},
-          {"cells", cells},
-          {"kernel_ns", four_digits(1e9 * kernel)},
-          {"step_ns", four_digits(1e9 * step)},
-          {"bytes", bytes}};
+struct Growth {
+  const char* solver;
+  int cells;
+  double kernel_seconds, step_seconds;
+  std::size_t bytes;
+};
+
+nlohmann::ordered_json row_of(const Growth& one) {
+  return {{"solver", one.solver},
+          {"cells", one.cells},
+          {"kernel_ns", four_digits(1e9 * one.kernel_seconds)},
+          {"step_ns", four_digits(1e9 * one.step_seconds)},
+          {"bytes", one.bytes}};
 }
 
 }  // namespace
@@ -76,20 +82,20 @@ Rows line_film_growth(const Effort& effort) {
   for (int cells = least_cells; cells <= most_cells; cells *= 2) {
     const StepState state = state_on(coarse, cells);
     std::optional<ehl::FilmKernel> kernel;
-    std::size_t bytes = 0;
-    const double filling = seconds([&] { kernel.emplace(state.x); });
-    const double step = seconds([&] { bytes = hierarchical_step(contact, state, *kernel); });
-    rows.push_back(growth_row("tribocheck: hierarchical", cells, filling, step, bytes));
+    Growth one{"tribocheck: hierarchical", cells, seconds([&] { kernel.emplace(state.x); }), 0, 0};
+    one.step_seconds = seconds([&] { one.bytes = hierarchical_step(contact, state, *kernel); });
+    rows.push_back(row_of(one));
   }
   for (int cells = least_cells; cells <= most_dense_cells; cells *= 2) {
     const ehl::Numbers x = coarse.density.nodes(cells);
     std::optional<DenseNewton> newton;
-    const double filling = seconds([&] { newton.emplace(contact, x); });
-    const double step = seconds([&] {
+    Growth one{"textbook: dense LU", cells, seconds([&] { newton.emplace(contact, x); }), 0, 0};
+    one.step_seconds = seconds([&] {
       newton->start_from(coarse.film);
       newton->step();
     });
-    rows.push_back(growth_row("textbook: dense LU", cells, filling, step, newton->bytes()));
+    one.bytes = newton->bytes();
+    rows.push_back(row_of(one));
   }
   return rows;
 }

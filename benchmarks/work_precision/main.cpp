@@ -11,6 +11,7 @@
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -56,17 +57,17 @@ Json line_film_parts(const Arguments& arguments, const Effort& effort) {
   const Rows errors = line_film_errors(line_film_ways(), judged_contacts(), effort);
   step("films of line contacts: growth");
   const Rows growth = line_film_growth(effort);
-  const Rows exponents = line_film_exponents(growth);
-  const std::string folder = arguments.out + "/";
-  write_text(folder + "line_film.blocks.tsv", tsv_blocks(errors, "series"));
-  write_text(folder + "line_film_growth.blocks.tsv", tsv_blocks(growth, "solver"));
-  write_text(folder + "line_film_exponents.blocks.tsv", tsv_blocks(exponents, "solver"));
-  return {
+  Json parts{
       {"line_film_run",
-       {{"commit", arguments.commit}, {"date", arguments.date}, {"environment", environment()}}},
-      {"line_film", errors},
-      {"line_film_growth", growth},
-      {"line_film_exponents", exponents}};
+       {{"commit", arguments.commit}, {"date", arguments.date}, {"environment", environment()}}}};
+  for (const auto& [name, rows, series] :
+       {std::tuple{"line_film", errors, "series"},
+        {"line_film_growth", growth, "solver"},
+        {"line_film_exponents", line_film_exponents(growth), "solver"}}) {
+    write_text(arguments.out + '/' + name + ".blocks.tsv", tsv_blocks(rows, series));
+    parts[name] = rows;
+  }
+  return parts;
 }
 
 // Writes a row a line, so that a change can be read.

@@ -25,7 +25,7 @@ struct JudgedContact {
 
 // Contacts from a nearly rigid one of constant viscosity to a heavy one of a very viscous liquid,
 // each with the extrapolated film of our solver on up to 16384 cells. Throws std::runtime_error.
-std::vector<JudgedContact> judged_contacts();
+std::vector<JudgedContact> judged_contacts(double tolerance = 1e-9);
 
 // Films of line contacts: job, family, series, name, ns, steps, max_relative, mean_relative,
 // no_numbers, judged; a point is a contact. Formulas are not judged where the viscosity is

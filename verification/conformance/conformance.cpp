@@ -68,8 +68,6 @@ Measured measure(const TestCase& asked, const Expected& expected, const nlohmann
   if (!expected.word.empty())
     return measured_if(value == expected.word,
                        fmt::format("{}, not {}", value.dump(), expected.word));
-  if (expected.is_undefined)
-    return measured_if(value.is_null(), value.dump() + ", where it is undefined");
   return measure_number(asked, expected, value, tolerance);
 }
 
@@ -467,7 +465,6 @@ ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
 
 std::string expected_text(const Expected& expected, double allowed) {
   if (!expected.word.empty()) return expected.word;
-  if (expected.is_undefined) return "null, as it is undefined there";
   return fmt::format("{}, give or take {:.2g}",
                      with_unit(fmt::format("{}", expected.high), expected.unit), allowed);
 }
@@ -479,8 +476,7 @@ std::string got_text(const Example& example) {
 }
 
 std::string error_text(const Example& example) {
-  const bool is_number = example.got && example.got->is_number() && example.expected.word.empty() &&
-                         !example.expected.is_undefined;
+  const bool is_number = example.got && example.got->is_number() && example.expected.word.empty();
   if (!is_number || !std::isfinite(example.part_of_bound)) return {};
   return example.part_of_bound > 1
              ? fmt::format("{:.3g} times as far off as is allowed", example.part_of_bound)

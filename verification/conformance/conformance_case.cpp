@@ -25,10 +25,7 @@ using verification::read_reference_table;
 using verification::ReferenceRow;
 
 Expected expected(const std::string& field, const ReferenceRow& row) {
-  if (!row.is_defined()) return {field, 0, 0, 1, true, {}};
-  return {
-      field, row.number("high"), row.number("low"), std::max(1.0, row.number("condition")), false,
-      {}};
+  return {field, row.number("high"), row.number("low"), std::max(1.0, row.number("condition")), {}};
 }
 
 // Whether a contact on earth can have the arguments of this point's film and load sharing.
@@ -45,7 +42,7 @@ bool is_physical(const Scene& scene) {
 }
 
 bool is_tiny(const Expected& one) {
-  return one.word.empty() && !one.is_undefined && std::abs(one.high) < least_of_engineering;
+  return one.word.empty() && std::abs(one.high) < least_of_engineering;
 }
 
 // The certified cases of a function. If the function has several results, each row holds one of
@@ -116,10 +113,10 @@ void add_words(TestCase& point) {
   const bool is_balanced = asperity + fluid > 0;
   if (is_balanced && !is_near(asperity, 0.01) && !is_near(fluid, 0.01))
     point.expected.push_back(
-        {"regime", 0, 0, 1, false, std::string(name(regime_of<double>(asperity, fluid)))});
+        {"regime", 0, 0, 1, std::string(name(regime_of<double>(asperity, fluid)))});
   const double film = value["film"], flooded = value["film_flooded"];
   if (!is_near(film / flooded, 0.95))
-    point.expected.push_back({"inlet", 0, 0, 1, false,
+    point.expected.push_back({"inlet", 0, 0, 1,
                               std::string(name(film == 0                ? Inlet::collapsed
                                                : film / flooded >= 0.95 ? Inlet::flooded
                                                                         : Inlet::starved))});
@@ -245,7 +242,7 @@ std::vector<TestCase> paper_points(const std::string& folder) {
         if (output_infos[i].output == Output::separation) continue;
         const auto high = static_cast<double>(values[i]);
         const auto low = static_cast<double>(values[i] - static_cast<long double>(high));
-        made.expected.push_back({std::string(output_infos[i].name), high, low, 1, false, {}});
+        made.expected.push_back({std::string(output_infos[i].name), high, low, 1, {}});
       }
       add_words(made);
       cases.push_back(std::move(made));

@@ -15,12 +15,11 @@
 
 namespace tribo::conformance {
 
-// One field of an answer. value = high + low; a word for regime and inlet; or undefined there.
+// One field of an answer. value = high + low; or a word, for regime and inlet.
 struct Expected {
   std::string field;
   double high = 0, low = 0;
   double condition = 1;
-  bool is_undefined = false;
   std::string word{};
   // The inputs are such as contacts on earth have (catalogue.hpp), and the value is not so small
   // that it plays no part.

@@ -161,8 +161,7 @@ bool is_of(const Reading& reading, const std::string& function, const AskedWays&
 
 Expected* expected_of(TestCase& one, std::string_view field) {
   for (Expected& expected : one.expected)
-    if (expected.field == field && expected.word.empty() && !expected.is_undefined)
-      return &expected;
+    if (expected.field == field && expected.word.empty()) return &expected;
   return nullptr;
 }
 

@@ -203,6 +203,17 @@ TEST(ChildProcess, ThatClosesItsInputHasNothingUnread) {
   EXPECT_EQ(child.unread(), 0U);
 }
 
+// Errors are read as they come: else a full pipe would hold up the program, and its answer.
+TEST(ChildProcess, MayWriteMoreErrorsThanAPipeHoldsBeforeItAnswers) {
+  ChildProcess child(shell("head -c 1000000 /dev/zero >&2; echo last words >&2; echo answer; cat"),
+                     ChildProcess::Pipes::all);
+  std::string line;
+  ASSERT_EQ(child.next_line(line, milliseconds(20000)), ChildProcess::Event::line);
+  EXPECT_EQ(line, "answer");
+  EXPECT_TRUE(child.last_errors().ends_with("last words\n"));
+  EXPECT_LT(child.last_errors().size(), 1000000U);
+}
+
 // A program without streams of its own reads nothing, and writes nothing into ours.
 TEST(GuardedChild, HasNoneOfOurStreams) {
   const TemporaryFolder folder;

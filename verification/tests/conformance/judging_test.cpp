@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "sampling/sampler.hpp"
 #include "scene/schema.hpp"
 #include "support/judge.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/threshold.hpp"
 
 namespace tribo::conformance {
@@ -116,18 +118,16 @@ TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
 
 // The expected number has more digits than a double.
 TEST(JudgedAnswer, IsComparedWithBothPartsOfTheValue) {
-  const Expected expected{"value", 1, 3e-6, 1, false, {}};
+  const Expected expected{"value", 1, 3e-6, 1, {}};
   EXPECT_EQ(status_of(expected, 1.0), Verdict::failed);
   EXPECT_EQ(status_of(expected, 1.0000025), Verdict::held);
 }
 
-TEST(JudgedAnswer, OfAWordOrOfSomethingUndefinedIsJustThat) {
-  const Expected word{"value", 0, 0, 1, false, "mixed"}, undefined{"value", 0, 0, 1, true, {}};
+TEST(JudgedAnswer, OfAWordIsJustThatWord) {
+  const Expected word{"value", 0, 0, 1, "mixed"};
   EXPECT_EQ(status_of(word, "mixed"), Verdict::held);
   EXPECT_EQ(status_of(word, "boundary"), Verdict::failed);
   EXPECT_EQ(status_of(word, nullptr), Verdict::failed);
-  EXPECT_EQ(status_of(undefined, nullptr), Verdict::held);
-  EXPECT_EQ(status_of(undefined, 0.1), Verdict::failed);
 }
 
 TEST(JudgedAnswer, ThatDoesNotComeFailsAndOneThatIsSkippedDoesNot) {
@@ -351,6 +351,36 @@ TEST(Cases, NameEachQuantityWithItsUnitAndItsPlaceAmongTheNumbers) {
     EXPECT_EQ(known[quantity]->unit, unit) << quantity;
     EXPECT_EQ(known[quantity]->place, place) << quantity;
   }
+}
+
+TEST(Names, OfAFunctionOrAQuantityAreKnownAndNoOthers) {
+  const std::vector<TestCase>& cases = all_cases();
+  EXPECT_EQ(unknown_of({"hertz_point", "hertz_point.radius", "gaussian_moment"}, cases),
+            std::nullopt);
+  EXPECT_EQ(unknown_of({}, cases), std::nullopt);
+  for (const char* const name : {"hertz", "hertz_point.", "hertz_point.friction", "radius", ""})
+    EXPECT_EQ(unknown_of({"hertz_point", name}, cases), name);
+}
+
+TEST(ToleranceFile, HasEachNumberAtItsQuantityAndRefusesOtherLines) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text) {
+    return tolerance_of(folder.written("own.txt", text), all_cases());
+  };
+  const Tolerance own = read("# of the rig\nhertz_point.radius 1e-3  # mm\n\ndefault 2e-4\n");
+  EXPECT_EQ(own.quantity, (std::map<std::string, double>{{"hertz_point.radius", 1e-3}}));
+  EXPECT_EQ(own.relative, 2e-4);
+  EXPECT_FALSE(own.is_strict);
+  for (const char* const line :
+       {"hertz_point.load 1e-3", "hertz_point.radius 0", "hertz_point.radius 1",
+        "hertz_point.radius", "hertz_point.radius 1e-3 m"})
+    try {
+      read("default 1e-3\n" + std::string(line));
+      ADD_FAILURE() << line << " is taken";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("own.txt:2: hertz_point."), std::string::npos)
+          << error.what();
+    }
 }
 
 // A word is asked of a point unless it lies at the border of two, or nothing balances its load.
@@ -626,7 +656,7 @@ TEST(JudgedCase, ThatFailedIsToldWithItsError) {
   const auto how = [](const Expected& expected, Reply answer) {
     return verdict_on(expected, std::move(answer)).failed_cases.at(0);
   };
-  const Expected two = number(2), zero = number(0), word{"value", 0, 0, 1, false, "mixed"};
+  const Expected two = number(2), zero = number(0), word{"value", 0, 0, 1, "mixed"};
   EXPECT_EQ(how(two, with({{"value", 3}})).how, Failure::number);
   EXPECT_EQ(how(two, with({{"value", 3}})).error, 0.5);
   EXPECT_EQ(how(zero, with({{"value", -0.25}})).error, 0.25);

@@ -64,7 +64,7 @@ Told told_of(const Mistake& mistake, const std::vector<TestCase>& cases) {
     told.unsaid += given ? 0U : 1U;
     bool is_changed = false;
     for (const Expected& expected : asked.expected) {
-      if (!given || !expected.place || expected.is_undefined || expected.high == 0) continue;
+      if (!given || !expected.place || expected.high == 0) continue;
       const double change = (*given)[*expected.place] / expected.high - 1;
       const auto weight = static_cast<double>(1 + (7 * told.asked + 3 * *expected.place) % 11);
       told.change += weight * (std::isnan(change) ? 2 : std::atan(change));
