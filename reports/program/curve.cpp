@@ -148,16 +148,17 @@ Columns beside the speed are those `outputs` of the scene that are numbers, in u
 them: nm, GPa, and so on; numbers without a unit also in %. A unit stands in [ ], in ( ) or behind
 a /, as in v / (mm/s). Usual names will do as well: rolling, entrainment or mean speed or velocity,
 u, ue, v; film thickness, h, hc, h_cen; CoF, μ, mu, friction or traction coefficient, traction; λ of
-film_parameter, Λ of lambda_ratio; and a name with its symbol, as "Rolling Speed U". A column of the
-load, of the slide-roll ratio (SRR) or of the oil's temperature is compared with the scene's, and one
-line tells how many rows have another, which are marked as "other". Other columns are named in one
-line and not read. An empty cell was not measured, a line that begins with # is not read. Between
-semicolons or tabs a number may have a decimal comma. In place of the curve each number is printed
-in its unit with the model's at that speed, and with their deviation, (computed − measured)/measured,
-where more than 0 was measured; a speed outside of the curve is marked. Below, or in the lines
-"median" of CSV, is the median of each column; and where points are outside, other, or where the
-film has collapsed, that of the others.
-With --picture the points are drawn over the curve.
+film_parameter, Λ or Lambda of lambda_ratio; and a name with its symbol, as "Rolling Speed U". A
+column of the load, of the slide-roll ratio (SRR) or of the oil's temperature is compared with the
+scene's, and one line tells how many rows have another, which are marked as "other". Other columns
+are named in one line and not read. A cell may stand in quotes, as "run 1, dirty". An empty cell was
+not measured, a line that begins with # is not read. Between semicolons or tabs a number may have a
+decimal comma. In place of the curve each number is printed in its unit with the model's at that
+speed, and with their deviation, (computed − measured)/measured, where more than 0 was measured; a
+speed outside of the curve is marked. Below, or in the lines "median" of CSV, is the median of each
+column; and where points are outside, other, or where the film has collapsed, that of the points on
+the curve, which are all but these, in the lines "median on the curve".
+With --picture the points are drawn over the curve, those off the curve as open squares.
 
 Exit code 0: done; 1: the picture is missing; 2: bad usage or input.
 

@@ -95,7 +95,8 @@ ordered_json curve_picture(const std::vector<Scene>& scenes,
     const auto panel = std::find(outputs.begin(), outputs.end(), one.measured.output);
     points.push_back({{"panel", panel - outputs.begin()},
                       {"speed", one.measured.speed},
-                      {"value", one.measured.value}});
+                      {"value", one.measured.value},
+                      {"is_on_curve", one.is_on_curve()}});
   }
   return {{"panels", std::move(panels)},
           {"scenes", std::move(curves)},

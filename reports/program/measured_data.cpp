@@ -65,14 +65,45 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
-std::vector<std::string_view> cells_in(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
+// A line as another system ends it; an empty cell at its end may be a tab alone.
+std::string_view without_return(std::string_view line) {
+  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+}
+
+// The length of the cell that a text begins with, in quotes or not.
+std::size_t length_of_cell(std::string_view text, char separator) {
+  const std::size_t first = text.find_first_not_of(' ');
+  const bool begins_quoted = first != std::string_view::npos && text[first] == '"';
+  bool is_in_quotes = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (begins_quoted && text[i] == '"') is_in_quotes = !is_in_quotes;
+    if (text[i] == separator && !is_in_quotes) return i;
+  }
+  return text.size();
+}
+
+// A cell without the quotes around it, where "" stands for a quote. Nothing where they do not end
+// with the cell.
+std::optional<std::string> unquoted(std::string_view cell) {
+  if (!cell.starts_with('"')) return std::string(cell);
+  std::string text;
+  for (std::size_t i = 1; i < cell.size(); ++i) {
+    if (cell[i] == '"' && i + 1 == cell.size()) return std::string(trimmed(text));
+    if (cell[i] == '"' && cell[++i] != '"') return std::nullopt;
+    text += cell[i];
+  }
+  return std::nullopt;
+}
+
+// The cells of a line of comma-separated values (RFC 4180), of which quotes may enclose each, as in
+// `"run 1, dirty",0.1`. Nothing where quotes do not end with their cell.
+std::optional<std::vector<std::string>> cells_in(std::string_view line, char separator) {
+  std::vector<std::string> cells;
   while (true) {
-    const std::size_t end = std::min(line.find(separator), line.size());
-    std::string_view cell = trimmed(line.substr(0, end));
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-      cell = trimmed(cell.substr(1, cell.size() - 2));
-    cells.push_back(cell);
+    const std::size_t end = length_of_cell(line, separator);
+    auto cell = unquoted(trimmed(line.substr(0, end)));
+    if (!cell) return std::nullopt;
+    cells.push_back(std::move(*cell));
     if (end == line.size()) return cells;
     line.remove_prefix(end + 1);
   }
@@ -109,7 +140,6 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"cof", Output::friction},
     {"mu", Output::friction},
     {"μ", Output::friction},
-    {"µ", Output::friction},  // the micro sign, which keyboards have
     {"friction coefficient", Output::friction},
     {"coefficient of friction", Output::friction},
     {"traction coefficient", Output::friction},
@@ -120,17 +150,30 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"Λ", Output::lambda_ratio},
 });
 
-// In small letters, with blanks for underscores, speed for velocity, and without a dot at the end.
+// Names that more than one output has, in small letters. Such a column is not read.
+struct SharedName {
+  std::string_view name, outputs;
+};
+constexpr auto shared_names = std::to_array<SharedName>({
+    {"lambda", "film_parameter or lambda_ratio"},
+    {"load share", "asperity_load_share or fluid_load_share"},
+});
+
+// In small letters, with blanks for underscores, speed for velocity, μ for the micro sign, which
+// keyboards have, Λ for Lambda, and without a dot at the end.
 std::string plain_name(std::string_view name) {
+  if (name == "Lambda") return "Λ";
   std::string plain(name);
   for (char& letter : plain) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
     if (letter == '_') letter = ' ';
   }
   if (plain.ends_with('.')) plain.pop_back();
-  constexpr std::string_view velocity = "velocity";
-  if (const std::size_t at = plain.find(velocity); at != std::string::npos)
-    plain.replace(at, velocity.size(), "speed");
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> same{
+      {{"velocity", "speed"}, {"µ", "μ"}}};
+  for (const auto& [other, usual] : same)
+    if (const std::size_t at = plain.find(other); at != std::string::npos)
+      plain.replace(at, other.size(), usual);
   return plain;
 }
 
@@ -258,10 +301,10 @@ class MeasuredReader {
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      const std::string_view line = trimmed(text.substr(0, end));
+      const std::string_view line = without_return(text.substr(0, end));
       text.remove_prefix(std::min(end + 1, text.size()));
       ++line_;
-      if (line.empty() || line.front() == '#') continue;
+      if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
       if (columns_.empty()) {
         read_head(line);
         if (!faults_.empty()) return;  // the columns are not known
@@ -285,12 +328,29 @@ class MeasuredReader {
     MeasuredPoints points{std::move(measurements_), {}, {}};
     for (const DataColumn& column : columns_) {
       if (column.other_rows > 0) points.contradictions.push_back(contradiction(column));
-      if (!column.is_known && column.held_rows == 0) points.ignored.push_back(column.heading);
+      if (!column.is_known && column.held_rows == 0) points.ignored.push_back(ignored(column));
     }
     return points;
   }
 
  private:
+  // The heading of a column that is not read, and where it could be more than one output, which.
+  static std::string ignored(const DataColumn& column) {
+    const std::string plain = plain_name(parts_of(column.heading).name);
+    const auto shared = std::ranges::find(shared_names, plain, &SharedName::name);
+    return column.heading +
+           (shared == shared_names.end() ? "" : fmt::format(" (name it {})", shared->outputs));
+  }
+
+  // The cells of this line; none, and a fault, where they cannot be told apart.
+  std::vector<std::string> cells_of(std::string_view line) {
+    auto cells = cells_in(line, separator_);
+    if (cells) return std::move(*cells);
+    refuse("a cell begins with a quote and does not end with one",
+           "quotes around the whole cell, on one line, and \"\" for a quote in it");
+    return {};
+  }
+
   void refuse(std::string_view what, std::string_view allowed) {
     faults_.push_back(fmt::format("{}: line {}: {}; allowed: {}", path_, line_, what, allowed));
   }
@@ -303,10 +363,11 @@ class MeasuredReader {
   }
 
   void read_head(std::string_view line) {
-    const bool has_tabs = line.find('\t') != std::string_view::npos;
-    const bool has_semicolons = line.find(';') != std::string_view::npos;
-    separator_ = has_tabs ? '\t' : has_semicolons ? ';' : ',';
-    for (const std::string_view heading : cells_in(line, separator_)) add_column(heading);
+    const auto has = [line](char separator) {
+      return length_of_cell(line, separator) < line.size();
+    };
+    separator_ = has('\t') ? '\t' : has(';') ? ';' : ',';
+    for (const std::string& heading : cells_of(line)) add_column(heading);
     if (!faults_.empty()) return;
     const auto is_speed = [](const DataColumn& column) { return column.is_speed(); };
     const auto is_measured = [](const DataColumn& column) { return column.output.has_value(); };
@@ -402,11 +463,13 @@ class MeasuredReader {
   }
 
   void read_row(std::string_view line) {
-    const std::vector<std::string_view> cells = cells_in(line, separator_);
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.empty()) return;
     if (cells.size() != columns_.size())
-      return refuse(
-          fmt::format("{} cells", cells.size()),
-          fmt::format("{}, as many as columns; points in numbers, and no commas", columns_.size()));
+      return refuse(fmt::format("{} cells", cells.size()),
+                    fmt::format("{}, as many as columns; points in numbers, and no commas but in "
+                                "quotes",
+                                columns_.size()));
     std::vector<MeasuredNumber> row;
     double speed = std::numeric_limits<double>::quiet_NaN();
     bool has_other_conditions = false;
@@ -565,9 +628,14 @@ void append_comparison_csv(Text& to, std::string_view scene_id,
                            csv_number(one.deviation_percent), one.is_outside,
                            one.measured.has_other_conditions));
   }
-  for (const DeviationSummary& one : summaries_of(comparisons))
-    append(to, fmt::format("{},median,{},{},,,,{},,\n", id, info(one.output).name,
-                           info(one.output).unit, csv_number(one.median_percent)));
+  for (const DeviationSummary& one : summaries_of(comparisons)) {
+    const auto add = [&](std::string_view line, double percent) {
+      append(to, fmt::format("{},{},{},{},,,,{},,\n", id, line, info(one.output).name,
+                             info(one.output).unit, csv_number(percent)));
+    };
+    add("median", one.median_percent);
+    if (one.on_curve != one.compared) add("median on the curve", one.on_curve_percent);
+  }
 }
 
 ordered_json json_number(double value) {

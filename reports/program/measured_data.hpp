@@ -48,7 +48,8 @@ struct Comparison {
 
   // Is the measured contact that of the scene, and where the model has a film?
   bool is_on_curve() const {
-    return !measured.has_other_conditions && !is_outside && deviation_percent > -100;
+    return !measured.has_other_conditions && !is_outside && computed.undefined.empty() &&
+           !(deviation_percent <= -100);
   }
 };
 

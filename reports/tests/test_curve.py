@@ -2,6 +2,8 @@
 """tribocheck curve: its picture, and measured points beside the model. Needs gnuplot, as the program does."""
 import math
 import os
+import pathlib
+import re
 import statistics
 import struct
 import unittest
@@ -10,6 +12,7 @@ import svg_plots
 from program import ProgramTest, quiet_scene, run, with_field, without_field
 
 HEAD = "speed [m/s],film [nm],friction\n"
+OFF_CURVE = "measured: outside, other or without a film"
 PANELS = {"friction": ("friction coefficient μ (–)", 1), "film": ("film h* (nm)", 1e9), "asperity_load_share": ("asperity load share A (–)", 1)}
 
 
@@ -64,13 +67,14 @@ class Data(CurveTest):
         told = self.compared(text, None, "--format", "json").json()
         self.assertIn("the film has collapsed", told["points"][-1]["undefined"])
         rows = self.compared(text, None, "--format", "csv").rows()
-        points = [row for row in rows if row["line"] != "median"]
+        points = [row for row in rows if row["line"].isdigit()]
         for one, row in zip(told["points"], points, strict=True):
             self.assertEqual((row["id"], int(row["line"]), row["quantity"], row["unit"]), ("smooth", one["line"], one["quantity"], one["unit"]))
             for name in ("speed", "measured", "computed", "deviation_percent"):
                 self.assertEqual(float(row[name]) if row[name] else None, one[name])
         self.assertEqual({row["quantity"]: float(row["deviation_percent"]) for row in rows if row["line"] == "median"},
                          {one["quantity"]: one["median_deviation_percent"] for one in told["quantities"]})
+        self.assertEqual([row["quantity"] for row in rows if row["line"] == "median on the curve"], [])  # all are on it
         table = self.compared(text).out.splitlines()
         self.assertIn("  - computed: the film has collapsed: nothing balances the load", table)
         for one in told["quantities"]:
@@ -102,12 +106,42 @@ class Data(CurveTest):
             with self.subTest(text):
                 self.assertEqual(numbers(text), wanted)
 
+    def remarked(self, text, tree=None):
+        """The points of a file, and what is said of its columns."""
+        path = self.folder.write("measured.csv", text)
+        result = run("curve", self.write(tree or quiet_scene("smooth")), "--data", path, "--format", "json")
+        self.assertEqual((result.code, len(result.error_lines)), (0, 1), result.err)
+        return ([(one["line"], one["speed"], one["quantity"], one["measured"]) for one in result.json()["points"]],
+                result.err.removeprefix(f"tribocheck: {path}: columns that are not compared: "))
+
+    def test_a_cell_in_quotes_may_have_the_separator_and_quotes(self):
+        wanted = [(2, 0.01, "film", 7e-9), (2, 0.01, "friction", 0.05)]
+        for text, ignored in (('run,speed [m/s],film [nm],friction\n"run 1, dirty",0.01,7,0.05\n', "run\n"),
+                              ('run;speed [m/s];film [nm];friction\n "a; ""b""; c" ;0,01;7;0.05\n', "run\n"),
+                              ('"speed [m/s]","film [nm]","friction","a; ""b"", c"\r\n0.01,7,0.05,","\r\n', 'a; "b", c\n'),
+                              ("speed [m/s]\tfilm [nm]\tfriction\tremark\n0.01\t7\t0.05\t\n", "remark\n"),
+                              ('speed [m/s],film [nm],friction,ball\n0.01,7,0.05,3/8" or 3/4"\n', "ball\n")):
+            with self.subTest(text):
+                self.assertEqual(self.remarked(text), (wanted, ignored))
+        for cell in ('"run 1, dirty', '"run 1" dirty', '"run ""1', '"'):
+            with self.subTest(cell):
+                self.refused(f"u [m/s],CoF,run\n0.01,0.05,{cell}\n", "line 2: a cell begins with a quote and does not end with one")
+        self.refused('u [m/s],CoF,run\n0.01,0.05,a, b\n', "line 2: 4 cells")
+
     def test_symbols_that_are_printed_are_taken(self):
         tree = with_field(quiet_scene("smooth", outputs=["film", "film_parameter", "lambda_ratio"]), "surface.rms_roughness", 2e-8)
-        told = self.compared("v / (m/s),λ,Λ\n0.1,1.2,2\n", tree, "--format", "json").json()["points"]
         point, = self.solved(tree, [0.1])
-        self.assertEqual([(one["quantity"], one["measured"], one["computed"]) for one in told],
-                         [(name, measured, point[name]) for name, measured in (("film_parameter", 1.2), ("lambda_ratio", 2))])
+        for head in ("λ,Λ", "λ,Lambda", "film_parameter,Lambda Ratio"):
+            told = self.compared(f"v / (m/s),{head}\n0.1,1.2,2\n", tree, "--format", "json").json()["points"]
+            self.assertEqual([(one["quantity"], one["measured"], one["computed"]) for one in told],
+                             [(name, measured, point[name]) for name, measured in (("film_parameter", 1.2), ("lambda_ratio", 2))])
+
+    def test_a_name_of_two_outputs_is_told_with_both(self):
+        self.assertEqual(self.remarked("u [m/s],CoF,Load Share,lambda\n0.01,0.05,0.1,2\n"),
+                         ([(2, 0.01, "friction", 0.05)],
+                          "Load Share (name it asperity_load_share or fluid_load_share), lambda (name it film_parameter or lambda_ratio)\n"))
+        told = self.compared("u [m/s],asperity load share,µ\n0.01,0.1,0.05\n", None, "--format", "json").json()["points"]
+        self.assertEqual([one["quantity"] for one in told], ["asperity_load_share", "friction"])
 
     def test_numbers_stand_in_the_units_of_the_file(self):
         table = self.compared("v [mm/s],h [µm],friction [%]\n10,0.0091,5.5\n").out.splitlines()
@@ -131,7 +165,9 @@ class Data(CurveTest):
             self.assertEqual((found["compared"], found["on_curve"], found["median_on_curve_percent"]), (3, 2, clean["median_deviation_percent"]))
             self.assertNotEqual(found["median_deviation_percent"], found["median_on_curve_percent"])
             rows = run("curve", self.write(tree), "--data", path, "--format", "csv").rows()
-            self.assertEqual([row["other"] for row in rows if row["line"] != "median"], ["false", "false", "true" if words == "other" else "false"])
+            self.assertEqual([row["other"] for row in rows if row["line"].isdigit()], ["false", "false", "true" if words == "other" else "false"])
+            self.assertEqual({row["line"]: float(row["deviation_percent"]) for row in rows if not row["line"].isdigit()},
+                             {"median": found["median_deviation_percent"], "median on the curve": clean["median_deviation_percent"]})
             table = run("curve", self.write(tree), "--data", path).out
             self.assertIn(f"  - film on the curve: median of 2 deviations {clean['median_deviation_percent']:+.2f} %\n", table)
             self.assertEqual(words == "other", "  - other: measured at another load" in table)
@@ -191,7 +227,7 @@ class Data(CurveTest):
         def said(head, *rows):
             path = self.folder.write("measured.csv", f"u [m/s],CoF,{head}\n" + "".join(f"0.01,0.05,{row}\n" for row in rows))
             result = run("curve", self.write(tree), "--data", path, "--format", "csv")
-            self.assertEqual((result.code, len(result.rows())), (0, len(rows) + 1), result.err)
+            self.assertEqual((result.code, sum(row["line"].isdigit() for row in result.rows())), (0, len(rows)), result.err)
             return result.err.replace(f"tribocheck: {path}: ", "")
         for head, rows, words in (
                 ("load [kN]", ("0.05", "0.02", "0.1"), "column load [kN]: 2 of 3 rows have 20 N to 100 N, and the scene has load = 50 N"),
@@ -258,7 +294,21 @@ class Pictures(CurveTest):
             strokes = [place for series in plot.series for place in series.lines]
             self.assertTrue(any(math.hypot(x - across.place(1e-4), y - up.place(factor * first[name])) < 0.2 for x, y in strokes), (name, strokes[:3]))
         words = {text for text, *_ in svg_plots.texts(target)}
-        self.assertLessEqual({title for title, _ in PANELS.values()} | {"measured", "film maximum", "last point before the collapse"}, words)
+        self.assertLessEqual({title for title, _ in PANELS.values()} | {"measured", OFF_CURVE, "film maximum", "last point before the collapse"}, words)
+
+    def test_points_off_the_curve_have_a_mark_of_their_own(self):
+        tree, head = quiet_scene("smooth", load=50), "u [m/s],film [nm],load [N]\n"
+        def marks(*rows):
+            target = self.drawn(self.write(tree), "--data", self.folder.write("m.csv", head + "".join(f"{row}\n" for row in rows)), name="marks.svg")
+            words = {text for text, *_ in svg_plots.texts(target)}
+            text = pathlib.Path(target).read_text(encoding="utf-8")
+            of_legend = 1  # each mark stands once there
+            return [(len(re.findall(f"href='#{mark}' transform='translate", text)) - of_legend if title in words else 0)
+                    for title, mark in (("measured", "gpPt4"), (OFF_CURVE, "gpPt3"))]
+        on, outside, at_collapse = "0.01,7,50", "5,30,50", "2,20,50"
+        self.assertEqual(marks(on, on.replace("7", "8")), [2, 0])
+        self.assertEqual(marks(on, outside, at_collapse), [1, 2])
+        self.assertEqual(marks(outside), [0, 1])
 
     def test_only_what_scenes_ask_for_is_drawn(self):
         flooded = self.write(quiet_scene("smooth", id="flooded", supply=None, outputs=["film", "inlet"]), "flooded.toml")

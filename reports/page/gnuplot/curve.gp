@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Outputs of scenes against speed, a panel each over one axis.
 # Blocks: 0 the ends of the speed axis, and how many marks of each kind there are; 1 the axis of each panel; 2 the
-# scenes; 3 the marks: 1 the film maximum, 2 the last point before the film collapses, 3 a measured point; 4 and
-# on the curve of each scene. Curves and marks have a value for each panel.
+# scenes; 3 the marks: 1 the film maximum, 2 the last point before the film collapses, 3 a measured point, 4 one
+# off the curve; 4 and on the curve of each scene. Curves and marks have a value for each panel.
 load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), onsets = column(3), ends = column(4), \
-  measured = column(5), 0) nooutput
+  measured = column(5), others = column(6), 0) nooutput
 array labels[32]
 array bottoms[32]
 array tops[32]
@@ -24,13 +24,15 @@ set style line 5 dashtype (22,6)
 set style line 6 dashtype (12,4,3,4,3,4)
 set style line 7 pointtype 7 pointsize 1.2*point
 set style line 8 pointtype 6 pointsize 1.5*outline linewidth 1.6
-set style line 9 pointtype 4 pointsize 1.2*outline linewidth 1.6 linecolor rgb "#000000"
+set style line 9 pointtype 5 pointsize 1.1*point linecolor rgb "#000000"
+set style line 10 pointtype 4 pointsize 1.2*outline linewidth 1.6 linecolor rgb "#000000"
 
 # Entries without a mark would leave gaps in the legend.
 legend = ""
 if (onsets > 0) { legend = legend.', keyentry with points linestyle 7 linecolor rgb grey title "film maximum"' }
 if (ends > 0) { legend = legend.', keyentry with points linestyle 8 linecolor rgb grey title "last point before the collapse"' }
 if (measured > 0) { legend = legend.', keyentry with points linestyle 9 title "measured"' }
+if (others > 0) { legend = legend.', keyentry with points linestyle 10 title "measured: outside, other or without a film"' }
 
 foot = 150.0/tall
 gap = 22.0/tall
@@ -65,6 +67,7 @@ do for [p = 1:panels_records] {
       linecolor rgb colours[s] title names[s], \
     data index 3 using 2:(mark(1, p)):3 with points linestyle 7 linecolor rgb variable notitle, \
     data index 3 using 2:(mark(2, p)):3 with points linestyle 8 linecolor rgb variable notitle, \
+    data index 3 using 2:(mark(4, p)) with points linestyle 10 notitle, \
     data index 3 using 2:(mark(3, p)) with points linestyle 9 notitle @legend
 }
 unset multiplot

@@ -14,7 +14,7 @@ from sweep_pictures import (LOG_FROM_RATIO, NAN, axis_label, cell, colours, in_w
 WORDS = {"friction": "friction coefficient μ", "film": "film h*", "film_flooded": "flooded film h_{ff}",
          "film_parameter": "film parameter λ", "asperity_load_share": "asperity load share A"}
 PANEL, HEAD, FOOT = 230, 78, 150  # points: a panel, and the room above and below the panels
-ONSET, END, MEASURED = 1, 2, 3  # kinds of marks
+ONSET, END, MEASURED, OFF_CURVE = 1, 2, 3, 4  # kinds of marks
 
 
 def values_of(data, panel):
@@ -63,7 +63,7 @@ def marks_of(data, axes, colour):
             marks.append((END, scene["speed"][end], own, *drawn_values(scene["values"][end], axes)))
     for one in data["measured"]:
         values = [one["value"] if panel == one["panel"] else None for panel in range(len(axes))]
-        marks.append((MEASURED, one["speed"], 0, *drawn_values(values, axes)))
+        marks.append((MEASURED if one["is_on_curve"] else OFF_CURVE, one["speed"], 0, *drawn_values(values, axes)))
     return marks
 
 
@@ -72,8 +72,8 @@ def blocks(data):
     colour = colours(data)
     marks = marks_of(data, axes, colour)
     speeds = [speed for scene in data["scenes"] for speed in scene["speed"]] + [one["speed"] for one in data["measured"]]
-    made = ["# low\thigh\tonsets\tends\tmeasured\n" +
-            row(min(speeds), max(speeds), *(sum(mark[0] == kind for mark in marks) for kind in (ONSET, END, MEASURED))),
+    made = ["# low\thigh\tonsets\tends\tmeasured\toff the curve\n" +
+            row(min(speeds), max(speeds), *(sum(mark[0] == kind for mark in marks) for kind in (ONSET, END, MEASURED, OFF_CURVE))),
             "# label\tbottom\ttop\tlog\n" + "".join(row(label, low, high, int(is_log)) for label, low, high, is_log, _ in axes),
             "# scene\tcolour\n" + "".join(row(cell(scene["id"], 60 if len(data["scenes"]) <= 3 else 24), own) for scene, own in zip(data["scenes"], colour)),
             "# kind\tspeed\tcolour\ta value for each panel\n" + ("".join(row(*mark) for mark in marks) or row(0, NAN, 0, *[NAN] * len(axes)))]
