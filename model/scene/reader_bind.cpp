@@ -143,7 +143,6 @@ class SceneBinder {
     switch (info.type) {
       case FieldType::number:
       case FieldType::integer:
-        if (is_without_rise(info, value)) return store_of(field)(scene_, 0);
         if (info.takes_both_faces && value.kind == ValueKind::list)
           return take_both_faces(field, *given_[field]);
         if (const auto number = number_of(info, value, info.path)) {
@@ -198,10 +197,13 @@ class SceneBinder {
                                   std::string_view name) {
     const std::optional<Fault::Rule> rule = broken_rule(info, value);
     if (!rule) return value.number + 0.0;  // −0 becomes 0
+    const bool is_of_sweep = value.kind == ValueKind::list && !info.takes_both_faces;
+    const std::string allowed =
+        allowed_text(info) + (is_of_sweep ? "; a sweep takes lists: tribocheck sweep" : "");
     if (rule == Fault::kind)
-      problems_.error(name, no_number(value, written_unit(info), allowed_text(info)));
+      problems_.error(name, no_number(value, written_unit(info), allowed));
     else
-      problems_.error(name, {*rule, value_text(value), "", allowed_text(info)});
+      problems_.error(name, {*rule, value_text(value), "", allowed});
     return std::nullopt;
   }
 
@@ -222,13 +224,15 @@ class SceneBinder {
 
   void take_both_faces(std::size_t field, const Entry& entry) {
     const FieldInfo& info = scene_fields()[field];
-    if (entry.elements.size() != 2) return refuse(info, info.path, entry.value);
     for (const Value& element : entry.elements)
-      if (element.kind == ValueKind::table)
+      if (element.kind == ValueKind::table || element.kind == ValueKind::list)
         return problems_.error(
             info.path,
-            {.what = "a list of two faces takes no distribution; allowed: a distribution "
-                     "of both faces together, √(x₁² + x₂²), or two numbers"});
+            {.what = "a list of two faces takes no " +
+                     std::string(element.kind == ValueKind::table ? "distribution" : "lists") +
+                     "; allowed: two numbers, or in a sweep { from = …, to = …, count = … } or a "
+                     "distribution of both faces together, √(x₁² + x₂²)"});
+    if (entry.elements.size() != 2) return refuse(info, info.path, entry.value);
     std::array<std::optional<double>, 2> faces;
     for (std::size_t i = 0; i < faces.size(); ++i)
       faces[i] = number_of(info, entry.elements[i], element_name(info.path, i));
@@ -415,12 +419,6 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   bool is_of_line_film() const { return use_ == SceneUse::line_film; }
-  // A viscosity that does not rise with pressure; which films have none then, check_contact()
-  // knows.
-  static bool is_without_rise(const FieldInfo& info, const Value& value) {
-    return info.path == "lubricant.pressure_viscosity" && value.kind == ValueKind::number &&
-           value.fault == NumberFault::none && value.number == 0;
-  }
   // A scene is of smooth bodies where [surface] is not there, or has the roughness for Λ alone.
   bool is_smooth() const {
     return ((is_given_ | explained_) & named().of_summits).none() &&

@@ -283,7 +283,6 @@ std::string_view usual_units(std::string_view unit) {
 
 Fault no_number(const Value& value, std::string_view unit, std::string allowed) {
   Fault fault = wrong_kind(value, std::move(allowed));
-  if (value.kind == ValueKind::list) fault.allowed += "; a sweep takes lists: tribocheck sweep";
   if (value.kind == ValueKind::text && (value.text == "inf" || value.text == "-inf"))
     fault.what = "a text: write it without the quotes";
   if (value.kind != ValueKind::text || !is_number(value.text)) return fault;

@@ -407,6 +407,8 @@ class BadSweeps(SweepTest):
         ({}, {}, ["nothing varies"]),
         ({"surface.rms_roughness": '[{ distribution = "uniform", from = 1e-8, to = 2e-8 }, "10 nm"]'}, {},
          ["surface.rms_roughness", "a list of two faces takes no distribution"]),
+        ({"surface.rms_roughness": '[["20 nm", "10 nm"], ["30 nm", "10 nm"], ["40 nm", "10 nm"]]'}, {},
+         ["surface.rms_roughness: a list of two faces takes no lists; allowed: two numbers, or in a sweep { from = …, to = …, count = … } or"]),
         ({"surface.rms_roughness": '"30 ± 5 nm"'}, {}, ["surface.rms_roughness", "a number with its spread", '{ distribution = "normal"']),
         ({"load": '{ distribution = "normal", mean = "50 N", sd = "13 %" }'}, {},
          ['load.sd: "13 %" is not in a unit that fits; allowed: a number above 0 (a spread in % is log_sd of a log_normal distribution)']),

@@ -49,7 +49,10 @@ bool is_of_an_oil(const FieldInfo& field) {
 
 void expect_judged(const FieldInfo& field, const std::string& value, bool legal,
                    const char* part = "not allowed") {
-  const SceneText text = SceneText::good_with(field).set(field.path, value);
+  SceneText text = SceneText::good_with(field).set(field.path, value);
+  // Films of soft bodies do without the rise of the viscosity.
+  if (field.path == "lubricant.pressure_viscosity")
+    text.set("closures.film", "\"hamrock_dowson_soft_central\"");
   // Moments that are legal one by one may together belong to no face. Double may be unable to
   // hold the ratio of legal radii, or the E* of moduli next to 0.
   const bool is_least_modulus =
@@ -151,6 +154,8 @@ TEST(SceneFields, ZeroIsLegalExactlyWhereTheTableSaysSo) {
     for (const char* zero : {"0", "0.0", "-0.0", "-0", "0e5"})
       expect_judged(field, zero, is_legal(field, 0));
   }
+  EXPECT_TRUE(refused(SceneText::good().set("lubricant.pressure_viscosity", "0"),
+                      "lubricant.pressure_viscosity", "whose film would be 0"));
 }
 
 TEST(SceneFields, NegativeNumbersAreRefused) {

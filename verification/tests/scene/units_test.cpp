@@ -269,6 +269,9 @@ TEST(Units, AnotherQuantityIsNamed) {
                         "is a speed of rotation, and speed is the mean speed of the two surfaces"));
   EXPECT_TRUE(refused(SceneText::good().set("load", "[20, 50]"), "load",
                       "a sweep takes lists: tribocheck sweep"));
+  const SceneText faces = SceneText::good().set("surface.rms_roughness", "[[1e-8, 2e-8], [1e-9]]");
+  EXPECT_TRUE(refused(faces, "surface.rms_roughness", "a list of two faces takes no lists"));
+  EXPECT_FALSE(refused(faces, "surface.rms_roughness[0]", "tribocheck sweep"));
 }
 
 TEST(Units, ANumberWithItsSpreadIsSentToASweep) {

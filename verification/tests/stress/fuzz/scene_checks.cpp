@@ -133,7 +133,10 @@ void check_numbers(const Scene& scene) {
           "the film law is of the contact's shape", id);
   require(is_positive(bodies.ellipticity), "ellipticity > 0", id);
   require(is_positive(lubricant.viscosity), "viscosity > 0", id);
-  require(is_positive(lubricant.pressure_viscosity), "pressure_viscosity > 0", id);
+  const bool needs_rise = film_law(closures.film).material_exponent.p != 0;
+  require(needs_rise ? is_positive(lubricant.pressure_viscosity)
+                     : is_not_negative(lubricant.pressure_viscosity),
+          "pressure_viscosity > 0, or 0 where the law does without", id);
   require(is_positive(lubricant.eyring_stress.value_or(1)), "eyring_stress > 0", id);
   require(is_not_negative(friction.boundary_coefficient.value_or(0)), "boundary_coefficient ≥ 0",
           id);
