@@ -275,15 +275,25 @@ double concave_groove(const State& state) {
   return ratio <= greatest_diameter_ratio ? ratio : not_assumed;
 }
 
+// The fastest speed at which there is a film to heat. A solved film is there at each.
+double fastest_with_film(const State& state) {
+  if (state.solves_film()) return state.speeds.high;
+  double fastest = not_assumed;
+  for (const OperatingPoint<double>& point : state.points)
+    if (point.film > 0 && !(fastest >= point.speed)) fastest = point.speed;
+  return fastest;
+}
+
 std::string advice_on_heating(const State& state) {
+  const double speed = fastest_with_film(state);
   const double given = state.scene.lubricant.conductivity;
   const double factor = gupta_thermal_reduction(
       state.hertz.peak_pressure, state.numbers.effective_modulus, 0.0, oil_temperature_coefficient,
-      state.numbers.viscosity, state.speeds.high, given > 0 ? given : oil_conductivity);
+      state.numbers.viscosity, speed, given > 0 ? given : oil_conductivity);
   const std::string part =
       factor > 0 ? "by some " + scene_detail::number_text(std::round(100 * (1 - factor))) + " %"
                  : "by more than Gupta's factor can tell";
-  return "at the fastest speed heat makes the film thinner " + part +
+  return "at " + scene_detail::rounded_text(speed) + " m/s heat makes the film thinner " + part +
          " with β = " + scene_detail::number_text(oil_temperature_coefficient) + "/K" +
          (given > 0 ? ""
                     : " and k_f = " + scene_detail::number_text(oil_conductivity) +
@@ -561,7 +571,7 @@ constexpr Row rows[] = {
      "common practice: with β = 0.04/K these 10 K make L = βη₀u²/k_f of Gupta and others (1992) "
      "0.4; mineral oil has 0.14 W/(m K)",
      [](const State& state) {
-       const double speed = state.speeds.high;
+       const double speed = fastest_with_film(state);
        const bool is_heated = state.scene.lubricant.thermal != ThermalInlet::none;
        if (!(speed > 0) || (is_heated && !state.solves_film())) return not_assumed;
        const double given = state.scene.lubricant.conductivity;
@@ -781,46 +791,6 @@ State state_of(const Scene& scene, SceneUse use) {
   return state;
 }
 
-// Which limits are taken: all assumptions, or those that are not kept.
-enum class Which : std::uint8_t { all, not_kept };
-
-template <class Take>
-void take_assumptions(const State& state, Which which, const Take& take) {
-  for (const Row& row : rows) {
-    const double value = row.value(state);
-    if (std::isnan(value)) continue;
-    double least = row.least, greatest = row.greatest;
-    if (row.is_of_film_law) {
-      const FilmLaw& law = film_law(state.scene.closures.film);
-      least = least_fitted_ellipticity(law);
-      greatest = law.greatest_ellipticity;
-      // Any law of points was fitted to circles.
-      if (least == 0 && value >= but_for_rounding && value <= 1 / but_for_rounding)
-        least = but_for_rounding, greatest = 1 / but_for_rounding;
-    }
-    auto advice = row.advice;
-    if (row.is_of_steel && softer_modulus(state) < least_steel_modulus) {
-      least = 0;
-      greatest = unbounded;
-      advice = advice_on_softer;
-    }
-    const bool is_known = least != 0 || greatest < unbounded;
-    const bool holds = value >= least && value <= greatest;
-    if (which == Which::not_kept && holds) continue;
-    take(Validity{
-        .word = row.word,
-        .assumption = row.assumption,
-        .value = value,
-        .least = least,
-        .greatest = greatest,
-        .unit = row.unit,
-        .source = row.source,
-        .touches = state.solves_film() && row.touches == "friction" ? "pressure" : row.touches,
-        .advice = (is_known && holds) || advice == nullptr ? std::string() : advice(state),
-        .is_accepted = accepts(state.scene, row.word)});
-  }
-}
-
 // Takes the range of a field where the value is not in it.
 template <class Take>
 void take_range(const Scene& scene, const FieldInfo& field, std::string_view word, double value,
@@ -854,6 +824,58 @@ void take_ranges(const Scene& scene, const Take& take) {
     const auto [low, high] = detail::speed_span(scene.speeds);
     if (low > 0) take_range(scene, fields[i], word, low, take);
     if (high > low) take_range(scene, fields[i], word, high, take);
+  }
+}
+
+// Is a number outside of its range, and inside with another unit? What follows from it is no reason
+// for advice then.
+bool has_likely_slip(const Scene& scene) {
+  bool has_slip = false;
+  take_ranges(scene, [&has_slip](const Validity& one) {
+    has_slip = has_slip || (!one.likely_unit.empty() && !one.is_accepted);
+  });
+  return has_slip;
+}
+
+// Which limits are taken: all assumptions, or those that are not kept.
+enum class Which : std::uint8_t { all, not_kept };
+
+template <class Take>
+void take_assumptions(const State& state, Which which, const Take& take) {
+  for (const Row& row : rows) {
+    const double value = row.value(state);
+    if (std::isnan(value)) continue;
+    double least = row.least, greatest = row.greatest;
+    if (row.is_of_film_law) {
+      const FilmLaw& law = film_law(state.scene.closures.film);
+      least = least_fitted_ellipticity(law);
+      greatest = law.greatest_ellipticity;
+      // Any law of points was fitted to circles.
+      if (least == 0 && value >= but_for_rounding && value <= 1 / but_for_rounding)
+        least = but_for_rounding, greatest = 1 / but_for_rounding;
+    }
+    auto advice = row.advice;
+    if (row.is_of_steel && softer_modulus(state) < least_steel_modulus) {
+      least = 0;
+      greatest = unbounded;
+      advice = advice_on_softer;
+    }
+    const bool is_known = least != 0 || greatest < unbounded;
+    const bool holds = value >= least && value <= greatest;
+    if (which == Which::not_kept && holds) continue;
+    const bool is_advised =
+        advice != nullptr && !(is_known && holds) && !has_likely_slip(state.scene);
+    take(Validity{
+        .word = row.word,
+        .assumption = row.assumption,
+        .value = value,
+        .least = least,
+        .greatest = greatest,
+        .unit = row.unit,
+        .source = row.source,
+        .touches = state.solves_film() && row.touches == "friction" ? "pressure" : row.touches,
+        .advice = is_advised ? advice(state) : std::string(),
+        .is_accepted = accepts(state.scene, row.word)});
   }
 }
 

@@ -581,7 +581,7 @@ int tell_contacts(const ContactArguments& arguments, OutputStream& output) {
         if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
         return std::string();
       },
-      true);
+      arguments.format != "csv");
   if (loaded.scenes.empty()) return exit_bad;
   Text& text = output.text();
   const bool is_json = arguments.format == "json", is_csv = arguments.format == "csv";

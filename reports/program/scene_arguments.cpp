@@ -103,10 +103,11 @@ LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
   }
   for (const std::string& path : paths) load_scene(path, use, prepare, loaded);
   if (results_explain)
-    loaded.warnings.tell("the results explain them", true);
+    loaded.warnings.tell("the results explain them");
   else
     loaded.warnings.tell(use == SceneUse::line_film ? "section 14 of model/README.md explains them"
-                                                    : "`tribocheck solve --explain` has them all");
+                         : use == SceneUse::onset   ? "`tribocheck contact` explains them"
+                                                    : "`tribocheck solve --explain` explains them");
   return loaded;
 }
 

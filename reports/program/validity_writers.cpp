@@ -20,7 +20,7 @@ constexpr std::size_t table_width = 120;
 // A number in the unit that engineers have for its size: "1.08 GPa", "3.2 nm".
 std::string quantity_text(double value, std::string_view unit) {
   const double size = std::fabs(value);
-  if (unit == "Pa" && size >= 1e6 && std::isfinite(value))
+  if (unit == "Pa" && size >= 1e4 && std::isfinite(value))
     return size >= 1e9 ? fmt::format("{:.3g} GPa", value / 1e9)
                        : fmt::format("{:.3g} MPa", value / 1e6);
   if (unit == "m" && size > 0 && size < 1e-3)
@@ -82,8 +82,10 @@ void append_validity(Text& to, std::string_view id, const std::vector<Validity>&
   for (const Validity& limit : limits) {
     std::string assumption = limit.field.empty()
                                  ? std::string(limit.assumption)
-                                 : fmt::format("{} is in the range of real contacts", limit.field);
+                                 : fmt::format("{} is in the range of real contacts.", limit.field);
     if (!limit.advice.empty()) assumption += fmt::format(" Here {}.", limit.advice);
+    if (!limit.likely_unit.empty())
+      assumption += fmt::format(" Perhaps {} was meant.", limit.likely_unit);
     table.rows.push_back({std::string(holds_text(limit)), number_of(limit, limit.value),
                           bounds_text(limit), std::string(limit.touches), std::string(limit.word),
                           assumption});
@@ -116,7 +118,7 @@ void Warnings::add(std::string_view source, std::string_view id,
   if (!passed.empty()) scenes_.push_back({std::string(source), std::string(id), passed});
 }
 
-void Warnings::tell(std::string_view where, bool is_short) const {
+void Warnings::tell(std::string_view where) const {
   if (scenes_.empty()) return;
   std::vector<std::string_view> words;
   std::string told;
@@ -124,7 +126,7 @@ void Warnings::tell(std::string_view where, bool is_short) const {
     for (const Validity& limit : scene.passed) {
       if (std::find(words.begin(), words.end(), limit.word) != words.end()) continue;
       words.push_back(limit.word);
-      told += (told.empty() ? "" : ", ") + passed_text(limit, is_short);
+      told += (told.empty() ? "" : ", ") + passed_text(limit, true);
       const auto passes_too = [&](const OfScene& other) {
         return std::any_of(other.passed.begin(), other.passed.end(),
                            [&](const Validity& one) { return one.word == limit.word; });

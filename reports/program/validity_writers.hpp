@@ -28,9 +28,9 @@ class Warnings {
   // `source`: the file, as messages name it. `id`: of the scene.
   void add(std::string_view source, std::string_view id, const std::vector<Validity>& passed);
   bool any() const { return !scenes_.empty(); }
-  // Says all of them in one line on stderr; nothing where there are none.
-  // `where` says where these limits are explained.
-  void tell(std::string_view where, bool is_short = false) const;
+  // Says all of them in short in one line on stderr; nothing where there are none. `where` says
+  // where these limits are explained.
+  void tell(std::string_view where) const;
   // The member `warnings` of a document: an empty list where there are none.
   nlohmann::ordered_json json() const;
 

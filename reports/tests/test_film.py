@@ -302,7 +302,7 @@ class Scenes(FilmTest):
             result = run("film", self.write(tree), "--viscosity", "roelands", "--tolerance", "1e-2")
             self.assertEqual((result.code, result.err), (0, ""))
             if z:
-                self.assertIn(f"roelands_index {z} (0.2 to 1.2; touches pressure)", result.warned)
+                self.assertIn(f"roelands_index {z} (0.2 to 1.2)", result.warned)
             else:
                 self.assertNotIn("roelands_index", result.warned)
             # Barus' law has no z.
@@ -335,6 +335,15 @@ class Scenes(FilmTest):
 
 
 class Failures(FilmTest):
+    def test_a_file_behind_profile_is_refused_before_anything_is_printed(self):
+        good, bad = self.write(line(10, 5)), self.folder.path("profile.csv")
+        result = run("film", good, "--profile", bad)
+        self.assertEqual((result.code, result.out, len(result.error_lines)), (2, "", 2))
+        self.assertEqual(result.error_lines[0], f"tribocheck: {bad}: cannot be read: No such file or directory")
+        self.assertTrue(result.error_lines[1].startswith("tribocheck: --profile takes no file, and prints nothing"), result.err)
+        result = run("film", good, bad, "--tolerance", "1e-2")  # the films of good scenes come out
+        self.assertEqual((result.code, "central film" in result.out, len(result.error_lines)), (2, True, 1))
+
     def test_bad_options(self):
         path = self.write(line(10, 5))
         for option, values in {"--tolerance": ["5", "0", "nan", "1e-7", "x", ""], "--speed": ["0", "-1", "nan", "inf"],
@@ -421,7 +430,7 @@ class Pictures(FilmTest):
                    ("Hertz", 0x666666, hertz, False)],
                   [("", None, [(0, 1e6 * one["film"]) for one in found["formulas"]], True),
                    ("", 0x0072B2, [(1e6 * a, 1e6 * h) for a, h in zip(x, found["profile"]["film"])], False),
-                   ("film in the middle", None, [], False), ("least film", None, [], False)]]
+                   ("of the film in the middle", None, [], False), ("of the least film", None, [], False)]]
         self.assertEqual(list(svg_plots.looks(target)), [])
         plots, axes = svg_plots.read(target)
         self.assertEqual(len(plots), 2)
@@ -431,13 +440,13 @@ class Pictures(FilmTest):
             self.assertLess(max(across.far, up.far), 0.05)
             self.assertEqual(list(page_pictures.differing(plot, plot.box(axes), across, up, one, True)), [])
         self.assertEqual({place for place in plots[0].places["x"]}, plots[1].places["x"])
-        told = [text for text, *_ in sorted(svg_plots.texts(target), key=lambda one: -one[2]) if re.search(r"[+−]?[\d.]+ %$", text)]
+        told = [text for text, *_ in sorted(svg_plots.texts(target), key=lambda one: -one[2]) if re.search(r"[+−]?[\d.]+ %( \(.*\))?$", text)]
         names = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginson_minimum": "Dowson–Higginson",
                  "dowson_toyoda_central": "Dowson–Toyoda"}
-        marks = {"barus, incompressible": "", "unknown": "?"}
+        of_fit = {"barus, incompressible": "", "unknown": " (?)"}
         self.assertEqual(told, [
-            f"{names.get(one['name'], 'Pan–Hamrock')}{marks.get(one['fitted_to'], '*')} "
-            f"{one['this_liquid_deviation_percent' if one['fitted_to'] == 'unknown' else 'deviation_percent']:+.1f} %".replace("-", "−")
+            f"{names.get(one['name'], 'Pan–Hamrock')} {one['this_liquid_deviation_percent']:+.1f} %".replace("-", "−") +
+            of_fit.get(one["fitted_to"], f" ({one['deviation_percent'] or 0:+.1f} %)".replace("-", "−"))
             for one in sorted(found["formulas"], key=lambda one: one["film"])])
 
     def test_of_a_contact_without_a_spike_and_of_one_that_is_nearly_rigid(self):

@@ -33,6 +33,11 @@ class ValidityTest(unittest.TestCase):
         return words
 
 
+    def explained(self, tree):
+        """What passing each limit of a scene means, by its word."""
+        return {one["word"]: one["advice"] for one in run("solve", self.write(tree), "--explain", "--format", "json").json()["validity"]}
+
+
 class Warnings(ValidityTest):
     def test_a_slip_of_unit_is_named_with_the_likely_unit(self):
         done = run("solve", self.write(with_field(quiet_scene(speed=0.1), "lubricant.viscosity", 20.2)))
@@ -52,10 +57,11 @@ class Warnings(ValidityTest):
 
     def test_what_summits_of_faces_known_by_rq_alone_carry_is_undefined_where_they_touch(self):
         faces = {"surface": {"rms_roughness": "300 nm"}, "outputs": ["film", "regime"], "accept": []}
-        done = run("solve", self.write(self.smooth_scene([0.1, 1]) | faces))
-        self.assertRegex(done.warned, r"rough_as_smooth 0\.0\d* \(at least 3; touches shares, friction; this is Λ: the faces "
-                                      r"touch, and Rq alone does not say what the summits carry: shares, friction and regime are "
-                                      r"undefined there; give summits or spectral moments\)")
+        tree = self.smooth_scene([0.1, 1]) | faces
+        done = run("solve", self.write(tree))
+        self.assertRegex(done.warned, r"rough_as_smooth 0\.0\d* \(at least 3\);")
+        self.assertEqual(self.explained(tree)["rough_as_smooth"], "this is Λ: the faces touch, and Rq alone does not say what the summits "
+                         "carry: shares, friction and regime are undefined there; give summits or spectral moments")
         self.assertEqual(len(done.said.splitlines()), 1)
         self.assertEqual(self.passed("solve", self.smooth_scene(1) | faces | {"surface": {"rms_roughness": "1 nm"}}), [])
 
@@ -102,7 +108,8 @@ class Warnings(ValidityTest):
         rubber = without_field(rubber, "surface") | {"outputs": ["film"], "speed": 0.1}
         done = run("solve", self.write(rubber), "--strict")
         self.assertEqual(done.code, 1)
-        self.assertIn("the contact is isoviscous_elastic: take hamrock_dowson_soft_central)", done.warned)
+        self.assertRegex(done.warned, r"film_law_regime [\d.]+ \(at most 1\.2\); `tribocheck solve --explain` explains them,")
+        self.assertIn("the contact is isoviscous_elastic: take hamrock_dowson_soft_central", self.explained(rubber)["film_law_regime"])
         self.assertIn("film_law_regime", self.passed("solve", rubber))
         soft = with_field(rubber, "closures.film", "hamrock_dowson_soft_central")
         self.assertEqual(self.passed("solve", soft), [])
@@ -112,16 +119,32 @@ class Warnings(ValidityTest):
         done = run("solve", self.write(quiet_scene(speed=0.1, accept=[], bodies={"effective_modulus": 107.9e9} | ball)))
         self.assertRegex(done.warned, r"bodies\.radius_x, which follows, 2\.5e\+04 m \([^;)]*\)")
 
-    def test_where_the_results_explain_limits_the_line_is_short(self):
-        path = self.write(self.smooth_scene(0.1) | {"surface": {"rms_roughness": "300 nm"}, "outputs": ["film", "regime"], "accept": []})
-        for command in (["contact", path], ["solve", path, "--explain"]):
-            said = run(*command).said
-            self.assertRegex(said, r"rough_as_smooth 0\.\d+ \(at least 3\)[;,] ")
-            self.assertIn("; the results explain them, and accept = [", said)
-            self.assertNotIn("touches", said)
-        said = run("solve", path).said
-        self.assertIn("give summits or spectral moments", said)
-        self.assertIn("`tribocheck solve --explain` has them all", said)
+    def test_the_line_is_short_and_says_where_limits_are_explained(self):
+        path = self.write(self.smooth_scene([0.1, 0.2]) | {"surface": {"rms_roughness": "300 nm"}, "outputs": ["film", "regime"], "accept": []})
+        of_results, of_solve, of_contact = "the results explain", "`tribocheck solve --explain` explains", "`tribocheck contact` explains"
+        for command, where in ((["contact", path], of_results), (["contact", path, "--format", "json"], of_results),
+                               (["contact", path, "--format", "csv"], of_contact), (["onset", path], of_contact),
+                               (["solve", path, "--explain"], of_results), (["solve", path], of_solve), (["curve", path], of_solve)):
+            with self.subTest(command):
+                done = run(*command)
+                self.assertRegex(done.said, r"rough_as_smooth 0\.\d+ \(at least 3\)[;,] ")
+                self.assertIn(f"; {where} them, and accept = [", done.said)
+                self.assertNotIn("touches", done.said)
+                if command[0] != "onset":  # whose answer has this reason
+                    self.assertEqual("give summits or spectral moments" in re.sub(r"\s+", " ", done.out), where == of_results)
+
+    def test_a_likely_unit_stands_in_the_table_in_place_of_advice(self):
+        bodies = {"first_modulus": 210000, "first_poisson_ratio": 0.3, "second_modulus": 210e9, "second_poisson_ratio": 0.3, "reduced_radius": 9.5e-3}
+        for modulus, is_slip in ((210000, True), (2.1e6, False)):  # the other is one of rubber
+            path = self.write(quiet_scene(speed=0.1, accept=[], supply=None, bodies=bodies | {"first_modulus": modulus}))
+            for command in (["contact", path], ["solve", path, "--explain"]):
+                with self.subTest(command=command[0], modulus=modulus):
+                    done = run(*command)
+                    table = re.sub(r"\s+", " ", done.out.partition("is the model valid here?")[2])
+                    self.assertEqual("bodies.first_modulus is in the range of real contacts. Perhaps MPa was meant." in table, is_slip)
+                    self.assertEqual("perhaps MPa was meant" in done.said, is_slip)
+                    self.assertEqual("take hamrock_dowson_soft_central" in table, not is_slip)
+                    self.assertIn("film_law_regime", table)
 
     def test_several_scenes_have_one_line(self):
         paths = [self.write(scene(surface), f"{surface}.toml") for surface in ("rough", "medium")]

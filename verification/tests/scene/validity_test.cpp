@@ -301,6 +301,35 @@ TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
             limit_of(of("2"), "film_heating").value);
 }
 
+TEST(Validity, TheInletIsHeatedAtTheLastSpeedWithAFilm) {
+  SceneText text =
+      ordinary().set("supply.inlet_film", "1e-6").set("surface.summit_height_sd", "1e-8");
+  const auto of = [&text](const char* speeds) {
+    return limit_of(scene_of(text.set("speed", speeds)), "inlet_heating");
+  };
+  for (const char* speeds : {"[0.1, 20, 30]", "[30, 6.5, 0.2]"}) {
+    const double last = speeds[1] == '0' ? 0.1 : 6.5;
+    const Validity heat = of(speeds), alone = of(fmt::format("{}", last).c_str());
+    EXPECT_EQ(heat.value, alone.value) << speeds;
+    EXPECT_EQ(heat.advice, alone.advice) << speeds;
+    EXPECT_EQ(heat.advice.find("at 6.5 m/s") == std::string::npos, heat.holds()) << heat.advice;
+  }
+  EXPECT_EQ(of("20").word, "");
+  // A film that stays is heated at the fastest speed.
+  text.set("closures.starvation", "\"damiens\"");
+  EXPECT_NE(of("[0.1, 20]").advice.find("at 20 m/s"), std::string::npos);
+}
+
+// What follows from a number in another unit than was meant is no reason for advice.
+TEST(Validity, WhereANumberIsASlipNothingElseIsAdvised) {
+  const auto advice = [](const char* modulus) {
+    SceneText text = ordinary().set("bodies.effective_modulus", modulus);
+    return limit_of(scene_of(text), "film_law_regime").advice;
+  };
+  EXPECT_EQ(advice("115000"), "");
+  EXPECT_NE(advice("1.15e6").find("hamrock_dowson_soft_central"), std::string::npos);
+}
+
 // Friction of the oil alone makes no heat of a contact whose faces touch.
 TEST(Validity, OfFacesThatTouchTheHeatIsNotKnown) {
   SceneText text = ordinary().remove_section("surface").set("speed", "1");
@@ -712,7 +741,7 @@ TEST(Validity, SaysWhichResultsALimitTouches) {
   }
   EXPECT_EQ(limit_of(loud, "alpha_p0").touches, "friction");
   EXPECT_EQ(limit_of(loud, "hertz_pressure").touches, "everything");
-  EXPECT_EQ(limit_of(loud, "inlet_heating").touches, "film");
+  EXPECT_EQ(limit_of(scene_of(ordinary()), "inlet_heating").touches, "film");
 }
 
 TEST(Validity, OfANumberThatFollowsNoUnitIsGuessed) {
