@@ -124,6 +124,10 @@ class FilmRun {
 int solve_films(const FilmArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = scenes_of(arguments);
   if (loaded.scenes.empty()) return exit_bad;
+  if (!loaded.all_good && arguments.with_profile)
+    return fail(exit_bad,
+                "--profile takes no file, and prints nothing where a scene is bad; it writes to "
+                "stdout, as in `--profile --format csv > profiles.csv`");
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   if (!arguments.picture.empty() && total > 1)

@@ -211,7 +211,6 @@ bool write_new_file(const InitArguments& arguments, const std::string& out, cons
 }
 
 int init_subject(const InitArguments& arguments, OutputStream& output) {
-  if (arguments.language.empty()) return fail(exit_bad, "--language is required (see --help)");
   if (!arguments.system.empty())
     return fail(exit_bad, "--for is an option of ci; a subject has --language");
   const report::ReportPlaces places = report::usual_places();
@@ -220,6 +219,9 @@ int init_subject(const InitArguments& arguments, OutputStream& output) {
   if (languages.empty()) return fail(exit_bad, no_templates);
   std::vector<std::string> names;
   for (const Language& one : languages) names.push_back(one.name);
+  if (arguments.language.empty())
+    return fail(exit_bad,
+                fmt::format("--language is required; allowed: {}", fmt::join(names, ", ")));
   const auto found = std::find(names.begin(), names.end(), arguments.language);
   if (found == names.end())
     return fail(exit_bad, fmt::format("--language: no template for {}; allowed: {}",
@@ -283,8 +285,7 @@ int init(const InitArguments& arguments, OutputStream& output) {
 constexpr const char* init_footer =
     R"(subject: the file answers every question of `tribocheck verify` with a skip until you fill in what you have;
 until then the verdict is NOTHING, and the exit code 1. Its comments say what each function is and in
-which units. The line that is printed builds it, where it has to be built, and puts it to the tests. A
-language without a template is answered with a list of those that have one.
+which units. The line that is printed builds it, where it has to be built, and puts it to the tests.
 
 ci: the file has the gates of values and of speed for a system of CI, github or gitlab, ready to paste;
 its head says where it goes. Folders that --out names are made.
@@ -305,7 +306,8 @@ Command add_init(CLI::App& program) {
                   "subject: a solver for `verify --subject`; ci: a file that gates one")
       ->required()
       ->check(CLI::IsMember({"subject", "ci"}));
-  app->add_option("--language", arguments->language, "language of the solver");
+  app->add_option("--language", arguments->language,
+                  "language of the solver: python, octave, c, fortran, cpp, javascript, rust");
   app->add_option("--for", arguments->system, "system of CI: github, gitlab");
   app->add_option("--out", arguments->out, "file to write (default: solver.py, github.yml, …)");
   app->add_flag("--force", arguments->force, "overwrite the file if it is there");

@@ -54,6 +54,14 @@ class Init(ProgramTest):
         files = {path.name for path in TEMPLATES.iterdir()} - {"languages.tsv"}
         self.assertEqual(files, {row[1] + ".mustache" for row in LANGUAGES})
 
+    def test_help_and_a_missing_language_name_every_language(self):
+        names = ", ".join(row[0] for row in LANGUAGES)
+        self.assertIn(f"language of the solver: {names} ", re.sub(r"\s+", " ", run("init", "--help").out))
+        for arguments, words in (([], "--language is required"), (["--language", "cobol"], "--language: no template for cobol")):
+            result = run("init", "subject", *arguments, cwd=self.folder.name)
+            self.assertEqual((result.code, result.out, result.err), (2, "", f"tribocheck: {words}; allowed: {names}\n"))
+        self.assertEqual(os.listdir(self.folder.name), [])
+
     def test_what_its_line_needs_and_is_not_on_path_is_told_and_the_file_is_written(self):
         for language, name, program, package, _ in LANGUAGES:
             with self.subTest(language=language):

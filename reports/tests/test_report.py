@@ -63,8 +63,11 @@ class EveryPromisedFile(WrittenReport):
         software, *missed, page = lines[start:]
         count = collections.Counter(one["standing"] for one in self.told["findings"] if one["about"] == "software")
         targets = re.search(r"; (\d+|one) targets? (?:is|are) missed", (self.out / "report.md").read_text())  # what the page counts
-        self.assertEqual(software, f"This software: {count['holds']} checks hold, 0 fail, {count['missed']} missed targets "
-                                   f"({(targets[1].replace('one', '1')) if targets else 0}), 0 did not run.")
+        said = "none misses a target"
+        if targets:
+            number = int(targets[1].replace("one", "1"))
+            said = f"{count['missed']} {'misses' if count['missed'] == 1 else 'miss'} {number} {'target' if number == 1 else 'targets'}"
+        self.assertEqual(software, f"This software: {count['holds']} checks hold, 0 fail, {said}, 0 did not run.")
         self.assertEqual(len(missed), count["missed"])
         self.assertEqual(told_page(page), (self.out / "index.html", len(files_below(self.out))))
 

@@ -8,7 +8,9 @@ solved = 0x0072B2
 formula(is_minimum) = int(is_minimum) ? 0xD55E00 : 0x009E73
 set multiplot
 set lmargin at screen 0.10
-set rmargin at screen 0.76
+set rmargin at screen 0.69
+key_left = 0.705
+text_left = 0.717
 set xrange [left:right]
 set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set border 3 linewidth 0.8
@@ -17,7 +19,7 @@ set bmargin at screen 0.535
 set format x ""
 set yrange [0:pressure_top]
 set ylabel "pressure p (".unit.")" offset y_words
-set key at screen 0.775, first 0.98*pressure_top left top Left reverse samplen 2 font small
+set key at screen key_left, first 0.98*pressure_top left top Left reverse samplen 2 font small
 set label note at first spike_x, first spike_pressure left offset 0.6, 0 font tiny textcolor rgb grey
 plot \
   data index 1 using 1:2 with lines linewidth 2.2 linecolor rgb solved title "solved", \
@@ -39,20 +41,19 @@ array texts[32]
 stats data index 3 using (i = int($0) + 1, levels[i] = column(1), places[i] = column(2), \
   minima[i] = column(3), texts[i] = strcol(4), 0) nooutput name "formulas"
 do for [i = 1:formulas_records] {
-  set arrow from first right, first levels[i] to screen 0.782, first places[i] nohead linewidth 0.8 \
+  set arrow from first right, first levels[i] to screen text_left - 0.005, first places[i] nohead linewidth 0.8 \
     linecolor rgb formula(minima[i])
-  set label texts[i] at screen 0.787, first places[i] left font small noenhanced \
+  set label texts[i] at screen text_left, first places[i] left font small noenhanced \
     textcolor rgb formula(minima[i])
 }
-set label "* off the film of the liquid that" at screen 0.787, first 0.25*film_top left font tiny textcolor rgb grey
-set label "it was fitted to; ? fitted to one" at screen 0.787, first 0.215*film_top left font tiny textcolor rgb grey
-set label "that is not known" at screen 0.787, first 0.18*film_top left font tiny textcolor rgb grey
-set label "formulas, and deviations, of the" at screen 0.787, first 0.135*film_top left font tiny textcolor rgb grey
-set key at screen 0.775, first 0.12*film_top left top Left reverse samplen 2 font small
+set label "Formulas: off the film drawn" at screen text_left, first 0.97*film_top left font small
+set label "(off the film of the liquid that each" at screen text_left, first 0.92*film_top left font small
+set label "was fitted to; ? where not known):" at screen text_left, first 0.87*film_top left font small
+set key at screen key_left, first 0.12*film_top left top Left reverse samplen 2 font small
 plot \
   data index 3 using (0):1:(right):(0):(formula(column(3))) with vectors nohead linewidth 1 \
     dashtype (8,5) linecolor rgb variable notitle, \
   data index 1 using 1:3 with lines linewidth 2.2 linecolor rgb solved notitle, \
-  keyentry with lines linewidth 1 dashtype (8,5) linecolor rgb formula(0) title "film in the middle", \
-  keyentry with lines linewidth 1 dashtype (8,5) linecolor rgb formula(1) title "least film"
+  keyentry with lines linewidth 1 dashtype (8,5) linecolor rgb formula(0) title "of the film in the middle", \
+  keyentry with lines linewidth 1 dashtype (8,5) linecolor rgb formula(1) title "of the least film"
 unset multiplot

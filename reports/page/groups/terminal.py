@@ -48,7 +48,8 @@ def verdict(report):
     several = {"mutants": ("mutants", "goals_missed"), "sweep_speed": ("sweep_speed", "targets_missed")}  # others have one target
     targets = sum(report[several[one["id"]][0]][several[one["id"]][1]] if one["id"] in several else 1
                   for one in about if one["standing"] == "missed")
-    text += (f"This software: {count['holds']} checks hold, {count['fails']} fail, {count['missed']} missed targets ({targets}), "
+    missed = f"{count['missed']} {'misses' if count['missed'] == 1 else 'miss'} {targets} target{'' if targets == 1 else 's'}"
+    text += (f"This software: {count['holds']} checks hold, {count['fails']} fail, {missed if targets else 'none misses a target'}, "
              f"{count['absent']} did not run.\n")
     return text + "".join(printable(f"  {WORDS[one['standing']]}: {one['id']}: {one.get('why', '')}") + "\n"
                           for one in report["findings"] if one["standing"] in WORDS)

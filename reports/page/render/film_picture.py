@@ -71,14 +71,13 @@ def row(*cells):
 
 
 def formula_text(contact, formula):
-    """The formula's name and its difference from the drawn film. Of one that was fitted to another liquid, marked by a star,
-    the difference is that from the film of its own liquid; of one whose liquid is not known, that from the drawn film."""
+    """The formula's name and its difference from the drawn film, and in brackets, where it was fitted to another liquid, that
+    from the film of that liquid; a ? where that liquid is not known."""
     liquid = contact["assumptions"]
     own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
     known = formula["deviation_percent"]
-    star = "" if formula["fitted_to"] == own else "?" if known is None else "*"
-    number = formula["this_liquid_deviation_percent"] if known is None else known
-    return f"{NAMES.get(formula['name'], formula['name'])}{star} {signed(number)} %"
+    of_fit = "" if formula["fitted_to"] == own else " (?)" if known is None else f" ({signed(known)} %)"
+    return f"{NAMES.get(formula['name'], formula['name'])} {signed(formula['this_liquid_deviation_percent'])} %{of_fit}"
 
 
 def blocks(contact):
@@ -94,7 +93,7 @@ def blocks(contact):
     shown = [(one["film"], one) for one in contact["formulas"] if one["film"] is not None and one["film"] < film_top]
     formulas = [row(1e6*one["film"], 1e6*place, "1" if one["stands_for"] == "minimum_film" else "0",
                     formula_text(contact, one))
-                for place, one in spread(shown, 0.29*film_top, 0.97*film_top, LABEL_GAP*film_top)]
+                for place, one in spread(shown, 0.2*film_top, 0.8*film_top, LABEL_GAP*film_top)]
     return "\n\n".join([head, "".join(solved), "".join(hertz), "".join(formulas) or row(-1.0, -1.0, "0", " ")])
 
 
