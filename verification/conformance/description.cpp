@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -338,6 +339,25 @@ std::string exponents_in_words(const Part& part, const std::vector<Mistake>& mis
                             powers_in_words(function, extra), got->constant / law->constant);
 }
 
+// "3.14 in place of π", to some power, where that is the factor; else empty.
+std::string rough_pi(double factor) {
+  struct RoughPi {
+    double value;
+    const char* written;
+  };
+  constexpr RoughPi rough_pis[] = {{3, "3"},          {3.1, "3.1"},       {3.14, "3.14"},
+                                   {3.142, "3.142"},  {3.1416, "3.1416"}, {3.14159, "3.14159"},
+                                   {22.0 / 7, "22/7"}};
+  constexpr double closeness = 1e-9;
+  for (const RoughPi& one : rough_pis)
+    for (const double power : {1.0, 2.0, 3.0, 1.0 / 2, 3.0 / 2, 1.0 / 3, 2.0 / 3}) {
+      const double wanted = std::pow(one.value / std::numbers::pi, power);
+      if (std::abs(factor - wanted) < closeness || std::abs(factor - 1 / wanted) < closeness)
+        return fmt::format("It is off by one factor, as {} in place of π makes it.", one.written);
+    }
+  return {};
+}
+
 std::string constant_factor(const Part& part) {
   double least = INFINITY, greatest = -INFINITY;
   for (const AnsweredNumber* const one : part.wrong) {
@@ -346,12 +366,35 @@ std::string constant_factor(const Part& part) {
     greatest = std::max(greatest, one->got / one->expected->high);
   }
   if (greatest - least >= 1e-9 * std::abs(greatest)) return {};
+  if (std::string pi = rough_pi((least + greatest) / 2); !pi.empty()) return pi;
   const double off = (least + greatest) / 2 - 1;
   if (std::abs(off) < rounding && greatest - least < 0.01 * std::abs(off))
     return fmt::format(
         "It is off by one factor, 1 {} {:.3g}, as a constant with too few digits makes it.",
         off < 0 ? "−" : "+", std::abs(off));
   return known_factor(least);
+}
+
+// "All 40 wrong answers are 1e-07 m²/s too high: …" Empty: the errors are not one number.
+std::string constant_sum(const Part& part) {
+  constexpr double of_sum = 1e-6;
+  if (part.wrong.size() < fewest_cases) return {};
+  const auto is_smaller = [](const AnsweredNumber* a, const AnsweredNumber* b) {
+    return std::abs(a->expected->high) < std::abs(b->expected->high);
+  };
+  const double sum = (*std::ranges::min_element(part.wrong, is_smaller))->error();
+  for (const Part::Number& one : part.all) {
+    const AnsweredNumber& answered = *one.answered;
+    if (answered.is_explained) continue;
+    const double allowed = of_sum * std::abs(sum) + few_ulp * std::abs(answered.expected->high) +
+                           (answered.is_wrong ? 0 : answered.allowed);
+    if (!(std::abs(answered.error() - sum) <= allowed)) return {};
+  }
+  const std::string_view unit = results_of(part.function())[part.place].unit;
+  return fmt::format(
+      "All {} wrong answers are {:.6g}{}{} too {}: a number is added to them, or left out.",
+      part.wrong.size(), round_number(std::abs(sum)), unit.empty() ? "" : " ", unit,
+      sum > 0 ? "high" : "low");
 }
 
 }  // namespace
@@ -492,6 +535,8 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
     return {text + with(misread->text), true, misread->text, is_in_place};
   if (const std::string other = other_value(part); !other.empty())
     return {text + ' ' + other, true, {}, is_in_place};
+  if (const std::string sum = constant_sum(part); !sum.empty())
+    return {text + ' ' + sum, true, {}, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);
   if (!powers.empty()) return {text + powers, true, {}, is_in_place};
   if (std::string manner = manner_of_errors(part); !manner.empty()) {

@@ -23,8 +23,7 @@ namespace {
 
 // The end of a text without a cause.
 constexpr const char* unknown = " None of the known mistakes gives these ";
-constexpr int most_causes = 3;     // told one after the other
-constexpr double few_ulp = 1e-12;  // relative errors that are rounding
+constexpr int most_causes = 3;  // told one after the other
 constexpr std::size_t fewest_followed = 3;
 // Points that are told by themselves beside those with a result wrong that is computed before.
 constexpr std::size_t fewest_others = 3;
@@ -323,9 +322,9 @@ class Diagnoser {
         together == 1 && before != named_before_.end()) {
       one.cause = "follows from " + before->second;
       one.text = fmt::format(
-          "{} is {}. This follows from {}: its answers are taken here as it gives them ({} of {} "
-          "answers that this would change).",
-          one.quantity, pattern(part), before->second, cause.met, cause.changed);
+          "{} is {}. This goes with {}, which is off alike: {} ({} of {} answers that it would "
+          "change). This function is given the right input, so mend both.",
+          one.quantity, pattern(part), before->second, causes, cause.met, cause.changed);
     } else if (one.mistakes.size() > 1)
       one.text += " The numbers do not tell these apart.";
     for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;

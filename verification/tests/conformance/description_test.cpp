@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -81,6 +82,54 @@ Slip noise_where(const std::string& field, std::function<bool(const json& inputs
 }
 bool has_roelands(const json& inputs) {
   return inputs.value("/friction/viscosity"_json_pointer, std::string("barus")) == "roelands";
+}
+
+Slip times(const std::string& field, double factor) {
+  return [=](const TestCase&, json& fields) { multiply(fields[field], factor); };
+}
+
+TEST(Factor, OfAPiWithFewDigitsIsNamedForEachResult) {
+  const std::map<std::string, double> written_pis{
+      {"3", 3}, {"3.14", 3.14}, {"3.1416", 3.1416}, {"22/7", 22.0 / 7}};
+  for (const auto& one : written_pis) {
+    const double factor = std::numbers::pi / one.second;
+    const std::string said = said_of({{"hertz_point", [factor](const TestCase&, json& fields) {
+                                         multiply(fields["mean_pressure"], factor);
+                                         multiply(fields["peak_pressure"], factor);
+                                       }}});
+    const std::string words =
+        ". It is off by one factor, as " + one.first + " in place of π makes it.";
+    for (const char* const result :
+         {"hertz_point.mean_pressure is ", "hertz_point.peak_pressure is "})
+      expect_said(said, result);
+    EXPECT_NE(said.find(words), said.rfind(words)) << said;
+    expect_said(said, "None of the known mistakes", false);
+  }
+  expect_said(said_of({{"hertz_line", times("half_width", std::sqrt(3.14 / std::numbers::pi))}}),
+              "as 3.14 in place of π makes it");
+  for (const double other : {3.15, 3.1401})
+    expect_said(said_of({{"hertz_point", times("mean_pressure", other / std::numbers::pi)}}), "π",
+                false);
+}
+
+TEST(Sum, OfAllAnswersIsToldBeforeAFactorThatDependsOnAnInput) {
+  const auto plus = [](double sum) {
+    return [sum](const TestCase&, json& fields) {
+      fields["value"] = fields["value"].get<double>() + sum;
+    };
+  };
+  const std::string high = said_of({{"astm_d341_viscosity", plus(1e-7)}});
+  expect_said(high,
+              " wrong answers are 1e-07 m²/s too high: a number is added to them, or left out.");
+  expect_said(high, "The factor depends on", false);
+  expect_said(said_of({{"astm_d341_viscosity", plus(-2e-8)}}),
+              " wrong answers are 2e-08 m²/s too low:");
+  const auto growing = [](const TestCase&, json& fields) {
+    const double value = fields["value"].get<double>();
+    fields["value"] = value + 1e-7 * std::pow(1e5 * value, 0.01);
+  };
+  expect_said(said_of({{"astm_d341_viscosity", growing}}), "a number is added", false);
+  expect_said(said_of({{"astm_d341_viscosity", times("value", 1.01)}}), "a number is added", false);
 }
 
 TEST(Place, IsAWordOrAnEqualityOrAnOrderWhereThatTellsAllWrongAnswers) {
