@@ -98,6 +98,9 @@ def corpus():
     roelands = with_value(GOOD, "friction.viscosity", "roelands")
     for viscosity in [1e-9, 6.315e-5, 6.3151e-5, 1]:
         yield with_value(roelands, "lubricant.viscosity", viscosity)
+    for law in ["hamrock_dowson_soft_central", "hamrock_dowson_soft_minimum", "hamrock_dowson_minimum"]:
+        for rise in [0, 1e-9, -1e-9]:
+            yield with_value(with_value(GOOD, "closures.film", law), "lubricant.pressure_viscosity", rise)
     for outputs in [["film"], ["friction"], ["film", "friction"]]:
         for path in ["friction.boundary_coefficient", "lubricant.eyring_stress", "friction"]:
             yield with_value(with_value(GOOD, "outputs", outputs), path, None)

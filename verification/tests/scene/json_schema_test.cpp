@@ -228,6 +228,20 @@ Json film_rule() {
   return {{"if", condition}, {"then", line}, {"else", film(of_points)}};
 }
 
+// if closures.film is no law that does without α, then lubricant.pressure_viscosity > 0
+Json rise_rule() {
+  Json without = Json::array();
+  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
+    if (film_law(static_cast<FilmFormula>(i)).material_exponent.p == 0)
+      without.push_back(film_formula_words[i]);
+  Json condition = Json::parse(R"({"not": {"required": ["closures"], "properties": {"closures": {
+    "required": ["film"]}}}})");
+  condition["not"]["properties"]["closures"]["properties"]["film"]["enum"] = without;
+  const Json consequence = Json::parse(R"({"properties": {"lubricant": {"properties": {
+    "pressure_viscosity": {"exclusiveMinimum": 0}}}}})");
+  return {{"if", condition}, {"then", consequence}};
+}
+
 // if there are no summits, then nothing is asked or given as a ratio to their σ_s
 Json smooth_rule() {
   const Json condition = Json::parse(R"({"not": {"required": ["surface"], "properties": {
@@ -276,7 +290,7 @@ Json schema_of_table() {
     const bool may_be_absent = name == "speed" || name == "surface";
     if ((field.required || has_group) && !listed && !may_be_absent) required.push_back(name);
   }
-  Json rules = Json::array({roelands_rule(), film_rule(), smooth_rule()});
+  Json rules = Json::array({roelands_rule(), film_rule(), rise_rule(), smooth_rule()});
   for (const OutputInfo& output : output_infos)
     if (const Json rule = output_rule(output); !rule.is_null()) rules.push_back(rule);
   return {
