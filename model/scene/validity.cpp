@@ -427,7 +427,7 @@ constexpr Row rows[] = {
                    : "; if the groove is as wide as that, accept this");
      }},
     {"circular_hertz", "The contact is a circle; k enters the film law alone.", "", 1, 1,
-     "model/README.md, section 1; give radius_x and radius_y for an ellipse",
+     "Hertz (1882): such bodies touch on a circle; give radius_x and radius_y for an ellipse",
      [](const State& state) {
        return state.shape == ContactShape::circle ? state.numbers.ellipticity : not_assumed;
      },
@@ -440,7 +440,7 @@ constexpr Row rows[] = {
        return is_line ? state.hertz.semi_axis_x / state.hertz.semi_axis_y : not_assumed;
      }},
     {"film_law_ellipticity", "The film law is used at an ellipticity k that it was fitted to.", "",
-     0, unbounded, "the law's source, model/README.md, section 5",
+     0, unbounded, "the law's own paper, which `tribocheck functions` names",
      [](const State& state) {
        const bool is_ellipse = state.shape == ContactShape::ellipse;
        return is_ellipse ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
@@ -488,7 +488,8 @@ constexpr Row rows[] = {
      },
      "shares, friction"},
     {"summit_capacity", "The summits can carry the whole load: A(0) is 1 or more.", "", 1,
-     unbounded, "model/README.md, section 6: as λ goes to 0 their share goes to A(0)",
+     unbounded,
+     "Greenwood and Tripp (1970); Gelinck and Schipper (2000): A(0) is their share without a film",
      [](const State& state) { return state.share_without_film; }, "shares, friction",
      [](const State&) {
        return std::string(
@@ -497,7 +498,7 @@ constexpr Row rows[] = {
      }},
     {"default_planes", "One face alone brings the offset of the summits, or both bring as much.",
      "", 0, 1.2,
-     "model/README.md, section 4: A(0) with offset_planes = 2, of two faces that are rough alike, "
+     "Greenwood and Tripp (1970): A(0) with offset_planes = 2, of two faces that are rough alike, "
      "over that with 1, the default; the bound is this project's",
      [](const State& state) { return share_of_planes(state, 2) / share_of_planes(state, 1); },
      "shares, friction",
@@ -526,7 +527,8 @@ constexpr Row rows[] = {
      "shares, friction"},
     {"summit_heights", "The heights of the summits vary a little less than the faces: σ_s/Rq.", "",
      0.9 * least_height_ratio, 1.1,
-     "model/README.md, section 12: √(1 − 0.8968/α), which is 0.634 to 1 of an isotropic Gaussian "
+     "McCool (1987), after Nayak (1971): √(1 − 0.8968/α), which is 0.634 to 1 of an isotropic "
+     "Gaussian "
      "face; 10 % of room",
      [](const State& state) {
        const bool are_given = state.has_summits() && !state.scene.surface.has_moments() &&
@@ -543,7 +545,7 @@ constexpr Row rows[] = {
      }},
     {"summit_offset", "(D_d/σ_s) nβσ_s is that of an isotropic Gaussian face.", "",
      0.9 * offset_times_roughness, 1.1 * offset_times_roughness,
-     "model/README.md, section 12: 1/(4π√3) whatever the moments; give m0, m2 and m4",
+     "McCool (1987), after Nayak (1971): 1/(4π√3) whatever the moments; give m0, m2 and m4",
      [](const State& state) {
        const double product = state.numbers.summit_plane_offset * summit_roughness(state);
        const bool is_given = product > 0 && !state.scene.surface.has_moments();
@@ -658,7 +660,7 @@ constexpr Row rows[] = {
            "opposite directions indeed, no law of films here is fitted to that");
      }},
     {"inlet_supply", "The oil before the contact is enough for a film: h_ff/h_oil is below 1.", "",
-     0, 1, "model/README.md, section 7: the film of flooded_inlet collapses at 1",
+     0, 1, "Crook (1958); Wolveridge and others (1971): the film of flooded_inlet collapses at 1",
      [](const State& state) { return state.flooded_over_inlet; }, "everything",
      [](const State& state) {
        return "the film has collapsed: closures.starvation is flooded_inlet, " +
@@ -668,7 +670,7 @@ constexpr Row rows[] = {
     {"default_inlet",
      "The law of the inlet, which the scene leaves to the default, matters little.", "", 0,
      greatest_factor_of_regimes,
-     "model/README.md, section 7: the film by damiens over that by flooded_inlet; formulas of "
+     "Damiens and others (2004): the film by damiens over that by flooded_inlet; formulas of "
      "films scatter by as much",
      [](const State& state) {
        return state.scene.closures.gives_starvation ? not_assumed : state.film_by_damiens;

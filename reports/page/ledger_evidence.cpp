@@ -30,7 +30,8 @@ TextTable identification_table(const Ledger& ledger) {
       {false, true, true, true, false},
       {},
       "Identifies: choices that 95 % and more of the readings that meet the item share, by "
-      "chance fewer than that. Bits: log_2 of how many times it divides the readings."};
+      "chance fewer than that, but none that the print precision of the inputs leaves open, by the "
+      "candidates below. Bits: log_2 of how many times it divides the readings."};
   for (std::size_t i = 0; i < ledger.items.size(); ++i) {
     const ItemStatistics& one = ledger.item_statistics[i];
     std::string found;

@@ -246,7 +246,7 @@ TextTable readings_table(const Ledger& ledger, const std::vector<NamedReading>& 
                   "What the switches mean: tribocheck reproduce --section switches."};
   for (const NamedReading& reading : readings) {
     const std::string where = departures(reading.reading);
-    std::string text = where == "corrected" ? "nowhere: all misprints mended, as the model has it"
+    std::string text = where == "corrected"    ? "nowhere: all misprints mended but for E13 and E26"
                        : where == reading.name ? "as its name says"
                                                : where;
     for (const RankedGroup& group : ledger.ranking.best)

@@ -152,9 +152,9 @@ void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
   if (arguments.format == "csv") return append(to, ledger_csv(ledger, readings, arguments.claims));
   const NamedReading& corrected = ledger.readings.front();
   const std::size_t width = line_width();
-  const std::string summary =
-      fmt::format("{} (misprints mended, m = 1). {}", report::verdict_sentence(ledger, corrected),
-                  report::other_planes_sentence(ledger));
+  const std::string summary = fmt::format("{} (misprints mended but for E13 and E26, m = 1). {}",
+                                          report::verdict_sentence(ledger, corrected),
+                                          report::other_planes_sentence(ledger));
   for (const std::string& line : report::wrapped(summary, width)) append(to, line + "\n");
   for (const TextTable& table : tables(ledger, readings, arguments)) {
     append(to, "\n");

@@ -108,7 +108,7 @@ def of_ledger(report):
     speeds = [sig(gap["onset_speed"][name], 3) for name in SURFACES]
     yield (f"λ at the onset is {sig(gap['film_parameter'], 4)} ({gap['verdict']}), the onsets are {speeds[0]}, {speeds[1]} and {speeds[2]} m/s (rough, medium and "
            f"smooth surface), and {gap['score']} of {counted} claims are reproduced. The printed gap is kept by choice, and that choice is not blind: λ is "
-           f"{sig(items['C2.smooth']['readings']['corrected']['computed'], 4)} with it ({items['C2.smooth']['readings']['corrected']['verdict']}; more on E13).")
+           f"{sig(items['C2.smooth']['readings']['corrected']['computed'], 4)} with it ({items['C2.smooth']['readings']['corrected']['verdict']}; more on E13: The paper's misprints).")
     inlet = ledger["arguments"][1]
     agree = [f"{one['name']} ({sig(one['low'], 3)} to {sig(one['high'], 3)})" for one in inlet["candidates"] if one["agrees"]]
     yield f"and {inlet['agreeing']} of the candidates agree with {inlet['reported']} within that, {', '.join(agree)}"

@@ -246,7 +246,7 @@ def claims(report):
                        for group in ledger["ranking"]["best"]
                        if group["departures"] == one["departures"] and group["readings_with_the_same_claims"] > 1)
         words = "; ".join(CHOICES[choice] for choice in one["departures"].split(" ") if choice != "corrected")
-        rows.append([one["name"], f"{one['score']} of {len(ledger['claims'])}", (words or "nowhere: all misprints mended but E13") + more])
+        rows.append([one["name"], f"{one['score']} of {len(ledger['claims'])}", (words or "nowhere: all misprints mended but for E13 and E26") + more])
     yield ("The readings: what each puts in the place of a misprint",
            ["reading", "claims reproduced", "where it departs from the corrected reading"], rows)
     yield reading_table(ledger, "corrected")
@@ -387,9 +387,14 @@ def bounds(one):
     return f"at most {quantity(greatest, unit, 2)}" if least is None else f"at least {quantity(least, unit, 2)}"
 
 
+def beside_limit(one, value):
+    keeps = value is not None and (one["least"] is None or value >= one["least"]) and (one["greatest"] is None or value <= one["greatest"])
+    return f"({quantity(value, one['unit'], 3)})" if keeps else quantity(value, one["unit"], 3)
+
+
 def limits_passed(title, names, heads, limits):
     return (title, ["the model assumes", "limit", *heads, "the limit is from"],
-            [[one["assumption"], bounds(one), *(quantity(one["values"].get(name), one["unit"], 3) for name in names), one["source"]] for one in limits])
+            [[one["assumption"], bounds(one), *(beside_limit(one, one["values"].get(name)) for name in names), one["source"]] for one in limits])
 
 
 def model(report):
@@ -446,11 +451,12 @@ def film_solved(report):
 
     def at(place):
         return f"M = {whole(place['load_number'])}, L = {whole(place['material_number'])}"
-    words = {"central": "central, x = 0", "minimum": "minimum", "at_greatest_pressure": "at the greatest pressure"}
+    words = {"central": "central, x = 0", "minimum": "minimum", "at_greatest_pressure": "where the pressure is greatest"}
+    liquids = {"unknown": "unknown", "barus, incompressible": "Barus", "roelands, compressible": "Roelands"}
     yield ("Errors of the formulas over the table of solved films",
-           ["formula", "its film", "liquid of its fit", "lowest error", "where", "median", "highest error", "where", "in its regime"],
-           [[one["name"], words[one["quantity"]], re.sub("^[br]", lambda m: m[0].upper(), one["liquid"]), signed(one["least"]["error"]), at(one["least"]),
-             signed(one["median"]), signed(one["greatest"]["error"]), at(one["greatest"]),
+           ["formula", "its film", "liquid of its fit", "lowest error", "median", "highest error", "in its regime"],
+           [[one["name"], words[one["quantity"]], liquids[one["liquid"]], f"{signed(one['least']['error'])} at {at(one['least'])}",
+             signed(one["median"]), f"{signed(one['greatest']['error'])} at {at(one['greatest'])}",
              f"{signed(one['elastic_viscous']['least']['error'])} to {signed(one['elastic_viscous']['greatest']['error'])}"] for one in report["line_films"]["formulas"]])
 
 
@@ -522,8 +528,8 @@ def work_precision(report):
     fits = report["ellipse_fits"]
     errors = ("ellipticity", "semi_axis_x", "peak_pressure", "approach")
     yield ("The greatest errors of the fits",
-           ["fit", f"k, α to {whole(fits['moderate_ratio'])}", "ax", "p0", "approach", f"k, α to {whole(fits['greatest_ratio'])}", "ax", "p0", "approach"],
-           [[one["name"], *(percent(one[to][error], 2) for to in ("moderate", "greatest") for error in errors)] for one in fits["fits"]])
+           ["fit", "by", f"k, α to {whole(fits['moderate_ratio'])}", "ax", "p0", "approach", f"k, α to {whole(fits['greatest_ratio'])}", "ax", "p0", "approach"],
+           [[one["name"], one["authors"] or DASH, *(percent(one[to][error], 2) for to in ("moderate", "greatest") for error in errors)] for one in fits["fits"]])
 
 
 def skipped_work(report):

@@ -314,12 +314,40 @@ class Page(WrittenReport):
         self.driver.switch_to.active_element.send_keys(Keys.ESCAPE)
         self.assertEqual(self.run_script(wide), before)
 
-    def test_on_a_phone_a_picture_fits_the_width_and_can_be_enlarged(self):
+    def test_on_a_phone_the_words_of_a_picture_can_be_read_and_it_can_be_enlarged(self):
+        """The picture is wider than the screen, and scrolls in its own box, which is not."""
         self.show(width=390)
-        boxes = self.run_script("return [...document.querySelectorAll('figure svg')].map((one) => one.getBoundingClientRect().right)")
+        boxes = self.run_script("return [...document.querySelectorAll('.picture')].map((one) => one.getBoundingClientRect().right)")
+        self.assertGreater(len(boxes), 20)
         self.assertLessEqual(max(boxes), 390)
+        sizes = self.run_script(
+            "return [...document.querySelectorAll('.picture svg')].flatMap((svg) => [...svg.querySelectorAll('text')].map((one) => "
+            "parseFloat(getComputedStyle(one).fontSize) * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width))")
+        self.assertGreaterEqual(min(sizes), 9)
         self.run_script("document.querySelector('#figure_10 .enlarge').click()")
         self.assertGreater(self.run_script("return document.querySelector('#figure_10 svg').getBoundingClientRect().width"), 800)
+
+    def test_on_a_desktop_no_table_hides_a_column_but_lists_of_faults(self):
+        self.show(width=1280)
+        wide = self.run_script("return [...document.querySelectorAll('.scroll.table')].filter((one) => one.scrollWidth > one.clientWidth + 1)"
+                               ".map((one) => one.closest('section').id)")
+        self.assertLessEqual(set(wide), {"mutants", "planted-faults", "environment"})
+
+    def test_sections_tables_and_pictures_are_numbered_on_paper_and_links_tell_the_section(self):
+        self.show(media="print")
+        shown = "return getComputedStyle(document.querySelector(arguments[0]), arguments[1]).content"
+        for what, part, text in (("#claims h2", "::before", '"3. "'), ("#claims caption span", "::before", '"Table 3.1. "'),
+                                 ("#figures figure h3", "::before", '"Picture 1.1. "'), ("header a[href='#misprints']", "::after", '" [section 7]"'),
+                                 ("#data a", "::after", "none")):
+            with self.subTest(what):
+                self.assertEqual(self.driver.execute_script(shown, what, part), text)
+        numbers = self.run_script("return [...document.querySelectorAll('[data-number]')].map((one) => one.dataset.number)")
+        self.assertGreater(len(numbers), 100)
+        told = [one for one in numbers if not one.isdigit()]
+        self.assertEqual(len(told), len(set(told)))
+        self.assertEqual(self.run_script("return document.querySelectorAll('main .sections table, figure').length"), len(told))
+        self.show()
+        self.assertEqual(self.driver.execute_script(shown, "header a[href='#misprints']", "::after"), "none")
 
     def test_on_a_phone_the_verdicts_are_in_sight(self):
         self.show(width=390)

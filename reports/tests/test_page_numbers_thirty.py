@@ -271,7 +271,7 @@ class Thirty(Told):
             return abs(1.0339 * ratio ** 0.636 / k - 1)
         row = next(row for row in self.rows("work-precision", "The greatest errors of the fits") if row[0].startswith("k = 1.0339"))
         worst = max(error(i * math.log(1e4) / 200) for i in range(1, 201))
-        self.assertEqual(row[5], f"{100 * worst:.2g} %")
+        self.assertEqual(row[6], f"{100 * worst:.2g} %")
 
     def test_30_interval_of_a_part(self):
         row = next(row for row in self.rows("mutants", "Random changes in each part") if row[0] == "judging")

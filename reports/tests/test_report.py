@@ -56,7 +56,7 @@ class EveryPromisedFile(WrittenReport):
 
     def test_it_ends_with_the_verdict_in_short_and_the_page(self):
         scores = [one["score"] for one in self.told["ledger"]["readings"] if one["name"] in ("corrected", "m = 2", "equal faces")]
-        self.assertIn(f"\nThe paper: {self.told['ledger']['summary']}. So with the offset taken once (E9, m = 1); by how E9 is read "
+        self.assertIn(f"\nThe paper: {self.told['ledger']['summary']}. So with the offset D_d (E9, m = 1); by how E9 is read "
                       f"{min(scores)} to {max(scores)} are reproduced.\n", self.done.out)
         lines = self.done.out.splitlines()
         start = next(i for i, line in enumerate(lines) if line.startswith("This software: "))

@@ -95,9 +95,9 @@ std::optional<Real> full_astm_d341(const Question& question, Real (*viscosity_of
 
 // --- Films of a solver that is given both radii, with the ellipticity k by the fits that the
 // films' own authors use: B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of
-// point contacts, part I. J. Lubr. Technol. 98 (1976) 223, k = 1.03 (R_y/R_x)^0.64; B. J. Hamrock,
-// D. E. Brewe: Simplified solution for stresses and deformations. J. Lubr. Technol. 105 (1983) 171,
-// k = 1.0339 (R_y/R_x)^0.636.
+// point contacts, part I. J. Lubr. Technol. 98 (1976) 223, k = 1.03 (R_y/R_x)^0.64; D. E. Brewe,
+// B. J. Hamrock: Simplified solution for elliptical-contact deformation between two elastic solids.
+// J. Lubr. Technol. 99 (1977) 485, k = 1.0339 (R_y/R_x)^0.636.
 
 std::optional<Real> film_with(const Question& question, double factor, double exponent) {
   const auto parameters = question.function->parameters;

@@ -120,7 +120,8 @@ Argument onset_film_parameter(const std::vector<Item>& items, const Candidates& 
                     fmt::format("{}", lambda.value),
                     lambda.low,
                     lambda.high,
-                    {}};
+                    {},
+                    "C2"};
   for (std::uint8_t rule = 0; rule < 4; ++rule)
     for (std::uint8_t gap = 0; gap < 2; ++gap) {
       const Reading reading = with(Switch::gap, gap, with(Switch::inlet, rule));
@@ -137,6 +138,7 @@ Argument onset_film_parameter(const std::vector<Item>& items, const Candidates& 
                       const double r = is_as_printed ? 1 : *inlet.maximum();
                       return changed.scene[smoothest].supply.value * r * inlet.film_ratio(r);
                     }));
+      argument.candidates.back().reading = reading;
     }
   // 1.4 is printed to two digits too.
   Candidate by_sigma = argument.candidates.front();
@@ -144,6 +146,7 @@ Argument onset_film_parameter(const std::vector<Item>& items, const Candidates& 
   by_sigma.value = *by_sigma.value / 1.4;
   by_sigma.low = *by_sigma.low / 1.45;
   by_sigma.high = *by_sigma.high / 1.35;
+  by_sigma.reading = with(Switch::lambda_scale, 1);
   argument.candidates.push_back(std::move(by_sigma));
   return decided(std::move(argument));
 }
@@ -252,6 +255,23 @@ Argument onset_spacing(const PaperScenes& scenes, const std::vector<Item>& items
 std::size_t Argument::agreeing() const {
   return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(),
                                                 [](const Candidate& one) { return one.agrees; }));
+}
+
+void keep_what_print_precision_identifies(std::vector<ItemStatistics>& statistics,
+                                          const std::vector<Item>& items,
+                                          const std::vector<Argument>& arguments) {
+  const auto is_open = [](const Argument& argument, const Identification& found) {
+    return std::any_of(
+        argument.candidates.begin(), argument.candidates.end(), [&](const auto& one) {
+          return one.agrees && one.reading &&
+                 one.reading->choice[static_cast<std::size_t>(found.which)] != found.choice;
+        });
+  };
+  for (const Argument& argument : arguments)
+    for (std::size_t i = 0; i < items.size(); ++i)
+      if (items[i].claim == argument.claim)
+        std::erase_if(statistics[i].identified,
+                      [&](const Identification& found) { return is_open(argument, found); });
 }
 
 std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,

@@ -80,6 +80,7 @@ Ledger make_ledger(const LedgerOptions& options) {
   }
 
   ledger.arguments = arguments(ledger.scenes, ledger.items, inputs);
+  keep_what_print_precision_identifies(ledger.item_statistics, ledger.items, ledger.arguments);
   const NamedReading& corrected = ledger.readings.front();
   if (options.requirements)
     ledger.requirements =

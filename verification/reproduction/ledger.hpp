@@ -19,7 +19,8 @@ struct Candidate {
   std::optional<double> value;  // empty: it gives no such number
   // By the print precision of what it is computed from; empty where there is no number at that end.
   std::optional<double> low, high;
-  bool agrees;  // this interval and the reported one meet
+  bool agrees;                       // this interval and the reported one meet
+  std::optional<Reading> reading{};  // with which it is computed, where it is one of the enumerated
 };
 
 struct Argument {
@@ -27,12 +28,19 @@ struct Argument {
   std::string reported;  // "0.82/0.60 = 1.37"
   double low, high;      // by print precision
   std::vector<Candidate> candidates;
+  std::string claim{};  // the claim whose number the candidates give; empty: of no claim alone
 
   std::size_t agreeing() const;  // one: the number identifies it
 };
 
 std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
                                 const std::vector<Input>& inputs);
+
+// Takes from each item of an argument's claim the switches on which its agreeing candidates differ:
+// the print precision of the inputs leaves these open.
+void keep_what_print_precision_identifies(std::vector<ItemStatistics>& statistics,
+                                          const std::vector<Item>& items,
+                                          const std::vector<Argument>& arguments);
 
 // errata.cpp: the paper's misprints, from reference/published/errata.tsv, with the numbers of two
 // forms, which show whether the misprint matters: as a rule the printed and the right one.
@@ -72,7 +80,7 @@ struct Requirement {
   double value;         // the input at that factor
   double low, high;     // its plausible range
   bool plausible = false;
-  bool at_limit = false;  // outside by at most a tenth of half the range's width
+  bool at_limit = false;  // outside by at most a tenth of half the range, in logarithms
   std::vector<std::string> broken{}, mended{};  // claims that the change breaks or mends
 };
 

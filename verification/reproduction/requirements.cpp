@@ -138,9 +138,9 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
     one.factor = std::exp(*log_factor);
     one.value *= *one.factor;
     one.plausible = one.value >= one.low && one.value <= one.high;
-    const double beside = 0.1 * (one.high - one.low) / 2;
+    const double beside = std::pow(one.high / one.low, 0.1 / 2);
     one.at_limit =
-        !one.plausible && one.value >= one.low - beside && one.value <= one.high + beside;
+        !one.plausible && one.value >= one.low / beside && one.value <= one.high * beside;
     add_effects(one, scenes, reading, items, before);
   });
   return found;

@@ -16,6 +16,9 @@ if (prefix eq "figure_07") {
     stats gt(s) using (column(y) > half && column(speed) <= falling ? column(speed) : NaN) nooutput name "high"
     set label s at first high_max, half center rotate by -17 offset 0,-0.75 font small textcolor rgb colour(s)
   }
+  # The dotted limits of the surfaces lie on each other.
+  stats marks using (mark("printed", "smooth", "GT", y)) nooutput name "limit"
+  if (exists("limit_mean")) { set label "smooth, medium" at graph 0.99, first limit_mean right offset 0,0.8 font small }
 } else {
   y = summits
   set ylabel "summits in contact (–)" offset y_words

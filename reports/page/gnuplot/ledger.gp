@@ -2,7 +2,7 @@
 # The common part of the figures of the ledger.
 
 # The colours of the surfaces in the other figures.
-colour(surface) = surface eq "rough" ? 0xD55E00 : surface eq "medium" ? 0x009E73 : 0x0072B2
+colour(surface) = surface eq "rough" ? 0xD86400 : surface eq "medium" ? 0x006B50 : 0x003468
 # Columns of data/ledger_surfaces.tsv.
 surfaces = data."ledger_surfaces.tsv"
 sd = 2; median = 3

@@ -22,9 +22,14 @@ set format x ""
 set yrange [0:1.15*(pressure_max > 1 ? pressure_max : 1)]
 set ylabel "pressure p/p_0 (–)" offset words
 unset key
+if (prefix eq "line_film_profile") {
+  stats table using ($1 > 0.5 && $1 < 1 ? $1 : 1/0):2 nooutput name "outlet"
+  set label 1 "its height is not resolved" at first outlet_pos_max_y, outlet_max_y right offset -0.6,-0.2 font small
+}
 plot table using 1:2 with lines linewidth 2.2 linecolor rgb 0xD55E00, \
   table using 1:3 with lines linewidth 1.8 dashtype (8,5) linecolor rgb 0x0072B2
 unset title
+unset label 1
 set tmargin at screen bottom + panel
 set bmargin at screen bottom
 set format x "%g"

@@ -4,7 +4,7 @@
 
 # A colour for each scene, of those that the surfaces have in the other figures.
 scenes = "ball_on_flat bearing_outer_ring gear_flank"
-colour(s) = s eq "ball_on_flat" ? 0x0072B2 : s eq "bearing_outer_ring" ? 0x009E73 : 0xD55E00
+colour(s) = s eq "ball_on_flat" ? 0x003468 : s eq "bearing_outer_ring" ? 0x006B50 : 0xD86400
 named(s) = s eq "ball_on_flat" ? "ball on a flat (circle)" : \
   s eq "bearing_outer_ring" ? "bearing's outer ring (ellipse)" : "gear's flank (line)"
 grey = 0x666666

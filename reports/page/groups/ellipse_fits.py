@@ -30,6 +30,10 @@ def of_logarithms(ratio, _):
     return k, math.pi / (greater + less), second
 
 
+# Whose each fit is, by its name in mistakes.toml.
+AUTHORS = {"ellipse-fit-1.0339": "Brewe and Hamrock, 1977", "ellipse-fit-2/π": "Hamrock and Brewe, 1983",
+           "ellipse-fit-1.03": "k: Hamrock and Dowson, 1976; K and E: Hamrock and Brewe, 1983",
+           "ellipse-fit-logarithms": "Nijenbanning, Venner and Moes, 1994"}
 FORMULAS = {"ellipse_of_fits": of_fits, "ellipse_of_logarithms": of_logarithms}
 
 
@@ -74,7 +78,7 @@ def ellipse_fits(asked):
                 errors[name].append(got[name] / one[name] - 1)
         blocks.append(f'"{formula_of(fit)}"\n' + "".join("\t".join(map(exact, row)) + "\n" for row in zip(ratios, *errors.values())))
         moderate = sum(ratio <= MODERATE_RATIO for ratio in ratios)
-        told.append({"name": formula_of(fit), "text": fit["text"]} | {
+        told.append({"name": formula_of(fit), "text": fit["text"], "authors": AUTHORS.get(fit["name"], "")} | {
             name: {quantity: max(map(abs, all_errors[:count])) for quantity, all_errors in errors.items()}
             for name, count in (("greatest", len(ratios)), ("moderate", moderate))})
     heading = "\t".join(["R_y/R_x", *TOLD.values()])

@@ -30,7 +30,7 @@ def headline(ledger):
     rows = [["number", "paper", "computed", "against the paper", "verdict"],
             *(headline_row(items[name]) for name in ledger["headline"] if name in items)]
     widths = [max(map(len, column)) for column in zip(*rows)]
-    text = "The paper's numbers, and what comes out (misprints mended)\n"
+    text = "The paper's numbers, and what comes out (misprints mended but for E13 and E26)\n"
     for row in rows:
         cells = (f"{cell:{'>' if 0 < i < 3 else '<'}{width}}" for i, (cell, width) in enumerate(zip(row, widths)))
         text += "  ".join(cells).rstrip(" ") + "\n"
@@ -41,7 +41,7 @@ def verdict(report):
     text, ledger = "", report.get("ledger", {})
     if "summary" in ledger:
         scores = [one["score"] for one in ledger["readings"] if one["name"] in ("corrected", "m = 2", "equal faces")]
-        text = headline(ledger) + printable(f"The paper: {ledger['summary']}. So with the offset taken once (E9, m = 1); by how E9 is read "
+        text = headline(ledger) + printable(f"The paper: {ledger['summary']}. So with the offset D_d (E9, m = 1); by how E9 is read "
                                             f"{min(scores)} to {max(scores)} are reproduced.") + "\n"
     about = [one for one in report["findings"] if one["about"] == "software"]
     count = collections.Counter(one["standing"] for one in about)

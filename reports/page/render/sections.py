@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The sections of the page in their order, each a template, and the page that they make."""
 import html
+import itertools
 import pathlib
 import re
 import typing
@@ -125,16 +126,28 @@ class Page:
     def html(self):
         frame = (HERE / "layout.html").read_text(encoding="utf-8")
         style, script = ((HERE / name).read_text(encoding="utf-8") for name in ("style.css", "comfort.js"))
-        contents = "".join(f'<li><a href="#{part.id}">{markup.inline_html(part.title)}</a></li>\n' for part in self.parts)
-        body = "".join(self.part_html(part) for part in self.parts)
+        contents = "".join(f'<li><a href="#{part.id}" data-number="{i}">{markup.inline_html(part.title)}</a></li>\n'
+                           for i, part in enumerate(self.parts, 1))
+        body = "".join(self.part_html(i, part) for i, part in enumerate(self.parts, 1))
+        first = self.with_section_numbers(markup.section_html(self.first))
         return (frame.replace("{{title}}", html.escape(markup.plain(self.title))).replace("{{style}}", style).replace("{{script}}", script)
-                .replace("{{contents}}", contents).replace("{{first}}", markup.section_html(self.first))
+                .replace("{{contents}}", contents).replace("{{first}}", first)
                 .replace("{{sections}}", body))
 
-    def part_html(self, part):
+    def with_section_numbers(self, text):
+        """The HTML, in which links to sections know the number, for paper."""
+        numbers = {part.id: i for i, part in enumerate(self.parts, 1)}
+        return re.sub(r'<a href="#([a-z-]+)"', lambda m: f'{m[0]} data-section="{numbers[m[1]]}"' if m[1] in numbers else m[0], text)
+
+    def part_html(self, number, part):
+        """A section, numbered as its tables and pictures are; style.css shows the numbers."""
         title = markup.inline_html(part.title)
-        text = self.figures.into(markup.section_html(part.text))
-        heading = f'<h2 id="{part.id}-heading">{title}</h2>'
+        text = self.with_section_numbers(markup.section_html(part.text))
+        for what, start in (("Table", "<caption><span"), ("Picture", r'<figure id="\w+">\s*<h3')):
+            count = itertools.count(1)
+            text = re.sub(start, lambda m: f'{m[0]} data-number="{what} {number}.{next(count)}"', text)
+        text = self.figures.into(text)
+        heading = f'<h2 id="{part.id}-heading" data-number="{number}">{title}</h2>'
         inside = (f"<details>\n<summary>{heading}</summary>\n{text}</details>\n" if part.is_folded
                   else f"{heading}\n{text}")
         return f'<section id="{part.id}" aria-labelledby="{part.id}-heading">\n{inside}</section>\n'

@@ -23,7 +23,7 @@ import drawing
 from numbers_text import NO_ENTRY, exact, grouped, percent, rounded
 
 OKABE_ITO = (0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x8C6D00, 0x000000)
-OF_SURFACES = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2}  # the colours of colour() in style.gp
+OF_SURFACES = {"rough": 0xD86400, "medium": 0x006B50, "smooth": 0x003468}  # the colours of colour() in style.gp
 NAN, INFINITY = math.nan, math.inf
 
 

@@ -442,8 +442,10 @@ TEST(Requirements, SayWhetherTheyArePlausibleAndWhatElseTheyChange) {
     too_low += one.value < one.low ? 1U : 0U;
     too_high += one.value > one.high ? 1U : 0U;
     EXPECT_EQ(one.plausible, one.value >= one.low && one.value <= one.high) << name(one.field);
-    const double beyond = std::max(one.low - one.value, one.value - one.high);
-    EXPECT_EQ(one.at_limit, beyond > 0 && beyond <= 0.05 * (one.high - one.low)) << name(one.field);
+    // As the draws are, logarithmically.
+    const double beyond = std::max(one.low / one.value, one.value / one.high);
+    EXPECT_EQ(one.at_limit, beyond > 1 && beyond <= std::pow(one.high / one.low, 0.05))
+        << name(one.field);
     PaperScenes changed = scenes();
     scale_all(changed, one.field, *one.factor);
     const std::vector<Verdict> after =
@@ -614,6 +616,25 @@ TEST(Arguments, OfTheInletCountThePrintPrecisionOfTheOil) {
   }
   EXPECT_EQ(agree, (std::vector<std::string>{"flooded_inlet, line gap", "flooded_inlet, point gap",
                                              "printed_exponents, line gap"}));
+}
+
+// Of λ's switches the print precision leaves the inlet and the gap open, and not the scale of λ;
+// what other claims identify stays.
+TEST(Arguments, LeaveNothingIdentifiedThatTheirCandidatesLeaveOpen) {
+  std::size_t found = 0, others = 0;
+  for (std::size_t i = 0; i < items().size(); ++i) {
+    if (items()[i].claim != "C2") {
+      others += ledger().item_statistics[i].identified.size();
+      continue;
+    }
+    ++found;
+    std::vector<Switch> identified;
+    for (const Identification& one : ledger().item_statistics[i].identified)
+      identified.push_back(one.which);
+    EXPECT_EQ(identified, std::vector{Switch::lambda_scale}) << items()[i].id;
+  }
+  EXPECT_EQ(found, 3U);
+  EXPECT_GT(others, 0U);
 }
 
 // An interval has its candidate's value within; both its ends are on one side where it disagrees.
