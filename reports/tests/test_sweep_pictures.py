@@ -239,7 +239,7 @@ class Pictures(SweepTest):
             for row in self.blocks(name)[block]:
                 self.assertEqual(seen.setdefault(row["scene"], row["colour"]), row["colour"])
         self.assertEqual((len(seen), len(set(seen.values()))), (6, 6))
-        self.assertEqual(int(seen["rough"]), 0xD55E00)
+        self.assertEqual(int(seen["rough"]), 0xD86400)
 
     def test_cases_without_a_value_are_counted_in_the_legend(self):
         changes = {"lubricant.viscosity": UNIFORM, "speed": SPEEDS, "outputs": '["film", "friction"]'}
@@ -263,7 +263,7 @@ class Pictures(SweepTest):
             values = [next(column for column in scene["columns"] if column["name"] == name)["values"] for scene in scenes]
             bands = [{level: [(one["speed"], factor * quantile(one, level)) for one in of if one["undefined"] <= one["count"]]
                       for level in (0.025, 0.5, 0.975)} for of in values]
-            colours = (0xD55E00, 0x0072B2)
+            colours = (0xD86400, 0x003468)
             wanted = [series("", colour, band[0.025] + band[0.975], True) for band, colour in zip(bands, colours)]
             wanted += [series("", colour, band[level]) for band, colour in zip(bands, colours) for level in (0.025, 0.975)]
             wanted += [series(None, colour, band[0.5]) for band, colour in zip(bands, colours)]

@@ -22,8 +22,9 @@ import typing
 import drawing
 from numbers_text import NO_ENTRY, exact, grouped, percent, rounded
 
-OKABE_ITO = (0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x8C6D00, 0x000000)
 OF_SURFACES = {"rough": 0xD86400, "medium": 0x006B50, "smooth": 0x003468}  # the colours of colour() in style.gp
+# After Okabe and Ito.
+COLOURS = (0x003468, 0xD86400, 0x006B50, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x8C6D00, 0x000000)
 NAN, INFINITY = math.nan, math.inf
 
 
@@ -82,7 +83,7 @@ def file_name(kind, column):
 def colours(result):
     """The colour of each scene. The paper's surfaces have the same colours as in its figures."""
     ids = [scene["id"] for scene in result["scenes"]]
-    free = [one for one in OKABE_ITO if one not in [OF_SURFACES.get(id) for id in ids]]
+    free = [one for one in COLOURS if one not in [OF_SURFACES.get(id) for id in ids]]
     others = iter(free[i % len(free)] for i in range(len(ids)))
     return [OF_SURFACES[id] if id in OF_SURFACES else next(others) for id in ids]
 
@@ -517,7 +518,7 @@ def film_curves(scene, stem, across, curves):
     is_log = high > LOG_FROM_RATIO * low
     scenes = text = ""
     for number, (name, films) in enumerate(curves.items(), 1):
-        scenes += row(number, cell(scene["id"], 24), OKABE_ITO[number - 1], cell(name, 60))
+        scenes += row(number, cell(scene["id"], 24), COLOURS[number - 1], cell(name, 60))
         text += "\n\n# field\tfilm_nm\tfilm_nm\tfilm_nm\n" + "".join(
             row(at, *[1e9 * film if film is not None and film > 0 else NAN] * 3) for at, film in zip(across.shown(), films))
     return Picture(stem, "sweep_curve_band.gp", f"Film over {across.words}", drawing.enhanced(cell(scene["id"])), 640,
