@@ -228,7 +228,7 @@ class Data:
             rows.append((height - 7 / 18 - i - 14 / 18 * (i // len(scenes)) - 0.5, of[scene][name]))
         for kind in ("total", "first_order"):
             bars.append(series("", None, [(max(0, one[kind]["value"]), y + side) for y, one in rows for side in (-0.42, 0.42)], True))
-        bars.append(series("", 0x222222, [(one["total"][end], y) for y, one in rows for end in ("low", "high")], True))
+        bars += [series("", colour, [(one["total"][end], y) for y, one in rows for end in ("low", "high")], True) for colour in (0xFFFFFF, 0x222222)]
         return [(False, (0, height), bars + keys("", *(one["id"] for one in scenes), "alone (first order)", "with all others (total)"), True)]
 
     def onset_distribution(self):
@@ -259,7 +259,7 @@ class Data:
                 medians += [(middle, base), (middle, base + next(0.8 * height / 0.82 for low, to, height in heights if low <= middle < to))]
                 base += 1
             base += 0.7
-        found = [series("", 0xE6E6E6, boxes), *outlines, series("", 0x222222, bars, True), series("", 0x222222, medians),
+        found = [series("", 0xE6E6E6, boxes), *outlines, series("", 0x222222, bars, True), series("", 0xFFFFFF, medians),
                  series("", 0x222222, marks), *keys("reported", "rounds to it")]
         return [(True, (-0.12, base - 0.15), found, False)]
 

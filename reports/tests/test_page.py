@@ -15,6 +15,7 @@ from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.keys import Keys
 
+from page_pictures import COLOURS
 from report_files import WrittenReport
 
 WIDTHS = (390, 800, 1400)
@@ -257,6 +258,11 @@ class Page(WrittenReport):
                     self.assertGreaterEqual(contrast(colour, (1, 1, 1)), 3)
                     self.assertGreaterEqual(contrast(darkened(colour), darkened((1, 1, 1))), 3)
         self.assertGreaterEqual(len(seen), 5)
+        # Without colours, too, the surfaces are told apart.
+        surfaces = [tuple((COLOURS[name] >> shift & 0xFF) / 255 for shift in (16, 8, 0)) for name in ("rough", "medium", "smooth")]
+        self.assertLessEqual(set(surfaces), seen)
+        for lighter, darker in zip(surfaces, surfaces[1:]):
+            self.assertGreaterEqual((luminance(lighter) + 0.05) / (luminance(darker) + 0.05), 1.5)
 
     def test_the_first_screen_has_the_table_of_the_papers_numbers(self):
         """On a phone, too, and without scrolling sideways."""

@@ -49,8 +49,8 @@ plot \
   for [i = 0:lanes_records - 1] data index 3 + i using 1:2:3 with filledcurves \
     fillcolor rgb colours[i + 1] notitle, \
   data index 1 using 5:1:6:7 with xerrorbars pointtype 0 linewidth 1.4 linecolor rgb "#222222" notitle, \
-  data index 1 using 5:1:(0):(0.8*column(8)) with vectors nohead linewidth 1.4 \
-    linecolor rgb "#222222" notitle, \
+  data index 1 using 5:1:(0):(0.8*column(8)) with vectors nohead linewidth 1.6 \
+    linecolor rgb "#ffffff" notitle, \
   data index 2 using 5:3:(0):(column(4) - column(3)) with vectors nohead linewidth 1.6 \
     dashtype (6,4) linecolor rgb "#222222" notitle, \
   keyentry with lines linewidth 1.6 dashtype (6,4) linecolor rgb "#222222" title "reported", \

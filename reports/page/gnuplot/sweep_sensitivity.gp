@@ -34,8 +34,8 @@ plot \
     with boxxyerror fillcolor rgb variable notitle, \
   data index 2 using (0):y:(0):(box(first)):(column(y) - column(half)):(column(y) + column(half)):full \
     with boxxyerror fillcolor rgb variable notitle, \
-  data index 2 using (box(total)):y:(box(total + 1)):(box(total + 2)) with xerrorbars pointtype 0 \
-    linewidth 1.2 linecolor rgb "#222222" notitle, \
+  for [line = 1:2] data index 2 using (box(total)):y:(box(total + 1)):(box(total + 2)) with xerrorbars pointtype 0 \
+    linewidth (line == 1 ? 4 : 1.2) linecolor rgb (line == 1 ? 0xffffff : 0x222222) notitle, \
   data index 1 using (NaN):1:yticlabels(2) with points notitle, \
   for [i = 1:(n > 1 ? n : 0)] keyentry with boxes fillcolor rgb colours[i] title names[i], \
   keyentry with boxes fillcolor rgb ink title "alone (first order)", \
