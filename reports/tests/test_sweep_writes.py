@@ -50,22 +50,27 @@ class FailingWrites(SweepTest):
             if name.startswith(("out.", ".out.")):
                 os.remove(self.path(name))
 
-    def check_each_call(self, command, recover, whole):
-        """command: with failing calls; recover: what is done after a failure, without them. Each call that is no
-        write fails alone, and each fifth write; in larger sweeps each write. Each seventeenth call fails with all that
-        follow it, as on a full disk; in larger sweeps each call."""
+    def check_each_call(self, ways, whole):
+        """ways: commands that make the same calls, each with what is done after a failure, without failing calls. Each call
+        that is no write fails alone, and each fifth write; in larger sweeps each write. Each seventeenth call fails with all
+        that follow it, as on a full disk; in larger sweeps each call. The ways take turns; in larger sweeps each fails all calls."""
         out = "out.h5"
-        calm = self.run_with(command)
-        self.assertEqual(calm.returncode, 0, calm.stderr)
-        self.assertEqual(self.bytes_of(out), whole)
-        kinds = self.calls()[1]
+        seen = set()
+        for command, _ in ways:
+            self.clean()
+            calm = self.run_with(command)
+            self.assertEqual(calm.returncode, 0, calm.stderr)
+            self.assertEqual(self.bytes_of(out), whole)
+            seen.add((self.calls()[1], calm.stdout))
+        (kinds, told), = seen
         writes = [call for call, kind in enumerate(kinds, 1) if kind == "w"]
         others = [call for call, kind in enumerate(kinds, 1) if kind == "o"]
         self.assertGreater(min(len(writes), len(others)), 5)
         tries = failures = 0
-        for on, tried in ((False, others + writes[:: 1 if LARGER else 5]),
-                          (True, range(1, len(kinds) + 1, 1 if LARGER else 17))):
-            for call in tried:
+        failing = [(False, call) for call in others + writes[:: 1 if LARGER else 5]]
+        failing += [(True, call) for call in range(1, len(kinds) + 1, 1 if LARGER else 17)]
+        for on, call in failing:
+            for command, recover in ways if LARGER else [ways[tries % len(ways)]]:
                 tries += 1
                 with self.subTest(call=call, of=kinds, on=on):
                     self.clean()
@@ -80,7 +85,7 @@ class FailingWrites(SweepTest):
                         else:
                             self.assertIn(failed, ("unlinkat", "close", "open", "open64"))
                         self.assertEqual(self.bytes_of(out), whole)
-                        self.assertEqual(done.stdout, calm.stdout)
+                        self.assertEqual(done.stdout, told)
                     else:
                         failures += 1
                         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
@@ -93,24 +98,22 @@ class FailingWrites(SweepTest):
         print(f"{tries} failures of {len(writes)} writes and {len(others)} other calls injected, {failures} told by exit code 1", flush=True)
         self.assertGreater(failures, tries / 2)
 
-    def check_sweep(self, text, *options):
+    def check_sweep(self, text, *options, joined=False):
         path = self.folder.write("sweep.toml", text)
-        self.swept(text, "--force", *(option for option in options if option != "--join"), out="whole.h5")
+        self.swept(text, "--force", *options, out="whole.h5")
         command = ["sweep", path, "-o", self.path("out.h5"), "--threads", "1", *options]
-        recover = command if "--join" in options else [*command, "--resume"]
-        self.check_each_call(command, recover, self.bytes_of("whole.h5"))
+        ways = [(command, [*command, "--resume"])]
+        if joined:
+            ways.append(([*command, "--join"], [*command, "--join"]))
+        self.check_each_call(ways, self.bytes_of("whole.h5"))
 
-    def test_a_sweep(self):
+    def test_a_sweep_that_others_may_join_or_not(self):
         for text in (SMALL, WITH_SENSITIVITY, SUMMARIES) if LARGER else (SMALL,):
-            self.clean()
-            self.check_sweep(text)
+            self.check_sweep(text, joined=True)
 
     def test_a_short_sweep_without_parts(self):
         self.part_chunks = 100
         self.check_sweep(SMALL)
-
-    def test_a_process_that_others_may_join(self):
-        self.check_sweep(SMALL, "--join")
 
     def test_a_shard(self):
         self.check_sweep(SMALL, "--shard", "1/2")
@@ -122,7 +125,7 @@ class FailingWrites(SweepTest):
             self.swept(SMALL, "--shard", f"{part}/2", out=f"{part}.shard")
             shards.append(self.path(f"{part}.shard"))
         command = ["sweep", "merge", *shards, "-o", self.path("out.h5")]
-        self.check_each_call(command, command, self.bytes_of("whole.h5"))
+        self.check_each_call([(command, command)], self.bytes_of("whole.h5"))
 
 
 if __name__ == "__main__":
