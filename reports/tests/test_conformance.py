@@ -164,13 +164,16 @@ class Outputs(ProgramTest):
             self.assertIn(words, result.err)
 
 
+SAMPLE = "20"  # cases a function
+
+
 class Baselines(ProgramTest):
     def setUp(self):
         super().setUp()
         self.path = self.folder.path("baseline.json")
 
     def gate(self, script, *more):
-        return verify("--subject", subject(*script), "--sample", "60", "--baseline", self.path, *more)
+        return verify("--subject", subject(*script), "--sample", SAMPLE, "--baseline", self.path, *more)
 
     def test_what_failed_before_may_fail_and_nothing_else(self):
         small = ("small_python/my_solver.py",)
@@ -187,7 +190,7 @@ class Baselines(ProgramTest):
     def told(self, script):
         """The verdict of a gate in each format: exit code, last line, head, JSON, JUnit."""
         junit = self.folder.path("junit.xml")
-        told = [run("verify", "--subject", subject(*script), "--sample", "60", "--baseline", self.path,
+        told = [run("verify", "--subject", subject(*script), "--sample", SAMPLE, "--baseline", self.path,
                     "--format", format, "--junit", junit) for format in ("table", "markdown", "json")]
         code, = {one.code for one in told}
         return (code, told[0].out.splitlines()[-1], told[1].out.splitlines()[0], told[2].json(),
@@ -232,7 +235,7 @@ class Baselines(ProgramTest):
         pathlib.Path(self.path).write_text(json.dumps({**old, "quantities": rows, "version": "0.0.1"}))
         for format in ("table", "markdown", "json"):
             junit = self.folder.path("junit.xml")
-            result = run("verify", "--subject", subject("python_stdlib/subject.py"), "--sample", "60", "--baseline",
+            result = run("verify", "--subject", subject("python_stdlib/subject.py"), "--sample", SAMPLE, "--baseline",
                          self.path, "--format", format, "--junit", junit)
             self.assertEqual(result.code, 0, result.out)
             out = ElementTree.parse(junit).getroot().find("system-out").text
@@ -244,7 +247,7 @@ class Baselines(ProgramTest):
                     self.assertIn(words, said, format)
         better, = result.json()["changes"]["better"]
         self.assertEqual((better["quantity"], better["fact"], better["before"], better["after"], len(better["cases"])),
-                         ("hamrock_dowson_central", "status", "FAILED", "held", 60))
+                         ("hamrock_dowson_central", "status", "FAILED", "held", int(SAMPLE)))
         self.assertEqual({one["after"] for one in better["cases"]}, {None})
         updated = self.gate(("python_stdlib/subject.py",), "--update-baseline")
         for words in ("baseline improved: hamrock_dowson_central: ", "baseline extended: hertz_point.radius: is new",
@@ -307,7 +310,7 @@ class Baselines(ProgramTest):
     def test_changes_that_are_alike_are_told_once_with_their_quantities(self):
         self.hold(altered(self.folder, "pass"), "--update-baseline")
         gone = altered(self.folder, 'if name == "hertz_ellipse": answer = {"id": case, "skip": "no"}')
-        told = run("verify", "--subject", gone, "--sample", "60", "--baseline", self.path).out
+        told = run("verify", "--subject", gone, "--sample", SAMPLE, "--baseline", self.path).out
         self.assertEqual(told.count("was held, is not offered"), 1, told)
         self.assertRegex(told, "(?m)^Worse than the baseline: hertz_ellipse.semi_axis_x: was held, is not offered.*\n  and 5 more like "
                                "it: hertz_ellipse.semi_axis_y, .*, hertz_ellipse.approach$")
@@ -317,7 +320,7 @@ class Baselines(ProgramTest):
         twice = altered(self.folder, 'question["effective_modulus"] = 2 * question.get("effective_modulus", 0)\n'
                                      '    if name and question["effective_modulus"]: answer = json.loads(subject.answer_text('
                                      'json.dumps(question)))')
-        told = [one for one in verify("--subject", twice, "--sample", "60").json()["diagnoses"]
+        told = [one for one in verify("--subject", twice, "--sample", SAMPLE).json()["diagnoses"]
                 if "film-doubled-E'" in one["mistakes"] or one["quantity"] == "hamrock_dowson_central"]
         one, = told
         self.assertEqual(len(one["functions"]), 10, one)
@@ -326,7 +329,7 @@ class Baselines(ProgramTest):
 
     def test_an_answer_that_is_lost_is_named_with_its_reason(self):
         skips = 'if case in {}: answer = {{"id": case, "skip": "no root"}}'
-        cases = [one["id"] for one in run("verify", "--save-cases", "-", "--sample", "60").json_lines()
+        cases = [one["id"] for one in run("verify", "--save-cases", "-", "--sample", SAMPLE).json_lines()
                  if one.get("function") == "effective_modulus"]
         self.hold(altered(self.folder, "pass"), "--update-baseline")
         lost = altered(self.folder, skips.format([cases[3], cases[5]]))
@@ -336,7 +339,7 @@ class Baselines(ProgramTest):
         self.assertEqual((result.code, texts(result, "worse")), (1, [said]))
         self.assertEqual(junit_suite(junit).find(".//failure").get("message"), said)
         for style in ("table", "markdown"):
-            told = run("verify", "--subject", lost, "--sample", "60", "--baseline", self.path, "--format", style).out
+            told = run("verify", "--subject", lost, "--sample", SAMPLE, "--baseline", self.path, "--format", style).out
             self.assertIn(said, told.replace("\\", ""), style)
         self.hold(lost, "--update-baseline", "--force")
         more = self.hold(altered(self.folder, skips.format([cases[2], cases[3], cases[5]])))
@@ -365,7 +368,7 @@ class Baselines(ProgramTest):
                             ('{"schema": 1, "quantities": {}, "tolerance": "engineering"}', "of schema 1"),
                             ('{"schema": "verify-baseline/4", "quantities": {}}', "of schema 4, and this program has 3"),
                             ('{"schema": "bench-baseline/3", "quantities": {}}', "no baseline of"),
-                            ('{"schema": 2, "quantities": {"gaussian_moment": 1}, "sample": 60, '
+                            (f'{{"schema": 2, "quantities": {{"gaussian_moment": 1}}, "sample": {SAMPLE}, '
                              '"tolerance": {"default": 1e-6}}', "type")):
             pathlib.Path(self.path).write_text(text)
             result = self.gate(right)
@@ -434,19 +437,19 @@ class Baselines(ProgramTest):
             result = self.gate(right, *changed)
             self.assertEqual(result.code, 2)
             self.assertIn("it was made with the tolerance ", result.err)
-        result = verify("--subject", subject(*right), "--tolerance", other, "--sample", "59", "--baseline", self.path)
-        self.assertIn("it was made with the sample 60, and this is 59", result.err)
+        result = verify("--subject", subject(*right), "--tolerance", other, "--sample", "19", "--baseline", self.path)
+        self.assertIn(f"it was made with the sample {SAMPLE}, and this is 19", result.err)
 
     def film_times(self, factor, only="True"):
         return altered(self.folder, f'if name == "hamrock_dowson_central" and ({only}): answer["value"] *= {factor}')
 
     def hold(self, command, *more):
-        return verify("--subject", command, "--sample", "60", "--baseline", self.path, *more)
+        return verify("--subject", command, "--sample", SAMPLE, "--baseline", self.path, *more)
 
     def test_what_failed_may_become_four_times_as_wrong_and_no_more(self):
         self.hold(self.film_times(1.01), "--update-baseline")
         row = json.loads(pathlib.Path(self.path).read_text())["quantities"]["hamrock_dowson_central"]
-        self.assertEqual((len(row["failed"]), row["held"]), (60, 0))
+        self.assertEqual((len(row["failed"]), row["held"]), (int(SAMPLE), 0))
         for error in row["failed"].values():
             self.assertAlmostEqual(error, 0.01, delta=1e-9)
         for factor in (1.01, 0.99, 1.0399, 0.9601, 1.0025):
@@ -455,7 +458,7 @@ class Baselines(ProgramTest):
         for factor in (1.0401, 0.9599, 1e6, 0, -1, "math.inf", "math.nan"):
             result = self.hold(self.film_times(factor))
             self.assertEqual((result.code, result.json()["overall"]), (1, "worse"), factor)
-            self.assertIn("hamrock_dowson_central: 60 cases failed before and are worse by more than 4 times",
+            self.assertIn(f"hamrock_dowson_central: {SAMPLE} cases failed before and are worse by more than 4 times",
                           result.out)
 
     def test_one_case_of_many_that_becomes_worse_or_fails_anew_is_red(self):
