@@ -152,7 +152,6 @@ constexpr Combination thermal_loading{.name = "thermal_loading",
                                                    x[first + 2] / x[first + 3];
                                           },
                                       .parameter = "temperature_viscosity"};
-constexpr std::array thermal_combinations{thermal_loading<3>};
 constexpr std::array rolling_parameters{temperature_viscosity, viscosity, speed,
                                         thermal_conductivity};
 constexpr std::array rolling_combinations{thermal_loading<0>};
@@ -161,6 +160,13 @@ constexpr std::array thermal_results{Result{"value", "φ_T, film over that of an
 double thermal_reduction(const Arguments& x) {
   return gupta_thermal_reduction(x[0], x[1], x[2], x[3], x[4], x[5], x[6]);
 }
+constexpr std::array thermal_combinations{thermal_loading<3>,
+                                          Combination{.name = "value",
+                                                      .meaning = "φ_T",
+                                                      .least = 0.01,
+                                                      .greatest = 1,
+                                                      .value = thermal_reduction,
+                                                      .parameter = "temperature_viscosity"}};
 std::optional<Refusal> too_hot(const Arguments& x) {
   if (!std::isnan(thermal_reduction(x))) return std::nullopt;
   return Refusal{"peak_pressure",

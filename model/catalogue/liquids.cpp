@@ -89,6 +89,13 @@ constexpr std::array kinematic_results{Result{"value", "ν, kinematic viscosity 
 constexpr std::array index_parameters{
     kinematic("kinematic_viscosity_40", "ν at 40 °C: 1 mm²/s is 1e-6 m²/s", 5e-6, 3e-3),
     kinematic("kinematic_viscosity_100", "ν at 100 °C, 2e-6 m²/s or more", 2e-6, 1e-4)};
+constexpr std::array index_combinations{
+    Combination{.name = "value",
+                .meaning = "VI",
+                .least = -100,
+                .greatest = 400,
+                .value = [](const Arguments& x) { return tribo::viscosity_index(x[0], x[1]); },
+                .parameter = "kinematic_viscosity_40"}};
 constexpr std::array index_results{
     Result{"value", "VI, not rounded; below 0 of an oil thicker at 40 °C than one of the index 0"}};
 
@@ -216,7 +223,8 @@ constexpr std::array entries{
         .value = [](const Arguments& x, Results& y) { y[0] = tribo::viscosity_index(x[0], x[1]); },
         .contract = viscosity_index_contract,
         .example = {46e-6, 6.8e-6},
-        .refusal = has_no_index},
+        .refusal = has_no_index,
+        .combinations = index_combinations},
 };
 
 }  // namespace

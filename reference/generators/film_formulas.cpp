@@ -238,8 +238,9 @@ Table thermal_reductions() {
                                                                                   {4, 1e-4, 100},
                                                                                   {5, 1e-6, 100},
                                                                                   {6, 0.01, 10}});
-  ends[2] = {1e6, 1e5, 0.1, 0.03, 0.02, 0.05, 0.12};           // the softest body bears no more
-  ends.push_back({6e8, 1.1e11, 0.1, 0.03, 0.04, 99.9, 0.12});  // L next to 100
+  ends[2] = {1e6, 1e5, 0.1, 0.03, 0.02, 0.05, 0.12};            // the softest body bears no more
+  ends.push_back({6e8, 1.1e11, 0.1, 0.03, 0.04, 99.9, 0.12});   // L next to 100
+  ends.push_back({7.3e8, 1.1e11, 10, 0.03, 0.04, 99.9, 0.12});  // φ next to 0.01
   for (const Numbers& x : ends) table.add({}, x, thermal, thermal_by_roots, "end");
   return table;
 }

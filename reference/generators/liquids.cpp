@@ -311,7 +311,8 @@ Table viscosity_indices() {
                "ASTM D2270, at the end of a range by its lower one",
                "1",
                "Y [2, 70] mm2/s, index [0, 300]; both sides of each end of a range of table X2.1, "
-               "and of index 100; far: Y up to 1e4 mm2/s, index below 0 and above 300",
+               "and of index 100; end: index [-99, 394]; far: Y up to 1e4 mm2/s, index below 0 "
+               "and above 300",
                "powers of Y, decimal logarithms", "powers of Y - 10, a root of H/U",
                "kinematic_viscosity_40,kinematic_viscosity_100"},
               "li"};
@@ -352,6 +353,9 @@ Table viscosity_indices() {
   for (const double y : {4e-6, 8e-6, 70e-6, 100e-6})
     for (const double part : {1 - 1e-9, 1., 1 + 1e-9}) add(hundred(y) * part, y, "ordinary");
   for (const Numbers& x : steps({46e-6, 6.8e-6}, {52e-6, 8.5e-6})) add(x[0], x[1], "ordinary");
+  for (const auto& [y, index] : {std::pair{5e-6, -40.}, {12e-6, -1.}, {8e-6, -99.}})
+    add(zero(y) - index / 100 * (zero(y) - hundred(y)), y, "end");
+  add(0.36 * hundred(8e-6), 8e-6, "end");  // next to 400
   return table;
 }
 

@@ -94,7 +94,7 @@ Arguments moved_to(const End& end, Arguments x, double wanted) {
   for (const double factor : {1 / 1.5, 1.5}) {
     number = start == 0 ? end.least_step : start;
     for (int i = 0; i < 200 && is_before(); ++i) number *= factor;
-    if (!is_before()) outside = number;
+    if (!is_before() && std::isfinite(end.value(x))) outside = number;
   }
   for (int i = 0; i < 200; ++i) {
     number = inside + (outside - inside) / 2;
