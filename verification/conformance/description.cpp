@@ -368,33 +368,48 @@ std::string constant_factor(const Part& part) {
   if (greatest - least >= 1e-9 * std::abs(greatest)) return {};
   if (std::string pi = rough_pi((least + greatest) / 2); !pi.empty()) return pi;
   const double off = (least + greatest) / 2 - 1;
-  if (std::abs(off) < rounding && greatest - least < 0.01 * std::abs(off))
+  if (std::abs(off) < rounding && greatest - least < 0.01 * std::abs(off) &&
+      part.wrong.size() >= fewest_cases)
     return fmt::format(
         "It is off by one factor, 1 {} {:.3g}, as a constant with too few digits makes it.",
         off < 0 ? "−" : "+", std::abs(off));
   return known_factor(least);
 }
 
-// "All 40 wrong answers are 1e-07 m²/s too high: …" Empty: the errors are not one number.
+// "All answers are too large by 1e-09, whatever they are": also by a number of times one input.
 std::string constant_sum(const Part& part) {
-  constexpr double of_sum = 1e-6;
+  constexpr double one_sum = 1e-6, of_double = 1e-15;  // of the sum, of the answers
   if (part.wrong.size() < fewest_cases) return {};
-  const auto is_smaller = [](const AnsweredNumber* a, const AnsweredNumber* b) {
-    return std::abs(a->expected->high) < std::abs(b->expected->high);
+  const auto off = [](const Part::Number& one) { return one.answered->error(); };
+  const auto is_by = [&](const std::function<double(const Part::Number&)>& sum) {
+    return std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+      const double left = std::abs(off(one) - sum(one));
+      const double fine = one_sum * std::abs(sum(one)) + of_double * std::abs(one.answered->got);
+      return one.answered->is_explained ||
+             left <= (one.answered->is_wrong ? fine : std::max(fine, one.answered->allowed));
+    });
   };
-  const double sum = (*std::ranges::min_element(part.wrong, is_smaller))->error();
-  for (const Part::Number& one : part.all) {
-    const AnsweredNumber& answered = *one.answered;
-    if (answered.is_explained) continue;
-    const double allowed = of_sum * std::abs(sum) + few_ulp * std::abs(answered.expected->high) +
-                           (answered.is_wrong ? 0 : answered.allowed);
-    if (!(std::abs(answered.error() - sum) <= allowed)) return {};
-  }
+  // The answer that shows the sum best.
+  const auto best = std::max_element(
+      part.all.begin(), part.all.end(), [&](const Part::Number& a, const Part::Number& b) {
+        return std::abs(off(a) / a.answered->got) < std::abs(off(b) / b.answered->got);
+      });
+  const auto in_words = [](double sum, const std::string& rest) {
+    return fmt::format(
+        "All answers are too {} by {:.6g}{}, large or small as they are: a sum is {}.",
+        sum < 0 ? "small" : "large", std::abs(sum), rest, sum < 0 ? "missing" : "added");
+  };
+  const double sum = round_number(off(*best));
   const std::string_view unit = results_of(part.function())[part.place].unit;
-  return fmt::format(
-      "All {} wrong answers are {:.6g}{}{} too {}: a number is added to them, or left out.",
-      part.wrong.size(), round_number(std::abs(sum)), unit.empty() ? "" : " ", unit,
-      sum > 0 ? "high" : "low");
+  if (is_by([sum](const Part::Number&) { return sum; }))
+    return in_words(sum, unit.empty() ? "" : " " + std::string(unit));
+  for (const std::size_t input : number_inputs(part)) {
+    const double times = round_number(off(*best) / best->input(input));
+    if (std::isfinite(times) && times != 0 &&
+        is_by([&](const Part::Number& one) { return times * one.input(input); }))
+      return in_words(times, " times " + symbol_of(part.function()->parameters[input].meaning));
+  }
+  return {};
 }
 
 }  // namespace

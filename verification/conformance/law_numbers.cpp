@@ -61,6 +61,23 @@ LawOfNumbers film_law_of_numbers(const catalogue::Function& function) {
   return found;
 }
 
+// Numbers: 3, 2.621, 1.287 and 1.311 of RI, EI, RP and EP.
+constexpr std::array moes_numbers{3., 2.621, 1.287, 1.311};
+std::optional<Numbers> film_by_moes(const Arguments& x, Constants n) {
+  const double twice_u = x[0] * x[1] / (x[4] * x[5]), root = std::sqrt(twice_u);
+  const double m = x[3] / (2 * x[4] * x[5]) / root, l = 2 * x[2] * x[4] * std::sqrt(root);
+  const auto sum = [](double a, double b, double power) {  // (a^p + b^p)^(1/p)
+    const double first = (a > b) == (power > 0) ? a : b, other = first == a ? b : a;
+    return first * std::pow(1 + std::pow(other / first, power), 1 / power);
+  };
+  const double rigid = n[0] / m, elastic = n[1] * std::pow(m, -0.2);
+  const double isoviscous = sum(rigid, elastic, 7. / 3);
+  const double piezoviscous =
+      sum(n[2] * std::pow(l, 2. / 3), n[3] * std::pow(m, -0.125) * std::pow(l, 0.75), -3.5);
+  const double s = (7 + 8 * std::exp(-2 * elastic / rigid)) / 5;
+  return only(x[5] * root * sum(isoviscous, piezoviscous, s));
+}
+
 // Numbers: of each regime in the order of FilmRegime, as film_regimes.hpp has them.
 constexpr std::array regime_numbers{128.,   0.131, 1.683, 2. / 3, 1.66, 2. / 3, 0.68, 141., 0.375,
                                     0.0387, 8.70,  0.67,  0.85,   0.31, 3.42,   0.49, 0.17, 0.68};
@@ -449,6 +466,8 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) 
                          {11, {"g_E^", ""}},
                          {15, {"g_V^", ""}},
                          {16, {"g_E^", ""}}}};
+  if (function.name == "moes_line")
+    return LawOfNumbers{film_by_moes, {moes_numbers.begin(), moes_numbers.end()}, {}};
   if (function.name == "viscosity_index") return index_law_of_numbers();
   if (function.name == "starvation_ratio")
     return LawOfNumbers{starved_film,

@@ -110,7 +110,28 @@ void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
   }
 }
 
-std::vector<Input> inputs_of(const catalogue::Function* function) {
+// What a point's friction is of, which may be cut off inside of it.
+void add_sheared_film(std::vector<Input>& all) {
+  const auto add = [&all](const char* symbol, double ShearedFilm::*number,
+                          std::optional<double> FrictionReading::*reading) {
+    all.push_back({symbol,
+                   {},
+                   {},
+                   [number](const Question& asked) {
+                     const std::optional<ShearedFilm> film = sheared_film(asked);
+                     return film ? (*film).*number : unsaid;
+                   },
+                   [reading](Question& asked, double value) { asked.friction.*reading = value; },
+                   Kind::group});
+  };
+  add("ln(η/η₀) in friction", &ShearedFilm::log_viscosity, &FrictionReading::log_viscosity);
+  add("the fluid's pressure in friction", &ShearedFilm::pressure, &FrictionReading::pressure);
+  add("the shear rate in friction", &ShearedFilm::shear_rate, &FrictionReading::shear_rate);
+  add("the gap in friction", &ShearedFilm::gap, &FrictionReading::gap);
+}
+
+std::vector<Input> inputs_of(const Part& part) {
+  const catalogue::Function* const function = part.function();
   std::vector<Input> all;
   if (function == nullptr) {
     for (std::size_t i = 0; i < scene_fields().size(); ++i) {
@@ -124,6 +145,7 @@ std::vector<Input> inputs_of(const catalogue::Function* function) {
                        store(*asked.scene, value);
                      }});
     }
+    if (part.place == static_cast<std::size_t>(Output::friction)) add_sheared_film(all);
     return all;
   }
   for (std::size_t i = 0; i < function->parameters.size(); ++i) {
@@ -230,11 +252,8 @@ bool is_of_unit(const Input& one, const Input& other) {
 }
 
 // Whether the question leaves the input out, which has a default then.
-bool is_left_out(const Input& input, const Question& question) {
-  std::string pointer = '/' + std::string(input.name);
-  std::replace(pointer.begin(), pointer.end(), '.', '/');
-  return !input.name.empty() &&
-         !question.asked->inputs.contains(nlohmann::json::json_pointer(pointer));
+bool is_without(const Input& input, const Question& question) {
+  return !input.name.empty() && is_left_out(question.asked->inputs, input.name);
 }
 
 // Whether so many digits are the number, to 1e-6 of it.
@@ -262,9 +281,13 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
   if (input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;
-    add(familiar_times(factor, input.symbol) ? 1 : 5,
-        fmt::format("{} in place of {}", times_in_words(factor, input.symbol), input.symbol),
-        [factor, &input](const Question& question) { return factor * input.get(question); });
+    const std::string text = times_in_words(factor, input.symbol);
+    if (text != input.symbol)  // a change that is told with more digits
+      add(familiar_times(factor, input.symbol) ? 1
+          : is_of_few_digits(factor)           ? 5
+                                               : 8,
+          fmt::format("{} in place of {}", text, input.symbol),
+          [factor, &input](const Question& question) { return factor * input.get(question); });
   }
   if (input.kind == Kind::single || input.kind == Kind::each_plus)
     add(4,
@@ -286,11 +309,11 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         fewest_cut);
   }
   if (input.kind != Kind::single) return;
-  if (is_left_out(input, asked))
+  if (is_without(input, asked))
     add(
         1, fmt::format("{} = {:.6g} where it is left out", input.symbol, number),
         [number, &input](const Question& question) {
-          return is_left_out(input, question) ? number : unsaid;
+          return is_without(input, question) ? number : unsaid;
         },
         is_of_digits(value, digits_of_defaults) ? 1 : fewest_cut, true);
   add(3, is_number + " always, whatever it is given as",
@@ -449,7 +472,7 @@ std::string default_of(const Part& part, const std::vector<Part::Number>& wrong,
     const bool is_where =
         std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
           return one.answered->is_explained ||
-                 is_left_out(input, one.of->question) >= one.answered->is_wrong;
+                 is_without(input, one.of->question) >= one.answered->is_wrong;
         });
     if (input.name.empty() || !is_where) continue;
     const auto value = solved(wrong.front(), input, part.place);
@@ -465,14 +488,14 @@ std::string default_of(const Part& part, const std::vector<Part::Number>& wrong,
 
 std::string other_default(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
-  return wrong.empty() ? std::string() : default_of(part, wrong, inputs_of(part.function()));
+  return wrong.empty() ? std::string() : default_of(part, wrong, inputs_of(part));
 }
 
 std::optional<Misread> misread_input(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
   if (wrong.size() < fewest_cut) return std::nullopt;
   // The readings keep the address of their inputs.
-  const auto inputs = std::make_shared<const std::vector<Input>>(inputs_of(part.function()));
+  const auto inputs = std::make_shared<const std::vector<Input>>(inputs_of(part));
   std::vector<Misreading> all;
   const bool is_one_factor = !vary(part);
   for (FittedNumbers& one : fitted_numbers(part, is_one_factor))
@@ -509,7 +532,7 @@ std::string other_value(const Part& part) {
         "All {} wrong answers are {:.7g}: a floor, a cap, a guard or a default gives them.",
         wrong.size(), first + 0.0);
   if (wrong.size() < fewest_wrong) return {};
-  for (const Input& input : inputs_of(part.function())) {
+  for (const Input& input : inputs_of(part)) {
     const auto by = [&](const Part::Number& one) { return got(one) / input.get(one.of->question); };
     const double factor = by(wrong.front());
     if (!std::isfinite(factor) ||

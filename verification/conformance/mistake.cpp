@@ -132,14 +132,17 @@ void check_kinds(const MistakeEntry& entry) {
   const bool changes = !entry.input.empty() || !entry.result.empty() || !entry.law.is_null() ||
                        !entry.sharing.empty() || !entry.formula.empty();
   const bool is_of_point = !entry.scene.empty() || !entry.area.empty() ||
-                           !entry.stiffness.empty() || !entry.friction.empty();
+                           !entry.stiffness.empty() || !entry.friction.empty() ||
+                           !entry.left_out.empty();
   const int kinds = (changes ? 1 : 0) + (entry.scene.empty() ? 0 : 1) +
                     (entry.area.empty() ? 0 : 1) + (entry.stiffness.empty() ? 0 : 1) +
-                    (entry.friction.empty() ? 0 : 1) + (entry.swapped.empty() ? 0 : 1);
+                    (entry.friction.empty() ? 0 : 1) + (entry.swapped.empty() ? 0 : 1) +
+                    (entry.left_out.empty() ? 0 : 1);
   if (entry.function == "operating_point" && is_of_function)
     throw std::runtime_error("where, input, result, law and sharing are for single functions");
   if (entry.function != "operating_point" && is_of_point)
-    throw std::runtime_error("scene, area, stiffness and friction are for operating_point");
+    throw std::runtime_error(
+        "scene, area, stiffness, friction and left_out are for operating_point");
   if (kinds == 0) throw std::runtime_error("nothing is changed");
   if (kinds > 1 || (!entry.swapped.empty() && !entry.where.empty()) ||
       (!entry.law.is_null() && !entry.formula.empty()))
@@ -154,6 +157,7 @@ MistakeEntry entry_of(const json& written) {
   members.take("text", entry.text);
   members.take("follows", entry.follows);
   members.take("swapped", entry.swapped);
+  members.take("left_out", entry.left_out);
   members.take("stiffness", entry.stiffness);
   members.take("area", entry.area);
   entry.sharing = named_numbers(members.take_any("sharing"));

@@ -37,7 +37,8 @@ struct MistakeEntry {
   std::string name, text, follows;
   std::vector<std::pair<std::string, std::vector<nlohmann::json>>> where;
   NumberChanges input, result, scene;
-  std::string swapped;  // an argument, or a field of a scene
+  std::string swapped;   // an argument, or a field of a scene
+  std::string left_out;  // a field of a scene
   std::string formula;
   std::vector<double> numbers;  // of the formula
   nlohmann::json law;           // the name of a law, or numbers of it
@@ -100,7 +101,8 @@ MistakeEntry with_words(MistakeEntry entry, std::string_view given, std::string_
 // A mistake of the function with the entry's name and text, which changes nothing yet.
 Mistake titled(const MistakeEntry& entry, std::string_view function);
 
-// The mistakes of an entry for operating_point: one, or with `swapped` one for each pair of words.
+// The mistakes of an entry for operating_point: one, or with `swapped` one for each pair of words,
+// or with `left_out` one for each word that is no default.
 // Throws std::runtime_error that says what is wrong with the entry.
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry);
 

@@ -54,10 +54,7 @@ Mistake with_formula(const Mistake& wrong,
 
 // The number or word that a scene's JSON has at a dotted path, or the default.
 json written_at(const json& inputs, const FieldInfo& field) {
-  std::string pointer = "/" + std::string(field.path);
-  std::replace(pointer.begin(), pointer.end(), '.', '/');
-  const json::json_pointer place(pointer);
-  if (inputs.contains(place)) return inputs.at(place);
+  if (!is_left_out(inputs, field.path)) return inputs.at(pointer_to(field.path));
   return field.choices.empty() ? json::parse(field.default_text, nullptr, false)
                                : json(field.default_text);
 }
@@ -117,6 +114,20 @@ std::vector<Mistake> swaps_of(const MistakeEntry& entry) {
               if (written_at(question.asked->inputs, *field.info) == json(asked))
                 field.store(*question.scene, number_of(*field.info, json(given)));
             }));
+  return all;
+}
+
+// Another default of a word.
+std::vector<Mistake> defaults_of(const MistakeEntry& entry) {
+  std::vector<Mistake> all;
+  const Field field = field_at(entry.left_out);
+  for (const std::string_view given : field.info->choices)
+    if (given != field.info->default_text)
+      all.push_back(
+          changed(with_words(entry, given, {}), {entry.left_out}, [=](Question& question) {
+            if (is_left_out(question.asked->inputs, entry.left_out))
+              field.store(*question.scene, number_of(*field.info, json(given)));
+          }));
   return all;
 }
 
@@ -196,6 +207,14 @@ void take_stiffness_of_greenwood_williamson(Question& question) {
 constexpr std::pair<std::string_view, double Question::*> summit_numbers[] = {
     {"real_area_times", &Question::real_area_times},
     {"summit_count_times", &Question::summit_count_times}};
+
+// Of a line the nominal area of the summits times c L^a, with its pressure left as it is.
+void scale_rough_line(Question& question, double c, double a) {
+  const Bodies& bodies = question.scene->bodies;
+  if (bodies.shape() != ContactShape::line) return;
+  const double factor = c * std::pow(bodies.length, a);
+  question.summit_count_times *= factor * scale_stiffness(*question.scene, factor);
+}
 
 // h_oil as a part of the flooded film, where the field is one of σ_s.
 void take_inlet_of_flooded_film(Question& question) {
@@ -367,6 +386,7 @@ Mistake with_film(const std::vector<Mistake>& laws) {
 
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
   if (!entry.swapped.empty()) return swaps_of(entry);
+  if (!entry.left_out.empty()) return defaults_of(entry);
   if (!entry.area.empty() && entry.area.size() != 2)
     throw std::runtime_error("area: two numbers, of points and of lines");
   if (!entry.area.empty())
@@ -395,6 +415,10 @@ std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
     return {with_usual_sharing(titled(entry, operating_point))};
   if (entry.formula == "inlet_of_flooded_film")
     return {changed(entry, {"supply"}, take_inlet_of_flooded_film)};
+  if (entry.formula == "rough_line" && entry.numbers.size() == 2)
+    return {changed(entry, {"area"}, [by = entry.numbers](Question& question) {
+      scale_rough_line(question, by[0], by[1]);
+    })};
   if (entry.formula == "stiffness_of_greenwood_williamson")
     return {changed(entry, {"stiffness"}, take_stiffness_of_greenwood_williamson)};
   if (!entry.formula.empty())

@@ -64,35 +64,55 @@ Numbers function_numbers(const Question& question) {
   return numbers_of(results);
 }
 
-double friction_of(const OperatingPoint<double>& point, const Scene& scene,
-                   const FrictionReading& reading) {
+double mean_pressure_of(const Scene& scene) {
+  return hertz_contact(scene.bodies.shape(), detail::numbers_of<double>(scene)).mean_pressure;
+}
+
+ShearedFilm sheared_film_of(const OperatingPoint<double>& point, const Scene& scene,
+                            const FrictionReading& reading) {
   const Lubricant& oil = scene.lubricant;
-  const double mean_pressure =
-      hertz_contact(scene.bodies.shape(), detail::numbers_of<double>(scene)).mean_pressure;
   // Another p_R in Roelands' law is the right one with αp_R′/p_R and p·p_R/p_R′; Barus' αp stays.
   const double times = reading.roelands_pressure / roelands_pressure<double>();
-  const double thickening = log_viscosity_ratio(
+  const double pressure = reading.pressure.value_or(
+      reading.pressure_times * mean_pressure_of(scene) *
+      (reading.whole_pressure != 0 ? reading.whole_pressure : point.fluid_load_share));
+  const double log_viscosity = reading.log_viscosity.value_or(log_viscosity_ratio(
       scene.friction.viscosity, std::pow(oil.viscosity, reading.roelands_logarithm),
-      times * oil.pressure_viscosity,
-      reading.pressure_times * mean_pressure / times *
-          (reading.whole_pressure != 0 ? reading.whole_pressure : point.fluid_load_share));
-  const double sliding = scene.friction.slide_roll_ratio * point.speed;
-  const double yield = *oil.eyring_stress;
-  const double newtonian = oil.viscosity * std::exp(thickening) * sliding / point.separation;
+      times * oil.pressure_viscosity, pressure / times));
+  const double gap = reading.gap.value_or(point.separation);
+  const double rate =
+      reading.shear_rate.value_or(scene.friction.slide_roll_ratio * point.speed / gap);
+  return {pressure, log_viscosity, rate, gap};
+}
+
+double friction_of(const OperatingPoint<double>& point, const Scene& scene,
+                   const FrictionReading& reading) {
+  const auto [pressure, thickening, rate, gap] = sheared_film_of(point, scene, reading);
+  const double viscosity = scene.lubricant.viscosity, yield = *scene.lubricant.eyring_stress;
+  const double newtonian = viscosity * std::exp(thickening) * rate;
   const bool is_limiting = scene.friction.fluid == FluidShear::limiting;
-  const double stress = is_limiting && reading.limiting_by_minimum != 0 ? std::min(newtonian, yield)
-                        : is_limiting && reading.limiting_by_tangent != 0
-                            ? yield * std::tanh(newtonian / yield)
-                            : fluid_shear_stress(scene.friction.fluid, yield, oil.viscosity,
-                                                 thickening, sliding, point.separation);
+  const double stress =
+      is_limiting && reading.limiting_by_minimum != 0 ? std::min(newtonian, yield)
+      : is_limiting && reading.limiting_by_tangent != 0
+          ? yield * std::tanh(newtonian / yield)
+          : fluid_shear_stress(scene.friction.fluid, yield, viscosity, thickening, rate * gap, gap);
   const double boundary = reading.asperities * point.asperity_load_share +
                           reading.film_boundary * point.fluid_load_share + reading.whole_boundary;
   const double sheared = std::max(0.0, 1 - reading.contact_area * point.real_area_ratio);
   return *scene.friction.boundary_coefficient * boundary +
-         reading.film * stress * sheared / mean_pressure;
+         reading.film * stress * sheared / mean_pressure_of(scene);
 }
 
 }  // namespace
+
+nlohmann::json::json_pointer pointer_to(std::string_view path) {
+  std::string pointer = '/' + std::string(path);
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  return nlohmann::json::json_pointer(pointer);
+}
+bool is_left_out(const nlohmann::json& inputs, std::string_view path) {
+  return !inputs.contains(pointer_to(path));
+}
 
 double argument_of(const catalogue::Parameter& parameter, const nlohmann::json& written) {
   if (parameter.words.empty() && written.is_number()) return written.get<double>();
@@ -145,6 +165,13 @@ Numbers numbers_of(const OperatingPoint<double>& point, const Question& question
   if (point.regime != Regime::collapsed && !(reading == FrictionReading{}))
     friction = friction_of(point, *question.scene, reading);
   return numbers;
+}
+
+std::optional<ShearedFilm> sheared_film(const Question& question) {
+  if (!question.scene || !has_friction_inputs(*question.scene)) return std::nullopt;
+  const auto point = MixedContact<double>(*question.scene).solve(question.scene->speeds[0]);
+  if (point.regime == Regime::collapsed) return std::nullopt;
+  return sheared_film_of(point, *question.scene, question.friction);
 }
 
 Numbers right_numbers(const Question& question) {

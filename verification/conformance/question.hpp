@@ -45,8 +45,16 @@ struct FrictionReading {
   double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for it
   // The pressure that thickens: the fluid's share of p̄, or with 1 all of it, times a number.
   double whole_pressure = 0, pressure_times = 1;
+  // In place of the point's own: this pressure in Pa, ln(η/η₀), shear rate in 1/s and gap in m.
+  std::optional<double> pressure = {}, log_viscosity = {}, shear_rate = {}, gap = {};
 
   bool operator==(const FrictionReading&) const = default;
+};
+
+// What the fluid's shear stress is of: the pressure that thickens it in Pa, ln(η/η₀), the shear
+// rate in 1/s and the gap in m.
+struct ShearedFilm {
+  double pressure, log_viscosity, shear_rate, gap;
 };
 
 struct Question {
@@ -74,8 +82,15 @@ Numbers numbers_of(const catalogue::Results& results);
 // The numbers of an operating point, with the question's number of summits and friction.
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question);
 
+// Of an operating point that has a film and friction; empty: of any other.
+std::optional<ShearedFilm> sheared_film(const Question& question);
+
 // The model's results with the changes that the question carries. NaN where a fit says nothing.
 Numbers right_numbers(const Question& question);
+
+// The place of a field or an argument, as "closures.film", in a request; whether it is left out.
+nlohmann::json::json_pointer pointer_to(std::string_view path);
+bool is_left_out(const nlohmann::json& inputs, std::string_view path);
 
 // An argument of the function as the request has it: a number, or a word of its list. Throws
 // std::runtime_error for anything else.

@@ -23,7 +23,7 @@ constexpr double least_changes = 0.25;  // of the signs, from one value of a var
 constexpr double strong = 0.8;          // correlation of ranks
 
 struct Error {
-  double x, relative;
+  double x, relative, absolute;
 };
 
 std::vector<double> ranks_in_order(const std::vector<double>& values) {
@@ -61,7 +61,8 @@ std::vector<Error> errors_along(const Part& part, const Variable& variable) {
     if (!one.answered->is_left()) continue;
     const double x = variable.value(one.of->asked);
     if (!std::isfinite(x) || one.answered->expected->high == 0) return {};
-    errors.push_back({x, one.answered->error() / one.answered->expected->high});
+    const double off = one.answered->error();
+    errors.push_back({x, off / one.answered->expected->high, std::abs(off)});
   }
   std::stable_sort(errors.begin(), errors.end(),
                    [](const Error& a, const Error& b) { return a.x < b.x; });
@@ -76,16 +77,44 @@ bool has_both_signs(const std::vector<Error>& errors) {
 }
 
 // The middle of the sizes of the errors in a part of the list.
-double middle_size(const std::vector<Error>& errors, std::size_t first, std::size_t last) {
+double middle_size(const std::vector<Error>& errors, std::size_t first, std::size_t last,
+                   double Error::*of = &Error::relative) {
   std::vector<double> sizes;
-  for (std::size_t i = first; i < last; ++i) sizes.push_back(std::abs(errors[i].relative));
+  for (std::size_t i = first; i < last; ++i) sizes.push_back(std::abs(errors[i].*of));
   return boost::math::statistics::median(sizes);
+}
+
+// Whether the errors along the right answer are of one size, while the answer grows.
+bool is_of_one_size(const std::vector<Error>& errors) {
+  constexpr double of_answer = 30, of_size = 4;
+  const std::size_t third = errors.size() / 3, last = errors.size() - third;
+  const auto grown = [&](double Error::*of) {
+    return middle_size(errors, last, errors.size(), of) / middle_size(errors, 0, third, of);
+  };
+  const double grows = grown(&Error::absolute);
+  return grown(&Error::x) > of_answer && grows < of_size && grows > 1 / of_size;
+}
+
+// Text where errors of both signs have one size, whatever the answer is. Empty: they do not.
+std::string fixed_width(const Part& part) {
+  const Variable answer{
+      {}, false, [&part](const Question& asked) { return right_numbers(asked)[part.place]; }};
+  const std::vector<Error> errors = errors_along(part, answer);
+  if (errors.empty() || errors.front().x <= 0 || !has_both_signs(errors) || !is_of_one_size(errors))
+    return {};
+  double greatest = 0;
+  for (const Error& one : errors) greatest = std::max(greatest, one.absolute);
+  return fmt::format(
+      "The errors are of both signs and of one size, at most {:.2g}, large or small as the answers "
+      "are: as of an iteration that stops at a fixed width, or of rounding to a fixed step.",
+      greatest);
 }
 
 }  // namespace
 
 std::string scatter_of(const Part& part) {
   if (part.function() == nullptr || part.wrong.size() < fewest_scattered) return {};
+  if (std::string fixed = fixed_width(part); !fixed.empty()) return fixed;
   double greatest = 0, best = 0;
   std::string grows;
   for (const Variable& variable : variables_of(part.function())) {

@@ -24,7 +24,9 @@ struct AnsweredWord {
 };
 
 constexpr std::size_t fewest_words = 8;  // with the word, and without it
-constexpr double few_points = 0.1;       // of a limit: points on both sides are so far apart
+// Points next to a limit may be on either side, by rounding, if they are few of those beyond it.
+constexpr double next_to_limit = 1e-12, few_next_to_limit = 0.1;
+constexpr double few_points = 0.1;  // of a limit: points on both sides are so far apart
 
 // A number of a point that may decide on a word.
 struct Deciding {
@@ -67,19 +69,28 @@ std::optional<WordLimit> limit_of(const std::vector<AnsweredWord>& answers, cons
                                   const std::string& word, std::string AnsweredWord::*which) {
   constexpr double far = std::numeric_limits<double>::infinity();
   double least_with = far, most_with = -far, least_without = far, most_without = -far;
-  std::size_t with = 0, without = 0;
+  std::vector<double> with, without;
   for (const AnsweredWord& one : answers) {
     const double value = number.of(one.point);
     if (!std::isfinite(value)) continue;
     const bool has = one.*which == word;
-    (has ? with : without) += 1;
+    (has ? with : without).push_back(value);
     double &least = has ? least_with : least_without, &most = has ? most_with : most_without;
     least = std::min(least, value);
     most = std::max(most, value);
   }
-  if (with < fewest_words || without < fewest_words) return std::nullopt;
-  if (most_without < least_with) return WordLimit{true, most_without, least_with};
-  if (most_with < least_without) return WordLimit{false, most_with, least_without};
+  if (with.size() < fewest_words || without.size() < fewest_words) return std::nullopt;
+  const auto is_between = [](const std::vector<double>& below, double most, double least) {
+    if (most < least) return true;
+    const auto beyond =
+        std::count_if(below.begin(), below.end(), [&](double one) { return one >= least; });
+    return most - least <= next_to_limit * std::abs(least) &&
+           static_cast<double>(beyond) <= few_next_to_limit * static_cast<double>(below.size());
+  };
+  if (is_between(without, most_without, least_with))
+    return WordLimit{true, std::min(most_without, least_with), least_with};
+  if (is_between(with, most_with, least_without))
+    return WordLimit{false, std::min(most_with, least_without), least_without};
   return std::nullopt;
 }
 

@@ -15,6 +15,8 @@
 
 #include "conformance/question.hpp"
 #include "support/threshold.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -100,6 +102,45 @@ double rounded_moment(double order, double d) {  // for whole orders, in double
   const double density = std::exp(-d * d / 2) / std::sqrt(2 * std::numbers::pi);
   if (order == 0) return tail;
   return order == 1 ? density - d * tail : (1 + d * d) * tail - d * density;
+}
+
+// The right answer to a point that leaves this word out is that of another word.
+TEST(Said, OfAWordsDefaultIsWhereItIsLeftOut) {
+  const auto said_with = [](const char* word, void (*change)(Scene&, std::size_t count)) {
+    std::size_t count = 0;
+    return said_of("operating_point", [=](const json& inputs) mutable {
+      Scene scene = *parse_scene_json(inputs.dump(), "case", SceneUse::one_speed).scene;
+      if (!inputs.contains(json::json_pointer(word))) change(scene, count++);
+      const auto numbers = numbers_of(MixedContact<double>(scene).solve(scene.speeds[0]));
+      json fields;
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (!output_infos[i].is_of_smooth_contact)
+          fields[std::string(output_infos[i].name)] =
+              std::isfinite(numbers[i]) ? json(numbers[i]) : json();
+      return fields;
+    });
+  };
+  const std::string words = " where it is left out";
+  expect_said(said_with("/closures/starvation",
+                        [](Scene& scene, std::size_t) {
+                          scene.closures.starvation = StarvationClosure::starved_inlet;
+                        }),
+              {"`closures.starvation` = starved_inlet" + words});
+  expect_said(said_with("/closures/asperity",
+                        [](Scene& scene, std::size_t) {
+                          scene.closures.asperity = AsperityModel::greenwood_williamson;
+                        }),
+              {"`closures.asperity` = greenwood_williamson" + words});
+  expect_said(said_with("/friction/viscosity",
+                        [](Scene& scene, std::size_t) {
+                          scene.friction.viscosity = ViscosityLaw::ambient;
+                        }),
+              {"`friction.viscosity` = ambient" + words});
+  // Some of these points alone have another word.
+  const std::string some = said_with("/friction/viscosity", [](Scene& scene, std::size_t count) {
+    if (count % 2 == 0) scene.friction.viscosity = ViscosityLaw::ambient;
+  });
+  EXPECT_EQ(some.find(words), std::string::npos) << some;
 }
 
 TEST(Said, OfTwoMistakesAreBoth) {
