@@ -126,6 +126,14 @@ class SweepTest(ProgramTest):
             time.sleep(0.002)
         return True
 
+    def wait_for_handler(self, process, number):
+        """Until the process has a handler of its own for the signal, which would end it before."""
+        def has_handler():
+            with open(f"/proc/{process.pid}/status", encoding="ascii", errors="replace") as file:
+                mask = next((line.split()[1] for line in file if line.startswith("SigCgt:")), "0")
+            return int(mask, 16) >> (number - 1) & 1
+        return self.wait_until(has_handler)
+
     def wait_for_parts(self, count=3):
         return self.wait_until(lambda: len(self.parts()) >= count)
 
