@@ -110,7 +110,7 @@ void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
   }
 }
 
-// What a point's friction is of, which may be cut off inside of it.
+// The numbers that a point's friction is computed from, each of which may be cut off inside of it.
 void add_sheared_film(std::vector<Input>& all) {
   const auto add = [&all](const char* symbol, double ShearedFilm::*number,
                           std::optional<double> FrictionReading::*reading) {

@@ -208,7 +208,7 @@ constexpr std::pair<std::string_view, double Question::*> summit_numbers[] = {
     {"real_area_times", &Question::real_area_times},
     {"summit_count_times", &Question::summit_count_times}};
 
-// Of a line the nominal area of the summits times c L^a, with its pressure left as it is.
+// A line's nominal area of the summits times c L^a, with its pressure left as it is.
 void scale_rough_line(Question& question, double c, double a) {
   const Bodies& bodies = question.scene->bodies;
   if (bodies.shape() != ContactShape::line) return;

@@ -51,8 +51,8 @@ struct FrictionReading {
   bool operator==(const FrictionReading&) const = default;
 };
 
-// What the fluid's shear stress is of: the pressure that thickens it in Pa, ln(η/η₀), the shear
-// rate in 1/s and the gap in m.
+// The numbers that the fluid's shear stress is computed from: the pressure that thickens it in Pa,
+// ln(η/η₀), the shear rate in 1/s and the gap in m.
 struct ShearedFilm {
   double pressure, log_viscosity, shear_rate, gap;
 };
@@ -82,7 +82,7 @@ Numbers numbers_of(const catalogue::Results& results);
 // The numbers of an operating point, with the question's number of summits and friction.
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question);
 
-// Of an operating point that has a film and friction; empty: of any other.
+// The sheared film of an operating point; empty: it has no film or no friction, or is no point.
 std::optional<ShearedFilm> sheared_film(const Question& question);
 
 // The model's results with the changes that the question carries. NaN where a fit says nothing.

@@ -725,7 +725,7 @@ TEST(Misread, IsADefaultWhereOneCaseLeavesTheInputOut) {
               false);
 }
 
-// What friction is of inside of a point is cut off in some points.
+// A number inside of a point, from which its friction is computed, is cut off in some points.
 TEST(Misread, IsACutInsideOfFriction) {
   const auto cut = [](std::function<void(Question&, const ShearedFilm&)> change) {
     return [=](const TestCase& asked, json& fields) {

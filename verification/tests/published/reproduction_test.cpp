@@ -618,8 +618,8 @@ TEST(Arguments, OfTheInletCountThePrintPrecisionOfTheOil) {
                                              "printed_exponents, line gap"}));
 }
 
-// Of λ's switches the print precision leaves the inlet and the gap open, and not the scale of λ;
-// what other claims identify stays.
+// The print precision leaves λ's inlet and gap open, and not the scale of λ; what other claims
+// identify stays.
 TEST(Arguments, LeaveNothingIdentifiedThatTheirCandidatesLeaveOpen) {
   std::size_t found = 0, others = 0;
   for (std::size_t i = 0; i < items().size(); ++i) {

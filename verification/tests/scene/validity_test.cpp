@@ -320,7 +320,7 @@ TEST(Validity, TheInletIsHeatedAtTheLastSpeedWithAFilm) {
   EXPECT_NE(of("[0.1, 20]").advice.find("at 20 m/s"), std::string::npos);
 }
 
-// What follows from a number in another unit than was meant is no reason for advice.
+// A number in another unit than was meant is no reason for advice on what follows from it.
 TEST(Validity, WhereANumberIsASlipNothingElseIsAdvised) {
   const auto advice = [](const char* modulus) {
     SceneText text = ordinary().set("bodies.effective_modulus", modulus);
