@@ -48,7 +48,7 @@ std::optional<double> number_in(std::string_view cell, std::string_view unit, st
     auto decimal = scene_detail::si_decimal(fmt::format("{} {}", cell, unit), written);
     if (!decimal) return std::nullopt;
     text = std::move(*decimal);
-  } else if (!unit.empty() && unit != "-") {
+  } else if (!unit.empty() && unit != "-" && unit != "–") {
     return std::nullopt;
   }
   double number = 0;
@@ -132,8 +132,11 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"h c", Output::film},
     {"hcen", Output::film},
     {"h cen", Output::film},
+    {"h*", Output::film},
     {"hmin", Output::minimum_film},
     {"h min", Output::minimum_film},
+    {"central film", Output::film},
+    {"minimum film", Output::minimum_film},
     {"film thickness", Output::film},
     {"central film thickness", Output::film},
     {"minimum film thickness", Output::minimum_film},
@@ -159,15 +162,16 @@ constexpr auto shared_names = std::to_array<SharedName>({
     {"load share", "asperity_load_share or fluid_load_share"},
 });
 
-// In small letters, with blanks for underscores, speed for velocity, μ for the micro sign, which
-// keyboards have, Λ for Lambda, and without a dot at the end.
+// In small letters, with blanks for underscores and hyphens, without commas, speed for velocity, μ
+// for the micro sign, which keyboards have, Λ for Lambda, and without a dot at the end.
 std::string plain_name(std::string_view name) {
   if (name == "Lambda") return "Λ";
   std::string plain(name);
   for (char& letter : plain) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    if (letter == '_') letter = ' ';
+    if (letter == '_' || letter == '-') letter = ' ';
   }
+  std::erase(plain, ',');
   if (plain.ends_with('.')) plain.pop_back();
   constexpr std::array<std::pair<std::string_view, std::string_view>, 2> same{
       {{"velocity", "speed"}, {"µ", "μ"}}};
@@ -210,10 +214,10 @@ struct HeldColumn {
 };
 constexpr auto load_names = std::to_array<std::string_view>(
     {"load", "normal load", "normal force", "applied load", "f", "fn", "f n", "w"});
-constexpr auto ratio_names = std::to_array<std::string_view>(
-    {"srr", "slide roll ratio", "slide-roll ratio", "slide to roll ratio"});
-constexpr auto temperature_names =
-    std::to_array<std::string_view>({"temperature", "oil temperature", "temp", "t"});
+constexpr auto ratio_names =
+    std::to_array<std::string_view>({"srr", "slide roll ratio", "slide to roll ratio"});
+constexpr auto temperature_names = std::to_array<std::string_view>(
+    {"temperature", "oil temperature", "lubricant temperature", "temp", "t"});
 // Rigs hold a load and a speed to some per cent, and a bath to a kelvin.
 constexpr double tolerance_of_rigs = 0.02, tolerance_of_kelvins = 1;
 constexpr auto held_columns = std::to_array<HeldColumn>({
@@ -230,10 +234,16 @@ constexpr auto held_columns = std::to_array<HeldColumn>({
      tolerance_of_kelvins},
 });
 
+// Its symbol may follow the name, as in "normal load F".
 const HeldColumn* held_column(std::string_view plain) {
+  const auto is_of = [](const HeldColumn& held, std::string_view name) {
+    return std::ranges::find(held.names, name) != held.names.end() ||
+           plain_name(held.field.substr(held.field.find('.') + 1)) == name;
+  };
+  const std::size_t last = std::min(plain.rfind(' '), plain.size());
   for (const HeldColumn& held : held_columns)
-    if (std::ranges::find(held.names, plain) != held.names.end() ||
-        plain_name(held.field.substr(held.field.find('.') + 1)) == plain)
+    if (is_of(held, plain) ||
+        (is_of(held, plain.substr(0, last)) && is_of(held, trimmed(plain.substr(last)))))
       return &held;
   return nullptr;
 }
@@ -440,8 +450,10 @@ class MeasuredReader {
     columns_.push_back(column);
     if (!column.is_known) return;
     if (column.output && !asked_.contains(*column.output))
-      return refuse(place, heading, "the scene's `outputs` do not ask for it",
-                    allowed_names(asked_));
+      return refuse(
+          place, heading,
+          fmt::format("the scene's `outputs` do not ask for {}", info(*column.output).name),
+          allowed_names(asked_));
     const bool is_double =
         std::any_of(columns_.begin(), columns_.end() - 1, [&column](const DataColumn& before) {
           return before.is_known && before.output == column.output;

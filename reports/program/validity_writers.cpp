@@ -18,15 +18,15 @@ using nlohmann::ordered_json;
 constexpr std::size_t table_width = 120;
 
 // A number in the unit that engineers have for its size: "1.08 GPa", "3.2 nm".
-std::string quantity_text(double value, std::string_view unit) {
+std::string quantity_text(double value, std::string_view unit, int digits = 3) {
   const double size = std::fabs(value);
   if (unit == "Pa" && size >= 1e4 && std::isfinite(value))
-    return size >= 1e9 ? fmt::format("{:.3g} GPa", value / 1e9)
-                       : fmt::format("{:.3g} MPa", value / 1e6);
+    return size >= 1e9 ? fmt::format("{:.{}g} GPa", value / 1e9, digits)
+                       : fmt::format("{:.{}g} MPa", value / 1e6, digits);
   if (unit == "m" && size > 0 && size < 1e-3)
-    return size < 1e-6 ? fmt::format("{:.3g} nm", value / 1e-9)
-                       : fmt::format("{:.3g} µm", value / 1e-6);
-  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
+    return size < 1e-6 ? fmt::format("{:.{}g} nm", value / 1e-9, digits)
+                       : fmt::format("{:.{}g} µm", value / 1e-6, digits);
+  return fmt::format("{:.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
 }
 
 // A number of the limit; that of a field as scenes have it.
@@ -35,6 +35,15 @@ std::string number_of(const Validity& limit, double number) {
     return quantity_text(number, limit.unit);
   return scene_detail::number_text(number) + (limit.unit.empty() ? "" : " ") +
          std::string(limit.unit);
+}
+
+// The limit's number, with more digits where it would read as the bound that it is beyond.
+std::string value_text(const Validity& limit) {
+  std::string text = number_of(limit, limit.value);
+  const bool reads_as_bound =
+      limit.field.empty() && limit.is_known() && !limit.holds() &&
+      (text == number_of(limit, limit.least) || text == number_of(limit, limit.greatest));
+  return reads_as_bound ? quantity_text(limit.value, limit.unit, 6) : text;
 }
 
 // The bounds, as "at most 4 GPa", or of a range "1e-05 Pa·s to 10 Pa·s".
@@ -57,7 +66,7 @@ std::string_view holds_text(const Validity& limit) {
 std::string passed_text(const Validity& limit, bool is_short) {
   const std::string_view name = limit.field.empty() ? limit.word : limit.field;
   std::string text = fmt::format("{}{} {} ({}", name, limit.value_follows ? ", which follows," : "",
-                                 number_of(limit, limit.value), bounds_text(limit));
+                                 value_text(limit), bounds_text(limit));
   if (limit.judged_cases > 0)
     text +=
         fmt::format("; in {} of {} cases{}, furthest in case {}", limit.cases, limit.judged_cases,
@@ -86,9 +95,8 @@ void append_validity(Text& to, std::string_view id, const std::vector<Validity>&
     if (!limit.advice.empty()) assumption += fmt::format(" Here {}.", limit.advice);
     if (!limit.likely_unit.empty())
       assumption += fmt::format(" Perhaps {} was meant.", limit.likely_unit);
-    table.rows.push_back({std::string(holds_text(limit)), number_of(limit, limit.value),
-                          bounds_text(limit), std::string(limit.touches), std::string(limit.word),
-                          assumption});
+    table.rows.push_back({std::string(holds_text(limit)), value_text(limit), bounds_text(limit),
+                          std::string(limit.touches), std::string(limit.word), assumption});
   }
   append(to, report::plain_table(table, table_width));
 }

@@ -174,6 +174,23 @@ class Data(CurveTest):
         self.assertEqual((clean["on_curve"], clean["median_on_curve_percent"]), (2, clean["median_deviation_percent"]))
         self.assertNotIn("on the curve", self.compared(head + good, tree).out)
 
+    def test_headings_are_read_with_their_symbol_commas_hyphens_and_dashes(self):
+        tree = quiet_scene("smooth", load=50)
+        head, row = "u [m/s],film [nm],friction,load [N]\n", "0.01,7,0.04,70\n"
+
+        def points(text):
+            path = self.folder.write("measured.csv", text)
+            return run("curve", self.write(tree), "--data", path, "--format", "json").json()["points"]
+        plain = points(head + row)
+        for names in ('"Speed, u [m/s]","Central film, h_c (nm)",friction coefficient µ (–),Normal load F (N)\n',
+                      'speed u (m/s),film h* (nm),CoF [–],load / N\n'):
+            self.assertEqual(points(names + row), plain)
+        self.assertTrue(all(one["other"] for one in plain))
+        for name in ("Slide-to-roll ratio (%)", "slide-roll ratio", "SRR [–]"):
+            self.assertTrue(points(f"u [m/s],film [nm],{name}\n0.01,7,900\n")[0]["other"], name)
+        for name in ("normal load V (N)", "load of the rig (N)"):  # these may be something else
+            self.assertFalse(points(f"u [m/s],film [nm],{name}\n0.01,7,900\n")[0]["other"], name)
+
     def test_each_mistake_is_one_line_with_its_place(self):
         for text, *expected in [
                 ("", "line 0: no columns"), (HEAD, "line 1: nothing was measured"),
@@ -193,7 +210,7 @@ class Data(CurveTest):
                 ("sliding speed [m/s],CoF\n", "line 1: there is no column speed: the sliding speed is that of the faces against each other"),
                 ("speed h [m/s],CoF\n", "line 1: there is no column speed;"), ("v / (V),CoF\n", "line 1: there is no column speed;"),
                 ("v [m/s],traction (N)\n", "line 1: there is no column of what was measured; allowed: film_flooded, film (also h, hc,"),
-                ("v [m/s],Λ\n", "line 1, column 2 (Λ): the scene's `outputs` do not ask for it"), ("ue,CoF\n", "line 1, column 1 (ue): its unit is missing"),
+                ("v [m/s],Λ\n", "line 1, column 2 (Λ): the scene's `outputs` do not ask for lambda_ratio"), ("ue,CoF\n", "line 1, column 1 (ue): its unit is missing"),
                 ("speed [m/s],h [hPa]\n", "line 1: there is no column of what was measured"), ("speed [m/s]\n7\n", "line 1: there is no column of what was measured"),
                 (HEAD + "0.1,20\n0.2,20,0.1,3\n", "line 2: 2 cells", "line 3: 4 cells"),
                 (HEAD + "0,20,0.1\n-1,20,x\n,20,0.1\n", "line 2, column 1 (speed [m/s]): 0 is not allowed",
@@ -203,7 +220,7 @@ class Data(CurveTest):
                  "line 3, column 2 (film [nm]): nan is not allowed", "line 4, column 2 (film [nm]): -2 is not allowed")]:
             with self.subTest(text):
                 self.refused(text, *expected)
-        self.refused(HEAD + "0.1,20,0.1\n", "line 1, column 3 (friction): the scene's `outputs` do not ask for it",
+        self.refused(HEAD + "0.1,20,0.1\n", "line 1, column 3 (friction): the scene's `outputs` do not ask for friction",
                      tree=quiet_scene("smooth", outputs=["film"]))
 
     def test_other_columns_are_named_in_one_line(self):

@@ -46,6 +46,14 @@ class Warnings(ValidityTest):
         self.assertIn("lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was meant)", done.said)
         self.assertIn('accept = ["viscosity_range"] in the scene accepts them', done.said)
 
+    def test_a_number_just_beyond_its_bound_does_not_read_as_the_bound(self):
+        tree = quiet_scene(speed=0.1)
+        limit, = [one for one in run("contact", self.write(tree), "--format", "json").json()["scenes"][0]["validity"] if one["word"] == "alpha_p0"]
+        for part, holds, number in ((1.001, "no", "30.03"), (0.999, "yes", "30")):
+            alpha = tree["lubricant"]["pressure_viscosity"] * part * limit["greatest"] / limit["value"]
+            text = run("contact", self.write(with_field(tree, "lubricant.pressure_viscosity", alpha))).out
+            self.assertRegex(text, rf"\n{holds} +{number} +at most 30 ")
+
     def test_what_the_users_tripped_over_is_told(self):
         roller = dict(quiet_scene(**LINE), load=46e3)
         self.assertIn("length_range", self.passed("solve", with_field(roller, "bodies.length", 10.0)))

@@ -201,9 +201,9 @@ def formula_data(formula, films):
     errors = [number / one.of(formula) - 1 for number, one in zip(numbers, table)]
     at_home = [place for place in zip(errors, table) if is_elastic_and_viscous(place[1])]
     return {"name": formula.name, "authors": formula.authors, "quantity": formula.quantity, "liquid": formula.liquid,
-            "points": len(errors), "least": place_of(*min(zip(errors, table))), "median": statistics.median_high(errors),
+            "points": len(errors), "least": place_of(*min(zip(errors, table))), "median": statistics.median(errors),
             "greatest": place_of(*max(zip(errors, table))),
-            "median_size": statistics.median_high([abs(error) for error in errors]),
+            "median_size": statistics.median([abs(error) for error in errors]),
             "elastic_viscous": {"points": len(at_home), "least": place_of(*min(at_home)), "greatest": place_of(*max(at_home))} if at_home else None}
 
 
@@ -211,7 +211,7 @@ def solved_data(table):
     """The relative errors that the table states for its films."""
     errors = [(error / film, one) for one in table for film, error in zip(one.film, one.error)]
     return {"films": len(errors), "within_1e_4": sum(error <= 1e-4 for error, _ in errors),
-            "median": statistics.median_high([error for error, _ in errors]), "greatest": place_of(*max(errors, key=lambda one: one[0]))}
+            "median": statistics.median([error for error, _ in errors]), "greatest": place_of(*max(errors, key=lambda one: one[0]))}
 
 
 def interpolation_data(barus, compressible):
