@@ -219,7 +219,10 @@ int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, 
   for (const std::string& picture : drawn.written) complain("drew " + picture);
   for (const std::string& why : drawn.undrawn) complain(why);
   if (drawn.written.empty() && drawn.undrawn.empty())
-    complain("nothing in this result can be drawn");
+    complain(
+        "nothing in this result can be drawn: it has no onset speeds, no output over several "
+        "speeds, no "
+        "sensitivities and no grid of films");
   return drawn.undrawn.empty() ? code : exit_failed;
 }
 

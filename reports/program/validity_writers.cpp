@@ -129,11 +129,12 @@ void Warnings::add(std::string_view source, std::string_view id,
 void Warnings::tell(std::string_view where) const {
   if (scenes_.empty()) return;
   std::vector<std::string_view> words;
-  std::string told;
+  std::string slips, others;  // numbers that are likely in another unit are told first
   for (const OfScene& scene : scenes_)
     for (const Validity& limit : scene.passed) {
       if (std::find(words.begin(), words.end(), limit.word) != words.end()) continue;
       words.push_back(limit.word);
+      std::string& told = limit.likely_unit.empty() ? others : slips;
       told += (told.empty() ? "" : ", ") + passed_text(limit, true);
       const auto passes_too = [&](const OfScene& other) {
         return std::any_of(other.passed.begin(), other.passed.end(),
@@ -149,7 +150,8 @@ void Warnings::tell(std::string_view where) const {
   complain(fmt::format(
       "warning: {}outside of the model's limits: {}; {}, and accept = [{}] in the scene "
       "accepts them",
-      scenes_.size() == 1 ? scenes_.front().source + ": " : "", told, where, accepted));
+      scenes_.size() == 1 ? scenes_.front().source + ": " : "",
+      slips + (slips.empty() || others.empty() ? "" : ", ") + others, where, accepted));
 }
 
 ordered_json Warnings::json() const {

@@ -77,7 +77,7 @@ def paper(report):
         models = "GT or GW" if found["rows"][0]["criterion"] else "GT"
         said = ends(found["factors"], 3) if found["factors"] else ""
         yield (": the paper gives no number." if found["counted"] == 0 else
-               f": {found['agreeing']} of {found['counted']} values (a surface with {models}) round to what it prints; " +
+               f": {found['agreeing']} of {found['counted']} values (a surface with {models}) round to what the paper prints; " +
                (f"computed over printed: {said}." if " to " in said else f"each is {said} times that."))
     for one in report["paper"]["comparisons"]["onset_speed"]["rows"]:
         if "none" in one:

@@ -315,7 +315,7 @@ class Numbers(WrittenReport):
             self.assertEqual((found["agreeing"], found["counted"]), (inside, len(told)))
             factors = [float(row["computed/reported"]) for row in told]
             self.assertEqual(found["factors"], [min(factors), max(factors)])
-            self.assertRegex(self.text, rf"{inside} of {len(told)} values \([^)]*\) round to what it prints")
+            self.assertRegex(self.text, rf"{inside} of {len(told)} values \([^)]*\) round to what the paper prints")
             standing = next(one["standing"] for one in self.told["findings"] if one["id"] == quantity)
             self.assertEqual(standing, "holds" if inside == len(told) else "differs")
 

@@ -45,6 +45,9 @@ class Warnings(ValidityTest):
         self.assertIn("a.toml: outside of the model's limits: ", done.said)
         self.assertIn("lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was meant)", done.said)
         self.assertIn('accept = ["viscosity_range"] in the scene accepts them', done.said)
+        tree = without_field(with_field(quiet_scene(speed=0.1), "lubricant.viscosity", 20.2), "accept")
+        said = run("solve", self.write(tree)).said  # it stands before what follows from it
+        self.assertIn("a.toml: outside of the model's limits: lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was meant), ", said)
 
     def test_a_number_just_beyond_its_bound_does_not_read_as_the_bound(self):
         tree = quiet_scene(speed=0.1)
