@@ -126,7 +126,7 @@ def of_ledger(report):
         return f"{ends([one['low'], one['high']], 3)} ({name + ': ' if name else ''}{whole(at)} lies {'within' if one['low'] <= at <= one['high'] else 'outside'})"
     yield f"what is plausible, 95 % lie at {', '.join(varied('onset_speed', name, 1) for name in SURFACES)} m/s."
     yield f"within that λ lies at {varied('onset_film_parameter', None, 0)} in 95 %."
-    yield f"precision of the inputs 95 % lie at {', '.join(varied('slow_asperity_share', name, 0) for name in ('rough', 'smooth'))}."
+    yield f"with the assumed β (E17) taken as printed to one digit, 95 % lie at {', '.join(varied('slow_asperity_share', name, 0) for name in ('rough', 'smooth'))}."
     yield (f"C2 is then {gap['verdict']} (λ = {sig(gap['film_parameter'], 4)} on all three surfaces), C1 stays {gap['onset_verdict']} (factors "
            f"{ends(gap['onset_factors'], 3)}), and {gap['score']} claims are reproduced.")
     yield "mended in it too: " + ", ".join(one["erratum"] for one in ledger["errata"] if one["kind"] == "mended") + "."
