@@ -197,8 +197,8 @@ class Data:
 
     def work(self, name):
         stem, of_evaluations = re.fullmatch(r"work_(.*?)(_evaluations)?", name).groups()
-        found = list(blocks(self.out / f"data/work_precision/{stem}.blocks.tsv"))
-        found = found if stem == "line_film" else found[:8]  # the others are data alone
+        everything = list(blocks(self.out / f"data/work_precision/{stem}.blocks.tsv"))
+        found = [one for one in everything if stem != "line_film" or "_minimum" not in one[0]][:8]  # the others are data alone
         x, factor = {"line_film": ("CPU time a contact", 1e-9)}.get(stem, ("CPU time a point", 1))
         x, y = "evaluations a point" if of_evaluations else x, "greatest relative error" if stem == "line_film" else "greatest error"
 
@@ -207,7 +207,7 @@ class Data:
         bars = [] if of_evaluations or stem == "line_film" else [series("", None, points(rows) + points(rows, "mean error"), True) for _, rows in found]
         shown = [one for one in found if not of_evaluations or one[1][0][x] != "NaN"]
         missing, title = ("no numbers", "no number in some cases") if stem == "line_film" else ("failures", "failures in some cases")
-        failing = [row for _, rows in found for row in rows if float(row[missing]) > 0]
+        failing = [row for _, rows in (everything if stem == "line_film" else found) for row in rows if float(row[missing]) > 0]
         return [(True, True, bars + [series(name, None, points(rows)) for name, rows in shown] +
                  [series(title, 0, points(failing))] * (bool(failing) or stem != "line_film"), False)]
 
