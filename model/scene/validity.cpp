@@ -844,6 +844,7 @@ enum class Which : std::uint8_t { all, not_kept };
 
 template <class Take>
 void take_assumptions(const State& state, Which which, const Take& take) {
+  const bool has_slip = has_likely_slip(state.scene);
   for (const Row& row : rows) {
     const double value = row.value(state);
     if (std::isnan(value)) continue;
@@ -865,8 +866,7 @@ void take_assumptions(const State& state, Which which, const Take& take) {
     const bool is_known = least != 0 || greatest < unbounded;
     const bool holds = value >= least && value <= greatest;
     if (which == Which::not_kept && holds) continue;
-    const bool is_advised =
-        advice != nullptr && !(is_known && holds) && !has_likely_slip(state.scene);
+    const bool is_advised = advice != nullptr && !(is_known && holds) && !has_slip;
     take(Validity{
         .word = row.word,
         .assumption = row.assumption,

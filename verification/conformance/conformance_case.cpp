@@ -77,16 +77,10 @@ std::vector<TestCase> cases_of(const catalogue::Function& function,
   return cases;
 }
 
-json::json_pointer pointer_of(const FieldInfo& field) {
-  std::string pointer = '/' + std::string(field.path);
-  std::replace(pointer.begin(), pointer.end(), '.', '/');
-  return json::json_pointer(pointer);
-}
-
 // Puts the number or word of a field into a scene's JSON.
 void put(json& scene, std::size_t place, double value) {
   const FieldInfo& field = scene_fields()[place];
-  json& to = scene[pointer_of(field)];
+  json& to = scene[pointer_to(field.path)];
   if (field.type == FieldType::choice)
     to = field.choices[static_cast<std::size_t>(value)];
   else if (field.type == FieldType::integer)
@@ -184,7 +178,7 @@ std::vector<TestCase> without_defaults(const std::vector<TestCase>& points) {
     json inputs = one.inputs;
     bool is_new = false;
     for (const FieldInfo& field : scene_fields()) {
-      const json::json_pointer place = pointer_of(field);
+      const json::json_pointer place = pointer_to(field.path);
       if (field.default_text.empty() || !inputs.contains(place)) continue;
       const json& value = inputs[place];
       const std::string text = value.is_string() ? value.get<std::string>()

@@ -11,7 +11,6 @@
 
 namespace tribo::conformance {
 
-inline constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 inline constexpr double rounding = 1e-5;  // of logarithms: single precision too
 
 // "27.5 % low everywhere": how the wrong numbers are off.

@@ -23,7 +23,8 @@ namespace {
 
 // The end of a text without a cause.
 constexpr const char* unknown = " None of the known mistakes gives these ";
-constexpr int most_causes = 3;  // told one after the other
+constexpr int most_causes = 3;     // told one after the other
+constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr std::size_t fewest_followed = 3;
 // Points that are told by themselves beside those with a result wrong that is computed before.
 constexpr std::size_t fewest_others = 3;

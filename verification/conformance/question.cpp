@@ -69,12 +69,12 @@ double mean_pressure_of(const Scene& scene) {
 }
 
 ShearedFilm sheared_film_of(const OperatingPoint<double>& point, const Scene& scene,
-                            const FrictionReading& reading) {
+                            double mean_pressure, const FrictionReading& reading) {
   const Lubricant& oil = scene.lubricant;
   // Another p_R in Roelands' law is the right one with αp_R′/p_R and p·p_R/p_R′; Barus' αp stays.
   const double times = reading.roelands_pressure / roelands_pressure<double>();
   const double pressure = reading.pressure.value_or(
-      reading.pressure_times * mean_pressure_of(scene) *
+      reading.pressure_times * mean_pressure *
       (reading.whole_pressure != 0 ? reading.whole_pressure : point.fluid_load_share));
   const double log_viscosity = reading.log_viscosity.value_or(log_viscosity_ratio(
       scene.friction.viscosity, std::pow(oil.viscosity, reading.roelands_logarithm),
@@ -87,7 +87,9 @@ ShearedFilm sheared_film_of(const OperatingPoint<double>& point, const Scene& sc
 
 double friction_of(const OperatingPoint<double>& point, const Scene& scene,
                    const FrictionReading& reading) {
-  const auto [pressure, thickening, rate, gap] = sheared_film_of(point, scene, reading);
+  const double mean_pressure = mean_pressure_of(scene);
+  const auto [pressure, thickening, rate, gap] =
+      sheared_film_of(point, scene, mean_pressure, reading);
   const double viscosity = scene.lubricant.viscosity, yield = *scene.lubricant.eyring_stress;
   const double newtonian = viscosity * std::exp(thickening) * rate;
   const bool is_limiting = scene.friction.fluid == FluidShear::limiting;
@@ -100,7 +102,7 @@ double friction_of(const OperatingPoint<double>& point, const Scene& scene,
                           reading.film_boundary * point.fluid_load_share + reading.whole_boundary;
   const double sheared = std::max(0.0, 1 - reading.contact_area * point.real_area_ratio);
   return *scene.friction.boundary_coefficient * boundary +
-         reading.film * stress * sheared / mean_pressure_of(scene);
+         reading.film * stress * sheared / mean_pressure;
 }
 
 }  // namespace
@@ -171,7 +173,8 @@ std::optional<ShearedFilm> sheared_film(const Question& question) {
   if (!question.scene || !has_friction_inputs(*question.scene)) return std::nullopt;
   const auto point = MixedContact<double>(*question.scene).solve(question.scene->speeds[0]);
   if (point.regime == Regime::collapsed) return std::nullopt;
-  return sheared_film_of(point, *question.scene, question.friction);
+  return sheared_film_of(point, *question.scene, mean_pressure_of(*question.scene),
+                         question.friction);
 }
 
 Numbers right_numbers(const Question& question) {
