@@ -49,19 +49,19 @@ Extremum smooth_extremum(std::span<const double> x, std::span<const double> y, s
   return best;
 }
 
-}  // namespace
+// The least value between nodes too, next to an end that of the node there.
+double least(std::span<const double> x, std::span<const double> y) {
+  const auto i = static_cast<std::size_t>(std::ranges::min_element(y) - y.begin());
+  return i == 0 || i + 1 == y.size() ? y[i] : smooth_extremum(x, y, i).value;
+}
 
-FilmFeatures features_of(const LineContact& contact, const LineFilm& film) {
-  const std::span<const double> x(film.x), p(film.pressure.data(), film.x.size()),
-      h(film.film.data(), film.x.size());
+// The features of the line through the middle, along the direction of entrainment.
+FilmFeatures features_along(std::span<const double> x, std::span<const double> p,
+                            std::span<const double> h) {
   FilmFeatures found;
   const std::array<double, 1> middle{0};
   found.central = interpolated(x, h, middle).front();
-
-  Eigen::Index least;
-  found.minimum = film.film.minCoeff(&least);
-  if (least > 0 && least + 1 < film.film.size())
-    found.minimum = smooth_extremum(x, h, static_cast<std::size_t>(least)).value;
+  found.minimum = least(x, h);
 
   bool is_past_minimum = false;
   std::size_t before_spike = 0;
@@ -78,13 +78,46 @@ FilmFeatures features_of(const LineContact& contact, const LineFilm& film) {
     found.spike_place = top.place;
   }
 
-  const std::size_t upstream = found.has_spike ? before_spike : x.size();
-  Eigen::Index greatest;
-  film.pressure.head(static_cast<Eigen::Index>(upstream)).maxCoeff(&greatest);
-  found.greatest_pressure = vertex(x, p, static_cast<std::size_t>(greatest)).value;
-  found.pressure_beside_greatest =
-      std::min(film.pressure[greatest - 1], film.pressure[greatest + 1]);
+  const auto upstream = p.first(found.has_spike ? before_spike : x.size());
+  const auto greatest =
+      static_cast<std::size_t>(std::ranges::max_element(upstream) - upstream.begin());
+  const Extremum top = vertex(x, p, greatest);
+  found.greatest_pressure = top.value;
+  found.pressure_beside_greatest = std::min(p[greatest - 1], p[greatest + 1]);
+  const std::array<double, 1> place{top.place};
+  found.at_greatest_pressure = interpolated(x, h, place).front();
+  return found;
+}
+
+}  // namespace
+
+FilmFeatures features_of(const LineContact& contact, const LineFilm& film) {
+  const std::size_t count = film.x.size();
+  FilmFeatures found =
+      features_along(film.x, {film.pressure.data(), count}, {film.film.data(), count});
   found.at_greatest_pressure = film.mass_flow / contact.fluid.density(found.greatest_pressure);
+  return found;
+}
+
+FilmFeatures features_of(const PointFilm& film) {
+  const PlaneGrid& grid = film.grid;
+  const auto across = static_cast<std::size_t>(grid.count_x());
+  Numbers x(across);
+  for (int i = 0; i < grid.count_x(); ++i) x[static_cast<std::size_t>(i)] = grid.x(i);
+  const auto row = [&](const Eigen::VectorXd& values, int j) {
+    return std::span<const double>(values.data() + grid.node(0, j), across);
+  };
+  FilmFeatures found = features_along(x, row(film.pressure, 0), row(film.film, 0));
+  // The least film of each row, and the least of these: rows below Y = 0 are those above.
+  constexpr int mirrored = 4;
+  Numbers y, rows;
+  for (int j = -mirrored; j < grid.count_y(); ++j) {
+    y.push_back(j * grid.dy);
+    rows.push_back(j < 0 ? 0 : least(x, row(film.film, j)));
+  }
+  for (int j = 1; j <= mirrored; ++j)
+    rows[static_cast<std::size_t>(mirrored - j)] = rows[static_cast<std::size_t>(mirrored + j)];
+  found.minimum = least(y, rows);
   return found;
 }
 

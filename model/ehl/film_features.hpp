@@ -3,10 +3,12 @@
 #pragma once
 
 #include "ehl/line_film.hpp"
+#include "ehl/point_film.hpp"
 
 namespace tribo::ehl {
 
-// All numbers are without units: H, P and X of line_contact.hpp.
+// All numbers are without units: H, P and X of line_contact.hpp or point_contact.hpp. In a point
+// contact all but the least film are of the line Y = 0.
 struct FilmFeatures {
   double central = 0;  // H at X = 0
   double minimum = 0;  // the least H, between nodes too
@@ -21,5 +23,6 @@ struct FilmFeatures {
 };
 
 FilmFeatures features_of(const LineContact& contact, const LineFilm& film);
+FilmFeatures features_of(const PointFilm& film);
 
 }  // namespace tribo::ehl

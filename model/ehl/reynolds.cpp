@@ -1,41 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ehl/reynolds.hpp"
 
-#include <cmath>
 #include <cstddef>
+
+#include "ehl/liquid_flow.hpp"
 
 namespace tribo::ehl {
 namespace {
-
-// The mean of e^{−y} for y from a to b, and its derivatives.
-struct MeanFluidity {
-  double value, by_first, by_second;
-};
-
-MeanFluidity mean_fluidity(double a, double b) {
-  const double half = (b - a) / 2;
-  const double middle = std::exp(-(a + b) / 2);
-  double s, slope;  // sinh(d)/d and its derivative
-  if (std::fabs(half) < 1e-2) {
-    const double square = half * half;
-    s = 1 + square / 6 * (1 + square / 20);
-    slope = half / 3 * (1 + square / 10);
-  } else {
-    s = std::sinh(half) / half;
-    slope = (std::cosh(half) - s) / half;
-  }
-  return {middle * s, -middle * (s + slope) / 2, -middle * (s - slope) / 2};
-}
-
-// The liquid at a node.
-struct Liquid {
-  double log_viscosity, log_viscosity_slope, density, density_slope;
-};
-
-Liquid liquid_at(const Fluid& fluid, double p) {
-  return {fluid.log_viscosity(p), fluid.log_viscosity_slope(p), fluid.density(p),
-          fluid.density_slope(p)};
-}
 
 // The flow between nodes i and i + 1, and its derivatives by film and pressure at the nodes i − 1,
 // i and i + 1.
@@ -57,7 +28,7 @@ Balance balance_of(const LineContact& contact, std::span<const double> x,
                    const Eigen::VectorXd& pressure, const Eigen::VectorXd& film, bool with_slopes) {
   const std::size_t count = x.size();
   const double theta = contact.theta();
-  std::vector<Liquid> liquid(count);
+  std::vector<LiquidAtNode> liquid(count);
   for (std::size_t i = 0; i < count; ++i)
     liquid[i] = liquid_at(contact.fluid, pressure[static_cast<Eigen::Index>(i)]);
 
@@ -73,26 +44,15 @@ Balance balance_of(const LineContact& contact, std::span<const double> x,
       flow.by_film[k] = weight[k] * liquid[j].density;
       flow.by_pressure[k] = weight[k] * liquid[j].density_slope * film[at(j)];
     }
-    const Liquid &here = liquid[i], &next = liquid[i + 1];
-    const double cell = x[i + 1] - x[i];
-    const double middle_film = (film[at(i)] + film[at(i + 1)]) / 2;
-    const double density = (here.density + next.density) / 2;
-    const MeanFluidity fluidity = mean_fluidity(here.log_viscosity, next.log_viscosity);
-    const double cube = middle_film * middle_film * middle_film / theta;
-    const double slope = (pressure[at(i + 1)] - pressure[at(i)]) / cell;
-    const double conductance = density * cube * fluidity.value;
-    flow.value -= conductance * slope;
-    flow.diffusion = conductance / cell;
-    const double by_film = 1.5 * conductance / middle_film * slope;
-    flow.by_film[1] -= by_film;
-    flow.by_film[2] -= by_film;
-    const double by_fluidity = density * cube * slope, by_density = cube * fluidity.value * slope;
-    flow.by_pressure[1] += flow.diffusion -
-                           by_fluidity * fluidity.by_first * here.log_viscosity_slope -
-                           by_density * here.density_slope / 2;
-    flow.by_pressure[2] -= flow.diffusion +
-                           by_fluidity * fluidity.by_second * next.log_viscosity_slope +
-                           by_density * next.density_slope / 2;
+    const DrivenFlow driven =
+        driven_flow(liquid[i], liquid[i + 1], film[at(i)], film[at(i + 1)],
+                    pressure[at(i + 1)] - pressure[at(i)], x[i + 1] - x[i], theta);
+    flow.value += driven.value;
+    flow.diffusion = driven.diffusion;
+    for (std::size_t k = 0; k < 2; ++k) {
+      flow.by_film[k + 1] += driven.by_film[k];
+      flow.by_pressure[k + 1] += driven.by_pressure[k];
+    }
   }
 
   const auto size = static_cast<Eigen::Index>(count);

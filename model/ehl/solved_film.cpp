@@ -2,9 +2,9 @@
 #include "ehl/solved_film.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "ehl/text.hpp"
 
 namespace tribo::ehl {
 namespace {
@@ -28,13 +28,6 @@ Numbers with_longer_inlet(const Numbers& x) {
     longer.push_back(x[0] * std::pow(2, 1 - static_cast<double>(i) / more));
   longer.insert(longer.end(), x.begin(), x.end());
   return longer;
-}
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 300> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
 }
 
 // Why a contact is not tried; empty if it is.

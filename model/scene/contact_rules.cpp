@@ -57,7 +57,7 @@ void check_line(const Bodies& bodies, Problems& problems) {
   problems.error("bodies." + std::string(radius),
                  {Fault::other, "",
                   std::string("this is the contact of ") + (is_circle ? "a circle" : "an ellipse") +
-                      ", and the film is solved of line contacts alone",
+                      ", and a sweep solves films of line contacts alone",
                   "radius_x and length, or first_radius_x, second_radius_x and length"});
 }
 
@@ -213,11 +213,11 @@ void check_derived(const Scene& scene, const Numbers& numbers, Problems& problem
 std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film_is_given,
                                      Problems& problems) {
   check_faces(scene, problems);
-  if (use == SceneUse::line_film)
-    check_line(scene.bodies, problems);
-  else
+  if (use == SceneUse::line_film) check_line(scene.bodies, problems);
+  if (!is_of_solved_films(use)) {
     check_film(scene, film_is_given, problems);
-  if (use != SceneUse::line_film && !problems.any()) check_rise(scene, problems);
+    if (!problems.any()) check_rise(scene, problems);
+  }
   check_profile(scene, problems);
   check_oil(scene.lubricant.oil, problems);
   if (problems.any()) return std::nullopt;

@@ -67,7 +67,7 @@ class SceneBinder {
     for (std::size_t field = 0; field < scene_fields().size(); ++field) take(field);
     check_supply();
     check_roughness();
-    if (!is_of_line_film()) check_outputs();
+    if (!is_of_solved_film()) check_outputs();
     check_smooth();
     check_speed_range();
     check_roelands();
@@ -172,7 +172,7 @@ class SceneBinder {
     const FieldInfo& info = scene_fields()[field];
     bool needed = info.required;
     if (named().of_speed[field]) needed = needed && speed_is_table();
-    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset && !is_of_line_film();
+    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset && !is_of_solved_film();
     if (needed) report_missing(field, "");
   }
 
@@ -408,9 +408,9 @@ class SceneBinder {
     };
     if (given_[named().outputs] == nullptr)
       scene_.outputs.erase(Output::film_parameter);
-    else if (scene_.outputs.contains(Output::film_parameter) && !is_of_line_film())
+    else if (scene_.outputs.contains(Output::film_parameter) && !is_of_solved_film())
       refuse_ratio("outputs", "film_parameter", "other outputs");
-    if (is_given("supply.inlet_film_ratio") && !is_of_line_film())
+    if (is_given("supply.inlet_film_ratio") && !is_of_solved_film())
       refuse_ratio("supply.inlet_film_ratio", "this", "inlet_film or inlet_flow");
   }
 
@@ -418,7 +418,7 @@ class SceneBinder {
 
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
-  bool is_of_line_film() const { return use_ == SceneUse::line_film; }
+  bool is_of_solved_film() const { return is_of_solved_films(use_); }
   // A scene is of smooth bodies where [surface] is not there, or has the roughness for Λ alone.
   bool is_smooth() const {
     return ((is_given_ | explained_) & named().of_summits).none() &&
@@ -510,7 +510,7 @@ class SceneBinder {
       else
         refuse_beside(path, first, "exactly one of " + names_in("supply"));
     }
-    if (is_of_line_film() && !first.empty())
+    if (is_of_solved_film() && !first.empty())
       problems_.warning(first, {.what = "not used: the solved film is that of a flooded inlet"});
     if (first.empty() && has_section("supply") && !supply_explained_)
       problems_.error("supply", {Fault::other, "", "empty",
@@ -527,7 +527,7 @@ class SceneBinder {
   // bearing.
   void note_heat() {
     if (scene_.lubricant.thermal == ThermalInlet::none) return;
-    if (is_of_line_film())
+    if (is_of_solved_film())
       problems_.warning("lubricant.thermal",
                         {.what = "not used: the solved film is that of an isothermal inlet"});
     else if (!is_given("friction.slide_roll_ratio"))

@@ -97,7 +97,7 @@ struct State {
   }
 
   bool has_summits() const { return !scene.surface.is_smooth(); }
-  bool solves_film() const { return use == SceneUse::line_film; }
+  bool solves_film() const { return is_of_solved_films(use); }
   bool follows(ViscosityLaw law) const {
     // A solved film takes Barus' law where the scene names none of a liquid.
     const bool takes_barus = solves_film() && scene.friction.viscosity == ViscosityLaw::ambient;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "ehl/line_conditions.hpp"
+#include "ehl/film_conditions.hpp"
 #include "ehl/solved_film.hpp"
 #include "scene/schema.hpp"
 #include "tribo/onset.hpp"
@@ -91,7 +91,7 @@ void CaseSolver::solve_films(std::span<const double> values, std::span<double> r
   for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
   const std::size_t speeds = scene_.speeds.size();
   for (std::size_t j = 0; j < speeds; ++j) {
-    const ehl::LineConditions conditions = ehl::conditions_of(scene_, scene_.speeds[j]);
+    const ehl::FilmConditions conditions = ehl::conditions_of(scene_, scene_.speeds[j]);
     const ehl::LineContact contact = ehl::contact_of(conditions);
     const ehl::SolvedFilm solved =
         ehl::solve_line_film(contact, {}, [this](const ehl::Step&) { return !is_stopped(); });

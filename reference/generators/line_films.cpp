@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ehl/line_conditions.hpp"
+#include "ehl/film_conditions.hpp"
 #include "ehl/solved_film.hpp"
 #include "generators/line_collocation.hpp"
 #include "generators/table_file.hpp"
@@ -232,15 +232,15 @@ int make_compressible(const std::filesystem::path& file) {
   std::string rows;
   const auto add = [&](const Contact& c, const char* role) {
     const double root = std::pow(c.material_number / (2 * coefficient * modulus), 2);  // √(2U)
-    const LineConditions conditions{.speed = root * root * modulus * radius / viscosity,
+    const FilmConditions conditions{.speed = root * root * modulus * radius / viscosity,
                                     .viscosity = viscosity,
                                     .pressure_viscosity = coefficient,
-                                    .load_per_length = c.load_number * root * 2 * modulus * radius,
+                                    .load = c.load_number * root * 2 * modulus * radius,
                                     .effective_modulus = modulus,
                                     .radius = radius,
                                     .viscosity_law = tribo::ViscosityLaw::roelands,
-                                    .density_law = LineDensity::dowson_higginson};
-    const LineScale scale = scale_of(conditions);
+                                    .density_law = FilmDensity::dowson_higginson};
+    const FilmScale scale = scale_of(conditions);
     rows += map_row(c, contact_of(conditions),
                     fmt::format(",{:.6g},{:.6g}", scale.speed_number, scale.peak_pressure), role);
   };

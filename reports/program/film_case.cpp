@@ -8,9 +8,11 @@
 #include <map>
 #include <optional>
 
-#include "ehl/line_conditions.hpp"
+#include "ehl/film_conditions.hpp"
 #include "ehl/line_formulas.hpp"
 #include "ehl/solved_film.hpp"
+#include "ehl/solved_point.hpp"
+#include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
 
 namespace tribo::cli {
@@ -24,13 +26,13 @@ constexpr double greatest_spike_error = 0.02;
 constexpr Measured unknown{std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::quiet_NaN()};
 
-ehl::LineConditions conditions_of(const Scene& scene, double speed, const FilmSettings& settings) {
-  ehl::LineConditions conditions = ehl::conditions_of(scene, speed);
+ehl::FilmConditions conditions_of(const Scene& scene, double speed, const FilmSettings& settings) {
+  ehl::FilmConditions conditions = ehl::conditions_of(scene, speed);
   if (!settings.viscosity.empty())
     conditions.viscosity_law =
         settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus;
   if (settings.density == "dowson_higginson")
-    conditions.density_law = ehl::LineDensity::dowson_higginson;
+    conditions.density_law = ehl::FilmDensity::dowson_higginson;
   return conditions;
 }
 
@@ -44,7 +46,7 @@ std::string_view stands_for(ehl::FilmQuantity quantity) {
 }
 
 void set_spike(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineContact& contact,
-               const ehl::LineScale& scale) {
+               const ehl::FilmScale& scale) {
   film.spike_pressure = film.spike_place = unknown;
   if (!ehl::features_of(contact, solved.film).has_spike) {
     film.no_spike = fmt::format(
@@ -68,23 +70,23 @@ void set_spike(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineCon
         100 * height.relative_error(), height.value * scale.peak_pressure, film.cells);
 }
 
-ehl::LineConditions of_liquid(ehl::LineConditions conditions, ehl::FitLiquid liquid) {
+ehl::FilmConditions of_liquid(ehl::FilmConditions conditions, ehl::FitLiquid liquid) {
   const bool is_roelands = liquid == ehl::FitLiquid::roelands_compressible;
   conditions.viscosity_law = is_roelands ? ViscosityLaw::roelands : ViscosityLaw::barus;
   conditions.density_law =
-      is_roelands ? ehl::LineDensity::dowson_higginson : ehl::LineDensity::incompressible;
+      is_roelands ? ehl::FilmDensity::dowson_higginson : ehl::FilmDensity::incompressible;
   return conditions;
 }
 
-bool is_of(const ehl::LineConditions& conditions, ehl::FitLiquid liquid) {
-  const ehl::LineConditions other = of_liquid(conditions, liquid);
+bool is_of(const ehl::FilmConditions& conditions, ehl::FitLiquid liquid) {
+  const ehl::FilmConditions other = of_liquid(conditions, liquid);
   return conditions.viscosity_law == other.viscosity_law &&
          conditions.density_law == other.density_law;
 }
 
 // The solved film of the liquid that a formula was fitted to; empty where that liquid is not known,
 // where Roelands' law has no such liquid of this viscosity, or where the film is not solved.
-std::optional<ehl::SolvedFilm> film_of_fit(ehl::LineConditions conditions, ehl::FitLiquid liquid,
+std::optional<ehl::SolvedFilm> film_of_fit(ehl::FilmConditions conditions, ehl::FitLiquid liquid,
                                            const ehl::SolveOptions& options,
                                            const ehl::Watch& watch) {
   if (liquid == ehl::FitLiquid::unknown) return std::nullopt;
@@ -100,10 +102,10 @@ std::optional<ehl::SolvedFilm> film_of_fit(ehl::LineConditions conditions, ehl::
 // `solved`: the film of the contact's own liquid. The films of other liquids that formulas were
 // fitted to are solved here, each once.
 void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved,
-                  const ehl::LineConditions& conditions, const ehl::SolveOptions& options,
+                  const ehl::FilmConditions& conditions, const ehl::SolveOptions& options,
                   const ehl::Watch& watch) {
   const ehl::LineContact contact = ehl::contact_of(conditions);
-  const ehl::LineScale scale = ehl::scale_of(conditions);
+  const ehl::FilmScale scale = ehl::scale_of(conditions);
   const double unit = scale.film / contact.film_number(1);
   std::map<ehl::FitLiquid, std::optional<ehl::SolvedFilm>> of_fits;
   for (const ehl::LineFormula& formula : ehl::line_formulas) {
@@ -126,7 +128,37 @@ void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved,
   }
 }
 
-void set_profile(FilmCase& film, const ehl::LineFilm& line, const ehl::LineScale& scale) {
+// The laws of point contacts. No text at hand tells their liquid.
+void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c) {
+  for (const NamedFilmLaw& named : named_film_laws) {
+    if (named.law->is_of_lines) continue;
+    const bool has_film = c.pressure_viscosity > 0 || named.law->material_exponent.p == 0;
+    // The laws take 1 for k^0: α of a liquid of constant viscosity is not used.
+    const double length =
+        has_film ? film_thickness(*named.law, c.speed, c.viscosity,
+                                  c.pressure_viscosity > 0 ? c.pressure_viscosity : 1., c.load,
+                                  c.effective_modulus, c.radius, film.ellipticity)
+                 : unknown.value;
+    const bool is_minimum = named.word.ends_with("_minimum");
+    const double solved = is_minimum ? film.minimum.value : film.central.value;
+    film.formulas.push_back({named.word,
+                             stands_for(is_minimum ? ehl::FilmQuantity::minimum
+                                                   : ehl::FilmQuantity::central),
+                             ehl::name(ehl::FitLiquid::unknown), length, unknown.value,
+                             length / solved - 1});
+  }
+}
+
+void set_profile(FilmCase& film, const ehl::PointFilm& point, const ehl::FilmScale& scale) {
+  for (int i = 0; i < point.grid.count_x(); ++i) {
+    const Eigen::Index node = point.grid.node(i, 0);
+    film.profile.push_back({point.grid.x(i) * scale.half_width,
+                            point.pressure[node] * scale.peak_pressure,
+                            point.film[node] * scale.film});
+  }
+}
+
+void set_profile(FilmCase& film, const ehl::LineFilm& line, const ehl::FilmScale& scale) {
   film.profile.reserve(line.x.size());
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     const auto node = static_cast<Eigen::Index>(i);
@@ -141,45 +173,86 @@ std::vector<std::string_view> film_formula_names() {
   std::vector<std::string_view> names;
   names.reserve(ehl::line_formulas.size());
   for (const ehl::LineFormula& formula : ehl::line_formulas) names.push_back(formula.name);
+  for (const NamedFilmLaw& named : named_film_laws)
+    if (!named.law->is_of_lines) names.push_back(named.word);
   return names;
 }
 
-FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
-                    const FilmWatch& watch) {
-  const ehl::LineConditions conditions = conditions_of(scene, speed, settings);
-  const ehl::LineScale scale = ehl::scale_of(conditions);
-  const ehl::LineContact contact = ehl::contact_of(conditions);
-  const ehl::SolveOptions options{.tolerance = settings.tolerance,
-                                  .greatest_cells = settings.tolerance < 1e-5 ? 32768 : 8192,
-                                  .at_edge = at_edge};
-  const ehl::Watch step_watch = [&](const ehl::Step& step) { return watch(step.cells, step.step); };
-  const ehl::SolvedFilm solved = ehl::solve_line_film(contact, options, step_watch);
+namespace {
 
+// The numbers of a contact that are given, before it is solved.
+FilmCase given_case(const Scene& scene, const ehl::FilmConditions& conditions,
+                    const FilmSettings& settings) {
+  const ehl::FilmScale scale = ehl::scale_of(conditions);
   FilmCase film{};
   film.id = scene.id;
   film.viscosity = conditions.viscosity_law == ViscosityLaw::roelands ? "roelands" : "barus";
-  film.density = conditions.density_law == ehl::LineDensity::dowson_higginson ? "dowson_higginson"
+  film.density = conditions.density_law == ehl::FilmDensity::dowson_higginson ? "dowson_higginson"
                                                                               : "incompressible";
-  film.speed = speed;
-  film.load_number = contact.load_number;
-  film.material_number = contact.material_number;
+  film.speed = conditions.speed;
   film.half_width = scale.half_width;
   film.peak_pressure = scale.peak_pressure;
+  film.ellipticity = conditions.is_line() ? unknown.value : scale.ellipticity;
+  film.tolerance = settings.tolerance > 0 ? settings.tolerance : conditions.is_line() ? 1e-4 : 1e-3;
+  film.spike_pressure = film.spike_place = unknown;
+  return film;
+}
+
+template <class Contact, class Solved>
+void set_films(FilmCase& film, const Contact& contact, const Solved& solved, double unit) {
+  film.load_number = contact.load_number;
+  film.material_number = contact.material_number;
   film.is_solved = solved.outcome == ehl::Outcome::solved;
   film.reason = solved.reason;
   film.grids = solved.grids;
   film.steps = solved.steps;
-  film.central = times(solved.central, scale.film);
-  film.minimum = times(solved.minimum, scale.film);
-  film.at_greatest_pressure = times(solved.at_greatest_pressure, scale.film);
+  film.central = times(solved.central, unit);
+  film.minimum = times(solved.minimum, unit);
+  film.at_greatest_pressure = times(solved.at_greatest_pressure, unit);
+}
+
+void solve_line(FilmCase& film, const ehl::FilmConditions& conditions, const ehl::Watch& watch) {
+  const ehl::FilmScale scale = ehl::scale_of(conditions);
+  const ehl::LineContact contact = ehl::contact_of(conditions);
+  const ehl::SolveOptions options{.tolerance = film.tolerance,
+                                  .greatest_cells = film.tolerance < 1e-5 ? 32768 : 8192,
+                                  .at_edge = at_edge};
+  const ehl::SolvedFilm solved = ehl::solve_line_film(contact, options, watch);
+  set_films(film, contact, solved, scale.film);
   ehl::SolveOptions of_fits = options;
   of_fits.tolerance = std::fmax(options.tolerance, 1e-4);
-  set_formulas(film, solved, conditions, of_fits, step_watch);
-  film.spike_pressure = film.spike_place = unknown;
-  if (!film.is_solved) return film;
+  set_formulas(film, solved, conditions, of_fits, watch);
+  if (!film.is_solved) return;
   film.cells = static_cast<int>(solved.film.x.size()) - 1;
   set_spike(film, solved, contact, scale);
   set_profile(film, solved.film, scale);
+}
+
+void solve_point(FilmCase& film, const ehl::FilmConditions& conditions, const ehl::Watch& watch) {
+  const ehl::FilmScale scale = ehl::scale_of(conditions);
+  const ehl::PointContact contact = ehl::point_contact_of(conditions);
+  const ehl::SolvedPoint solved =
+      ehl::solve_point_film(contact, {.tolerance = film.tolerance}, watch);
+  set_films(film, contact, solved, scale.film);
+  set_point_formulas(film, conditions);
+  if (!film.is_solved) return;
+  film.no_spike = "not given for circles and ellipses, whose grids do not resolve it";
+  film.cells = solved.film.grid.count_x() - 1;
+  film.cells_across = 2 * solved.film.grid.beside;
+  set_profile(film, solved.film, scale);
+}
+
+}  // namespace
+
+FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
+                    const FilmWatch& watch) {
+  const ehl::FilmConditions conditions = conditions_of(scene, speed, settings);
+  const ehl::Watch step_watch = [&](const ehl::Step& step) { return watch(step.cells, step.step); };
+  FilmCase film = given_case(scene, conditions, settings);
+  if (conditions.is_line())
+    solve_line(film, conditions, step_watch);
+  else
+    solve_point(film, conditions, step_watch);
   return film;
 }
 

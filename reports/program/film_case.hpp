@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One line contact of a scene at one speed, solved, in SI units, beside each formula's film; and
-// such films as a table, CSV or JSON.
+// One contact of a scene at one speed, solved, in SI units, beside each formula's film; and such
+// films as a table, CSV or JSON.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -17,7 +18,9 @@ namespace tribo::cli {
 struct FilmSettings {
   std::string viscosity;                   // barus or roelands; empty: the scene's own
   std::string density = "incompressible";  // or dowson_higginson
-  double tolerance = 1e-4;                 // relative, of the three films
+  // Relative, of the three films; 0: 1e-4 of a line, 1e-3 of a circle or an ellipse, whose least
+  // film may be off by three times as much.
+  double tolerance = 0;
 };
 
 // A number and its absolute error; both NaN where there is no number.
@@ -47,46 +50,51 @@ struct FilmCase {
   std::string_view viscosity, density;              // laws of this contact's liquid
   double speed;                                     // m/s
   double load_number, material_number;              // M and L
-  double half_width, peak_pressure;                 // Hertz': m, Pa
+  double half_width, peak_pressure;                 // Hertz': b or a_x, m; Pa
+  double ellipticity;                               // Hertz': a_y/a_x; NaN of a line
+  double tolerance;                                 // that was taken
   Measured central, minimum, at_greatest_pressure;  // m
   Measured spike_pressure, spike_place;             // Pa, m
   std::string no_spike;  // why the spike lacks its pressure, or both numbers
   bool is_solved = false;
   // Why it is not solved, or which error was reached in place of the tolerance; else empty.
   std::string reason;
-  int grids = 0, cells = 0, steps = 0;  // cells of the finest grid; steps of Newton's method in all
+  // Cells of the finest grid; of a plane grid along x, and as many across as the second number; 0 of
+  // a line. Steps of Newton's method in all.
+  int grids = 0, cells = 0, cells_across = 0, steps = 0;
   std::vector<FormulaFilm> formulas;
-  std::vector<ProfilePoint> profile;  // nodes of the finest grid
+  std::vector<ProfilePoint> profile;  // nodes of the finest grid along the middle, y = 0
+
+  bool is_line() const { return std::isnan(ellipticity); }
 };
 
-// Names of the formulas, in the order of FilmCase::formulas.
+// Names of all formulas: those of lines, then those of circles and ellipses. A FilmCase has those of
+// its contact, in this order.
 std::vector<std::string_view> film_formula_names();
 
 // Called before every step of Newton's method; the work stops where it returns false.
 using FilmWatch = std::function<bool(int cells, int step)>;
 
-// Solves a scene that was read as a line (SceneUse::line_film).
+// Solves a scene that was read with SceneUse::film.
 FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
                     const FilmWatch& watch);
 
 // format: "table", "csv" or "json". In CSV rows of profiles take the place of rows of films.
 class FilmWriter {
  public:
-  FilmWriter(std::string_view format, const FilmSettings& settings, bool with_profile, Text& text);
+  FilmWriter(std::string_view format, bool with_profile, Text& text);
 
   void add(const FilmCase& film);
   void finish(const nlohmann::ordered_json& warnings);
 
  private:
   std::string_view format_;
-  const FilmSettings& settings_;
   bool with_profile_;
   Text& text_;
   std::string_view before_;  // the next film
 };
 
 // One film as the JSON has it.
-nlohmann::ordered_json film_json(const FilmCase& film, const FilmSettings& settings,
-                                 bool with_profile);
+nlohmann::ordered_json film_json(const FilmCase& film, bool with_profile);
 
 }  // namespace tribo::cli

@@ -35,7 +35,8 @@ constexpr auto quantities = std::to_array<Quantity>({
     {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, true},
 });
 
-// A number of the contact that is given: M, L or one of Hertz' numbers.
+// A number of the contact that is given: M, L or one of Hertz' numbers; NaN where the contact has
+// none.
 struct Given {
   std::string_view name, words, unit;
   double FilmCase::*value;
@@ -44,6 +45,7 @@ constexpr auto given = std::to_array<Given>({
     {"load_number", "load number M", "-", &FilmCase::load_number},
     {"material_number", "material number L", "-", &FilmCase::material_number},
     {"half_width", "half-width by Hertz, b", "m", &FilmCase::half_width},
+    {"ellipticity", "ellipticity by Hertz, a_y/a_x", "-", &FilmCase::ellipticity},
     {"peak_pressure", "peak pressure by Hertz", "Pa", &FilmCase::peak_pressure},
 });
 
@@ -80,7 +82,7 @@ void append_csv_number(Text& to, double value) {
   if (std::isfinite(value)) protocol::append_number(to, value);
 }
 
-void append_csv(Text& to, const FilmCase& film, const FilmSettings& settings) {
+void append_csv(Text& to, const FilmCase& film) {
   append(to, report::csv_text(film.id));
   append_csv_number(to, film.speed);
   for (const Given& one : given) append_csv_number(to, film.*one.value);
@@ -88,13 +90,18 @@ void append_csv(Text& to, const FilmCase& film, const FilmSettings& settings) {
     append_csv_number(to, (film.*one.value).value);
     append_csv_number(to, (film.*one.value).error);
   }
-  for (const FormulaFilm& formula : film.formulas) {
-    append_csv_number(to, formula.film);
-    append_csv_number(to, 100 * formula.deviation);
-    append_csv_number(to, 100 * formula.this_liquid_deviation);
+  for (const std::string_view name : film_formula_names()) {
+    const auto formula = std::ranges::find(film.formulas, name, &FormulaFilm::name);
+    if (formula == film.formulas.end()) {
+      append(to, ",,,");
+      continue;
+    }
+    append_csv_number(to, formula->film);
+    append_csv_number(to, 100 * formula->deviation);
+    append_csv_number(to, 100 * formula->this_liquid_deviation);
   }
   append(to, fmt::format(",{},{}", film.viscosity, film.density));
-  append_csv_number(to, settings.tolerance);
+  append_csv_number(to, film.tolerance);
   append(to, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
                          report::csv_text(film.no_spike), report::csv_text(film.reason)));
 }
@@ -111,7 +118,10 @@ void append_csv_profile(Text& to, const FilmCase& film) {
 }
 
 void append_formulas(Text& to, const FilmCase& film) {
-  const std::vector<ColumnHead> heads{{"formula", "", 24},
+  std::size_t longest = 24;
+  for (const FormulaFilm& formula : film.formulas)
+    longest = std::max(longest, formula.name.size());
+  const std::vector<ColumnHead> heads{{"formula", "", longest},
                                       {"film", "[m]", number_width},
                                       {"deviation", "[%]", deviation_width},
                                       {"this liquid", "[%]", deviation_width},
@@ -164,13 +174,20 @@ void append_notes(Text& to, const FilmCase& film) {
       film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
       film.viscosity == "barus" ? "Barus" : "Roelands"));
   note(
-      "deviation: the formula against the film solved for the liquid that it was fitted to, which "
-      "is that of the last column, where it is known; this liquid: the formula against the film "
-      "above");
-  note(fmt::format(
-      "± is what the numerical solution may be off by; {} grids, the finest of {} cells",
-      film.grids, film.cells));
-  if (film.viscosity == "barus" || film.density == "incompressible") note(note_on_oil(film));
+      film.is_line()
+          ? "deviation: the formula against the film solved for the liquid that it was fitted to, "
+            "which is that of the last column, where it is known; this liquid: the formula against "
+            "the film above"
+          : "this liquid: the formula against the film above; deviation, from the film of the "
+            "liquid that the formula was fitted to, is not known, because no text at hand names it");
+  if (!film.is_line())
+    note("the minimum film lies in the constriction beside the middle or behind it");
+  note(fmt::format("± is what the numerical solution may be off by; {} grids, the finest of {} cells",
+                   film.grids,
+                   film.is_line() ? std::to_string(film.cells)
+                                  : fmt::format("{} × {}", film.cells, film.cells_across)));
+  if (film.is_line() && (film.viscosity == "barus" || film.density == "incompressible"))
+    note(note_on_oil(film));
 }
 
 void append_profile(Text& to, const FilmCase& film) {
@@ -187,12 +204,16 @@ void append_profile(Text& to, const FilmCase& film) {
 }
 
 void append_table(Text& to, const FilmCase& film, bool with_profile) {
-  append_title(to, fmt::format("{}: line contact at {} m/s", film.id, readable(film.speed)));
+  append_title(to, fmt::format("{}: {} contact at {} m/s", film.id,
+                               film.is_line() ? "line" : "point", readable(film.speed)));
   const auto add = [&](std::string_view words, const std::string& value, const std::string& error,
                        std::string_view unit, const std::string& part = {}) {
     append(to, fmt::format("  {:<30} {:>14} {:>9}  [{}]{}\n", words, value, error, unit, part));
   };
-  for (const Given& one : given) add(one.words, readable(film.*one.value), "", one.unit);
+  for (const Given& one : given)
+    if (!std::isnan(film.*one.value))
+      add(film.is_line() || one.name != "half_width" ? one.words : "semi-axis by Hertz, a_x",
+          readable(film.*one.value), "", one.unit);
   for (const Quantity& one : quantities) {
     const Measured& measured = film.*one.value;
     if (std::isfinite(measured.value))
@@ -209,7 +230,7 @@ void append_table(Text& to, const FilmCase& film, bool with_profile) {
 }  // namespace
 
 // Numbers that are not finite are written as null.
-ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool with_profile) {
+ordered_json film_json(const FilmCase& film, bool with_profile) {
   ordered_json json{{"id", film.id}, {"speed", film.speed}};
   for (const Given& one : given) json[std::string(one.name)] = film.*one.value;
   ordered_json undefined = ordered_json::object();
@@ -235,9 +256,10 @@ ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool 
                          {"bodies", "smooth"},          {"inlet", "flooded"},
                          {"temperature", "isothermal"}, {"liquid", "newtonian"},
                          {"motion", "steady"}};
-  json["tolerance"] = settings.tolerance;
+  json["tolerance"] = film.tolerance;
   json["grids"] = film.grids;
   json["cells"] = film.cells;
+  if (!film.is_line()) json["cells_across"] = film.cells_across;
   json["newton_steps"] = film.steps;
   if (!film.reason.empty()) json["reason"] = film.reason;
   if (!undefined.empty()) json["undefined"] = std::move(undefined);
@@ -245,9 +267,8 @@ ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool 
   return json;
 }
 
-FilmWriter::FilmWriter(std::string_view format, const FilmSettings& settings, bool with_profile,
-                       Text& text)
-    : format_(format), settings_(settings), with_profile_(with_profile), text_(text), before_("") {
+FilmWriter::FilmWriter(std::string_view format, bool with_profile, Text& text)
+    : format_(format), with_profile_(with_profile), text_(text), before_("") {
   if (format == "json")
     append(text_, list_start("film/1", "films"));
   else if (format == "csv" && with_profile)
@@ -258,10 +279,10 @@ FilmWriter::FilmWriter(std::string_view format, const FilmSettings& settings, bo
 
 void FilmWriter::add(const FilmCase& film) {
   if (format_ == "csv")
-    return with_profile_ ? append_csv_profile(text_, film) : append_csv(text_, film, settings_);
+    return with_profile_ ? append_csv_profile(text_, film) : append_csv(text_, film);
   append(text_, std::exchange(before_, format_ == "table" ? "\n" : list_comma));
   if (format_ == "table") return append_table(text_, film, with_profile_);
-  append(text_, film_json(film, settings_, with_profile_)
+  append(text_, film_json(film, with_profile_)
                     .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 

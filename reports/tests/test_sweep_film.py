@@ -93,7 +93,7 @@ class SolvedFilms(SweepTest):
 
     def test_a_circle_is_refused_in_one_line(self):
         circle = SWEEP.replace("radius_x = 0.01\nlength = 0.01", "reduced_radius = 0.01")
-        self.assert_refused(self.sweep(circle), "the film is solved of line contacts alone")
+        self.assert_refused(self.sweep(circle), "a sweep solves films of line contacts alone")
 
     def test_the_c_library_cannot_leave_fused_multiply_add_out(self):
         self.assert_refused(self.sweep(SWEEP, "--without-fma"), "--without-fma", "without solved_film")

@@ -124,9 +124,15 @@ enum class SceneUse : std::uint8_t {
   speeds,     // solve, curve: `speed` is required
   onset,      // `speed` is optional
   one_speed,  // stream: `speed` is one number
-  line_film,  // film: a line; `speed` is optional, α may be 0, and nothing is asked of [surface],
+  film,       // film: `speed` is optional, α may be 0, and nothing is asked of [surface],
               // [friction] and `outputs`; a supply is warned of, because it is not used
+  line_film,  // sweep of solved films: the same, of a line
 };
+
+// Whether films are solved, not computed by a law.
+constexpr bool is_of_solved_films(SceneUse use) {
+  return use == SceneUse::film || use == SceneUse::line_film;
+}
 
 inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 20;
 

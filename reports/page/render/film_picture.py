@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The picture of one solved line contact: its pressure beside Hertz', and its film beside the formulas'.
+"""The picture of one solved contact, a line or the middle of an ellipse: its pressure beside Hertz', and its film beside the formulas'.
 
 `tribocheck film --picture` calls this. DATA is one film of what `tribocheck film --profile --format json`
 prints. Prints what was drawn, as JSON.
@@ -10,7 +10,9 @@ from numbers_text import rounded
 
 NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginson_minimum": "Dowson–Higginson",
          "dowson_toyoda_central": "Dowson–Toyoda", "pan_hamrock_minimum": "Pan–Hamrock",
-         "pan_hamrock_central": "Pan–Hamrock"}
+         "pan_hamrock_central": "Pan–Hamrock", "hamrock_dowson_central": "Hamrock–Dowson",
+         "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft bodies",
+         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft bodies"}
 HEIGHT = 840
 LABEL_GAP = 0.06  # part of the film's axis between two labels
 LAWS = {"barus": "Barus", "roelands": "Roelands", "incompressible": "incompressible",
@@ -62,7 +64,7 @@ def axes(contact):
     if contact["peak_pressure"] < 3*pressure:
         pressure = max(pressure, contact["peak_pressure"])
     solved = contact["film_at_greatest_pressure"]["value"]
-    films = [one["film"] for one in contact["formulas"] if one["film"] is not None and one["film"] < 2*solved]
+    films = [one["film"] for one in drawn_formulas(contact) if one["film"] < 2*solved]
     return 1.12*pressure, 1.45*max(solved, *films)
 
 
@@ -80,6 +82,15 @@ def formula_text(contact, formula):
     return f"{NAMES.get(formula['name'], formula['name'])} {signed(formula['this_liquid_deviation_percent'])} %{of_fit}"
 
 
+def drawn_formulas(contact):
+    """The formulas with a film; of a point contact, whose laws are of stiff and of soft bodies, the nearest for each film."""
+    known = [one for one in contact["formulas"] if one["film"] is not None]
+    if contact["ellipticity"] is None:
+        return known
+    return [min((one for one in known if one["stands_for"] == film), key=lambda one: abs(one["this_liquid_deviation_percent"]))
+            for film in dict.fromkeys(one["stands_for"] for one in known)]
+
+
 def blocks(contact):
     """Tab-separated blocks: the axes; the profile; Hertz' pressure; the formulas' films."""
     width, profile, peak = contact["half_width"], contact["profile"], contact["peak_pressure"]
@@ -90,7 +101,7 @@ def blocks(contact):
     head = row(1e6*width*low, 1e6*width*high, pressure_top/unit, 1e6*film_top, 1e6*place, height/unit, note, name)
     solved = [row(1e6*x, p/unit, 1e6*h) for x, p, h in zip(profile["x"], profile["pressure"], profile["film"])]
     hertz = [row(1e6*width*i/200, peak/unit*max(0, 1 - (i/200)**2)**0.5) for i in range(-200, 201)]
-    shown = [(one["film"], one) for one in contact["formulas"] if one["film"] is not None and one["film"] < film_top]
+    shown = [(one["film"], one) for one in drawn_formulas(contact) if one["film"] < film_top]
     formulas = [row(1e6*one["film"], 1e6*place, "1" if one["stands_for"] == "minimum_film" else "0",
                     formula_text(contact, one))
                 for place, one in spread(shown, 0.2*film_top, 0.8*film_top, LABEL_GAP*film_top)]
@@ -102,13 +113,15 @@ def pressure_text(pressure):
 
 
 def drawn(contact, data):
-    conditions = contact["assumptions"]
+    conditions, is_line = contact["assumptions"], contact["ellipticity"] is None
     liquid = f"{LAWS[conditions['viscosity']]}, {LAWS[conditions['density']]}"
     text = (f"M = {rounded(contact['load_number'], 3)}, L = {rounded(contact['material_number'], 3)}; "
-            f"Hertz: half-width {rounded(1e6*contact['half_width'], 3)} µm, {pressure_text(contact['peak_pressure'])}; {liquid}")
+            f"Hertz: {'half-width' if is_line else 'semi-axis'} {rounded(1e6*contact['half_width'], 3)} µm, {pressure_text(contact['peak_pressure'])}; {liquid}")
+    if not is_line:
+        text += f"; least film {rounded(1e6*contact['minimum_film']['value'], 3)} µm, beside the middle"
     title = contact["id"] if len(contact["id"]) <= 40 else contact["id"][:40] + "…"
     return {"script": "film.gp", "data": data, "name": "film", "height": HEIGHT,
-            "title": drawing.enhanced(f"{title}: line contact at {contact['speed']:.4g} m/s"),
+            "title": drawing.enhanced(f"{title}: {'line' if is_line else 'point'} contact at {contact['speed']:.4g} m/s"),
             "subtitle": drawing.enhanced(text)}
 
 

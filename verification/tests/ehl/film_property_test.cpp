@@ -10,7 +10,7 @@
 
 #include "ehl/film_kernel.hpp"
 #include "ehl/films.hpp"
-#include "ehl/line_conditions.hpp"
+#include "ehl/film_conditions.hpp"
 #include "ehl/reynolds.hpp"
 #include "ehl/sampled_contact.hpp"
 #include "support/judge.hpp"
@@ -97,15 +97,15 @@ TEST(SolvedFilm, FallsWithTheLoadAndRisesWithTheViscosityUnderPressure) {
 TEST(LineConditions, OtherUnitsLeaveTheContactAlone) {
   Sampler sampler(31);
   for (int i = 0; i < 100; ++i) {
-    const ehl::LineConditions si = random_conditions(sampler);
+    const ehl::FilmConditions si = random_conditions(sampler);
     const double metre = sampler.log_uniform(1e-3, 1e3), kilogram = sampler.log_uniform(1e-3, 1e3);
     const double second = sampler.log_uniform(1e-3, 1e3);
     const double pascal = kilogram / (metre * second * second);
-    ehl::LineConditions other = si;
+    ehl::FilmConditions other = si;
     other.speed *= metre / second;
     other.viscosity *= pascal * second;
     other.pressure_viscosity /= pascal;
-    other.load_per_length *= pascal * metre;
+    other.load *= pascal * metre;
     other.effective_modulus *= pascal;
     other.radius *= metre;
     const ehl::LineContact one = ehl::contact_of(si), two = ehl::contact_of(other);

@@ -11,7 +11,7 @@
 
 #include "accuracy/reference_table.hpp"
 #include "ehl/films.hpp"
-#include "ehl/line_conditions.hpp"
+#include "ehl/film_conditions.hpp"
 #include "ehl/line_formulas.hpp"
 #include "support/judge.hpp"
 #include "tribo/film_thickness.hpp"
@@ -90,11 +90,11 @@ TEST(CompressibleFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
         ehl::contact_of({.speed = speed_number * 2 * modulus * radius / viscosity,
                          .viscosity = viscosity,
                          .pressure_viscosity = coefficient,
-                         .load_per_length = pi<double>() * peak * peak * radius / modulus,
+                         .load = pi<double>() * peak * peak * radius / modulus,
                          .effective_modulus = modulus,
                          .radius = radius,
                          .viscosity_law = ViscosityLaw::roelands,
-                         .density_law = ehl::LineDensity::dowson_higginson});
+                         .density_law = ehl::FilmDensity::dowson_higginson});
     for (const auto& [got, name] : {std::pair{contact.load_number, "load_number"},
                                     {contact.material_number, "material_number"}})
       EXPECT_TRUE(is_within(got, row.number(name), 1e-5 * row.number(name))) << name;
@@ -105,16 +105,16 @@ TEST(CompressibleFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
 TEST(LineFormulas, AreThoseOfTheModelInSi) {
   Sampler sampler(7);
   for (int i = 0; i < 200; ++i) {
-    const ehl::LineConditions c = random_conditions(sampler);
+    const ehl::FilmConditions c = random_conditions(sampler);
     const ehl::LineContact contact = ehl::contact_of(c);
     const double speed_number = ehl::scale_of(c).speed_number;
     for (const ehl::LineFormula& formula : ehl::line_formulas) {
       const double film =
           formula.law == nullptr
-              ? moes_line(c.speed, c.viscosity, c.pressure_viscosity, c.load_per_length,
+              ? moes_line(c.speed, c.viscosity, c.pressure_viscosity, c.load,
                           c.effective_modulus, c.radius)
               : line_film_thickness(*formula.law, c.speed, c.viscosity, c.pressure_viscosity,
-                                    c.load_per_length, c.effective_modulus, c.radius);
+                                    c.load, c.effective_modulus, c.radius);
       const double number =
           ehl::film_number(formula, contact.load_number, contact.material_number, speed_number);
       EXPECT_TRUE(is_within(number * c.radius * std::sqrt(2 * speed_number), film, 1e-12 * film))
@@ -140,7 +140,7 @@ TEST(LineConditions, GiveThePressureExponentOfBothNumbers) {
   const ehl::LineContact contact = ehl::contact_of({.speed = 1.3,
                                                     .viscosity = 0.04,
                                                     .pressure_viscosity = 2.1e-8,
-                                                    .load_per_length = 2e5,
+                                                    .load = 2e5,
                                                     .effective_modulus = 1.13e11,
                                                     .radius = 0.012});
   const double exponent = ehl::pressure_exponent(contact.load_number, contact.material_number);

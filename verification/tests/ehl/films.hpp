@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "ehl/line_conditions.hpp"
+#include "ehl/film_conditions.hpp"
 #include "ehl/solved_film.hpp"
 #include "sampling/sampler.hpp"
 #include "support/judge.hpp"
@@ -26,11 +26,11 @@ inline std::array<ehl::LineContact, 3> three_liquids(double load_number, double 
 }
 
 // Contacts of soft and of stiff bodies, far apart in every number.
-inline ehl::LineConditions random_conditions(Sampler& sampler) {
+inline ehl::FilmConditions random_conditions(Sampler& sampler) {
   return {.speed = sampler.log_uniform(1e-3, 50),
           .viscosity = sampler.log_uniform(1e-3, 1),
           .pressure_viscosity = sampler.log_uniform(1e-9, 4e-8),
-          .load_per_length = sampler.log_uniform(1e3, 1e6),
+          .load = sampler.log_uniform(1e3, 1e6),
           .effective_modulus = sampler.log_uniform(1e9, 3e11),
           .radius = sampler.log_uniform(1e-3, 1)};
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pressure far from a point contact, where the bodies keep their shape, the film grows with the
+// square of the distance r and the liquid is thin: P = f(φ)/r³, φ the angle from the direction that
+// the liquid comes from. With H = r²g(φ), g = (cos² φ + R_x/R_y sin² φ)/2,
+//
+//   (g³f′)′ − 9g³f = −λ̄ cos φ, f′(0) = 0, and f = f′ = 0 where the film breaks.
+//
+// f is P. L. Kapitza's λ̄ cos φ/((3 + 2R_x/R_y)g²) and a multiple of the solution without a right
+// side; of circles that is cosh 3φ, and the film breaks at tan φ = −3 tanh 3φ, 108.4°. A grid that
+// ends at this pressure, and not at 0, may be far smaller. Source: P. L. Kapitza: Hydrodynamic
+// theory of lubrication during rolling. Zh. Tekh. Fiz. 25 (1955) 747.
+#pragma once
+
+#include <vector>
+
+#include "ehl/plane_grid.hpp"
+#include "ehl/point_contact.hpp"
+
+namespace tribo::ehl {
+
+class FarInlet {
+ public:
+  explicit FarInlet(const PointContact& contact);
+
+  // P at (x, y), y ≥ 0, over the film H there. The liquid's viscosity may rise with pressure (by
+  // Barus' law: far away all are alike).
+  double pressure(double x, double y, double film) const;
+  // ∬ P outside of a grid, on both sides of Y = 0, with the film of bodies at H₀.
+  double load_outside(const PlaneGrid& grid, double separation) const;
+  // φ where the film breaks.
+  double break_angle() const { return break_angle_; }
+
+ private:
+  static constexpr int angles = 4000;  // of half a turn
+
+  double curvature_ratio_;  // R_x/R_y
+  double exponent_, deflection_of_load_;
+  double break_angle_ = 0;
+  std::vector<double> shape_;  // f g² at equal angles from 0 to the break
+};
+
+}  // namespace tribo::ehl

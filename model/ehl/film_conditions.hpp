@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// A contact in SI units, and its conversion to numbers without units.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "ehl/line_contact.hpp"
+#include "ehl/point_contact.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::ehl {
+
+enum class FilmDensity : std::uint8_t { incompressible, dowson_higginson };
+
+// All > 0; pressure_viscosity may be 0.
+struct FilmConditions {
+  double speed;               // u, m/s: entrainment, the mean of the two surfaces
+  double viscosity;           // η₀, Pa·s
+  double pressure_viscosity;  // α, 1/Pa
+  double load;                // F, N; of a line F/L, N/m
+  double effective_modulus;   // E*, Pa (never 2E*)
+  double radius;              // R_x, m
+  ViscosityLaw viscosity_law = ViscosityLaw::barus;  // ambient: of constant viscosity
+  FilmDensity density_law = FilmDensity::incompressible;
+  double radius_ratio = std::numeric_limits<double>::infinity();  // R_y/R_x; ∞ of a line
+
+  bool is_line() const { return std::isinf(radius_ratio); }
+};
+
+// Factors that turn H, P and X into SI units.
+struct FilmScale {
+  double half_width;     // b of a line, a_x of an ellipse, m
+  double peak_pressure;  // p₀, Pa
+  double film;           // b²/R or a_x²/R_x, m
+  double speed_number;   // U = η₀u/(2E*R)
+  double ellipticity;    // a_y/a_x; ∞ of a line
+};
+
+// The conditions of a scene at a speed. The law of viscosity is Roelands' where friction.viscosity
+// is; else it is Barus', because `ambient` is meant for friction alone. Scenes name no law of
+// density: the default holds. A circle's bodies.ellipticity, which enters film laws alone, is not
+// used.
+FilmConditions conditions_of(const Scene& scene, double speed);
+
+FilmScale scale_of(const FilmConditions& conditions);
+// M = W(2U)^{−1/2}, L = G(2U)^{1/4}; Roelands' z is that of α: z = α · 196 MPa/(ln η₀ + 9.67).
+LineContact contact_of(const FilmConditions& conditions);
+// The same of a circle or an ellipse: M = W(2U)^{−3/4}.
+PointContact point_contact_of(const FilmConditions& conditions);
+
+}  // namespace tribo::ehl

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// Newton's method for the pressures of all nodes and the separation H₀ at once, and the way to a
+// solution by following the film in time. A problem, of lines or of points, gives its equations.
+#pragma once
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "ehl/line_film.hpp"
+
+namespace tribo::ehl {
+
+struct FilmState {
+  Eigen::VectorXd pressure, film;
+  double separation = 0;
+};
+
+// The change of a state's pressure and separation.
+struct FilmChange {
+  Eigen::VectorXd pressure;
+  double separation = 0;
+};
+
+// A problem has:
+//   FilmState state_of(pressure, separation)       the film that belongs to a pressure
+//   Linear linear_at(state, rate)                  the equations at a state, to first order, with
+//                                                  `rate` times the liquid that a change stores
+//   FilmChange change_for(linear, state, rate)     the change that removes the state's residual
+//   FilmChange change_left(linear, state)          the same roughly, by the equations of a state
+//                                                  before: tells whether a step leads nearer
+//   double size_of(change), int cells()
+//   double reach()      how far pressure reaches from the middle
+//   double pressure()   the size of the pressure: Hertz' peak is 1
+//   double separation_weight()   of a change of H₀ beside one of pressure
+template <class Problem>
+class FilmNewton {
+ public:
+  FilmNewton(const Problem& problem, Eigen::VectorXd guess, double separation)
+      : problem_(problem), now_(problem.state_of(std::move(guess), separation)) {}
+
+  const FilmState& state() const { return now_; }
+  void return_to(const FilmState& state) { now_ = state; }
+  Outcome outcome() const { return outcome_; }
+  int steps() const { return steps_; }
+  double last_change() const { return last_change_; }
+
+  // Lifts the film of the guess, so that its least value is `least`.
+  void lift_to(double least) {
+    const double separation = now_.separation + least - now_.film.minCoeff();
+    now_ = problem_.state_of(std::move(now_.pressure), separation);
+  }
+
+  // Newton's method; where a whole step leads too far, a part of it is made.
+  void converge(const NewtonLimits& limits, const Watch& watch) {
+    outcome_ = Outcome::not_converged;
+    for (int step = 0; step < limits.steps && goes_on(watch); ++step) {
+      const double before = last_change_;
+      const double part = make_step();
+      if (part == 0) return;
+      // Steps that no longer shrink are rounding.
+      const bool is_rounding = last_change_ < rounding_change * problem_.pressure() && step > 0 &&
+                               last_change_ > before / 2;
+      if (part == 1 && (change_left_ < limits.change * problem_.pressure() || is_rounding)) {
+        outcome_ = Outcome::solved;
+        return;
+      }
+    }
+  }
+
+  // Follows the film in time, as it is squeezed and filled, in steps that grow until it is steady;
+  // then Newton's method.
+  void settle(const NewtonLimits& limits, const Watch& watch) {
+    outcome_ = Outcome::not_converged;
+    const double most = greatest_change_in_time * problem_.pressure();
+    double rate = first_rate / problem_.reach();
+    for (int step = 0; rate > last_rate / problem_.reach(); ++step) {
+      if (step == most_steps_in_time || rate > greatest_rate || !goes_on(watch)) return;
+      if (make_step_in_time(rate, most))
+        rate /= std::clamp(most / last_change_, 2., 8.);
+      else
+        rate *= 4;
+    }
+    converge(limits, watch);
+  }
+
+ private:
+  // Not finite where any number of the change is not.
+  double greatest_of(const FilmChange& change) const {
+    if (!change.pressure.allFinite()) return std::numeric_limits<double>::infinity();
+    return std::max(change.pressure.cwiseAbs().maxCoeff(),
+                    problem_.separation_weight() * std::fabs(change.separation));
+  }
+
+  static constexpr double greatest_change = 0.5;   // of P in one step
+  static constexpr double least_part = 1e-3;       // the least part of a step that is worth making
+  static constexpr double rounding_change = 1e-7;  // of P, at most
+  // For a film that is followed in time: 1/ΔT of its steps, for a contact of half-width 1.
+  static constexpr double first_rate = 100, last_rate = 0.05, greatest_rate = 1e9;
+  static constexpr double greatest_change_in_time = 0.3;
+  static constexpr int most_steps_in_time = 80;
+
+  bool goes_on(const Watch& watch) {
+    if (!watch || watch({problem_.cells(), steps_, last_change_})) return true;
+    outcome_ = Outcome::stopped;
+    return false;
+  }
+
+  // The state after a part of a change; nothing where hardly any film would be left.
+  std::optional<FilmState> state_after(double part, const FilmChange& change) const {
+    FilmState next = problem_.state_of((now_.pressure + part * change.pressure).cwiseMax(0),
+                                       now_.separation + part * change.separation);
+    if (!(next.film.minCoeff() > 0.2 * now_.film.minCoeff())) return {};
+    return next;
+  }
+
+  // Halves a step until the same linear equations ask for a lesser change after it, and makes this
+  // part. Returns the part; 0: no part will do. The test is P. Deuflhard's: Newton methods for
+  // nonlinear problems (2004), section 3.3: it does not depend on the scale of an equation. After
+  // a whole step, the change that is asked for is the one still left, to second order.
+  double make_step() {
+    ++steps_;
+    const auto linear = problem_.linear_at(now_, 0);
+    const FilmChange change = problem_.change_for(linear, now_, 0);
+    last_change_ = greatest_of(change);
+    if (!std::isfinite(last_change_)) return 0;
+    const double size = problem_.size_of(problem_.change_left(linear, now_));
+    const double most = greatest_change * problem_.pressure();
+    double part = std::fmin(1, most / change.pressure.cwiseAbs().maxCoeff());
+    for (; part > least_part; part /= 2) {
+      std::optional<FilmState> next = state_after(part, change);
+      if (!next) continue;
+      const FilmChange left = problem_.change_left(linear, *next);
+      if (last_change_ > rounding_change * problem_.pressure() &&
+          !(problem_.size_of(left) <= (1 - part / 4) * size))
+        continue;
+      change_left_ = greatest_of(left);
+      now_ = std::move(*next);
+      return part;
+    }
+    return 0;
+  }
+
+  // Returns false, and makes no step, where the step would change the pressure too much.
+  bool make_step_in_time(double rate, double most) {
+    ++steps_;
+    const auto linear = problem_.linear_at(now_, rate);
+    const FilmChange change = problem_.change_for(linear, now_, rate);
+    last_change_ = greatest_of(change);
+    if (!std::isfinite(last_change_) || change.pressure.cwiseAbs().maxCoeff() > most) return false;
+    std::optional<FilmState> next = state_after(1, change);
+    if (!next) return false;
+    now_ = std::move(*next);
+    return true;
+  }
+
+  const Problem& problem_;
+  FilmState now_;
+  Outcome outcome_ = Outcome::not_converged;
+  int steps_ = 0;
+  double last_change_ = 0;
+  double change_left_ = 0;  // asked for after the last Newton step, by its equations
+};
+
+}  // namespace tribo::ehl

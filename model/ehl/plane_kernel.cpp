@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ehl/plane_kernel.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <unsupported/Eigen/FFT>
+
+namespace tribo::ehl {
+namespace {
+
+using Complex = std::complex<double>;
+
+// An even length ≥ least without prime factors above 5.
+int smooth_length(int least) {
+  for (int length = least + least % 2;; length += 2) {
+    int rest = length;
+    for (const int prime : {2, 3, 5})
+      while (rest % prime == 0) rest /= prime;
+    if (rest == 1) return length;
+  }
+}
+
+// ∬ 1/r from a corner of the rectangle to the opposite one.
+double corner(double x, double y) {
+  if (x == 0 || y == 0) return 0;
+  return x * std::asinh(y / std::fabs(x)) + y * std::asinh(x / std::fabs(y));
+}
+
+}  // namespace
+
+double film_of_rectangle(double x, double y, double dx, double dy) {
+  const double left = x - dx / 2, right = x + dx / 2, below = y - dy / 2, above = y + dy / 2;
+  return corner(right, above) - corner(left, above) - corner(right, below) + corner(left, below);
+}
+
+PlaneKernel::PlaneKernel(const PlaneGrid& grid)
+    : grid_(grid),
+      length_x_(smooth_length(2 * grid.count_x() - 1)),
+      length_y_(smooth_length(4 * grid.count_y() - 3)) {
+  const int nx = grid.count_x(), ny = grid.count_y(), half_x = length_x_ / 2 + 1,
+            half_y = length_y_ / 2 + 1;
+  // The even sequences of the kernel along X, then along Y.
+  Eigen::FFT<double> fft;
+  std::vector<double> line(static_cast<std::size_t>(length_x_));
+  std::vector<Complex> wave;
+  std::vector<double> rows(static_cast<std::size_t>(half_x) * static_cast<std::size_t>(half_y));
+  for (int j = 0; j < half_y; ++j) {
+    std::fill(line.begin(), line.end(), 0.);
+    if (j <= 2 * (ny - 1))
+      for (int i = 0; i < nx; ++i) {
+        const double film = film_of_rectangle(i * grid.dx, j * grid.dy, grid.dx, grid.dy);
+        line[static_cast<std::size_t>(i)] = film;
+        if (i > 0) line[static_cast<std::size_t>(length_x_ - i)] = film;
+      }
+    fft.fwd(wave, line);
+    for (int i = 0; i < half_x; ++i)
+      rows[static_cast<std::size_t>(i * half_y + j)] = wave[static_cast<std::size_t>(i)].real();
+  }
+  spectrum_.resize(rows.size());
+  std::vector<double> column(static_cast<std::size_t>(length_y_));
+  for (int i = 0; i < half_x; ++i) {
+    for (int j = 0; j < half_y; ++j) {
+      const double value = rows[static_cast<std::size_t>(i * half_y + j)];
+      column[static_cast<std::size_t>(j)] = value;
+      if (j > 0) column[static_cast<std::size_t>(length_y_ - j)] = value;
+    }
+    fft.fwd(wave, column);
+    for (int j = 0; j < half_y; ++j)
+      spectrum_[static_cast<std::size_t>(i * half_y + j)] = wave[static_cast<std::size_t>(j)].real();
+  }
+  near_count_ = std::min(8, std::min(nx, ny));
+  for (int j = 0; j < 2 * near_count_; ++j)
+    for (int i = 0; i < near_count_; ++i)
+      near_.push_back(film_of_rectangle(i * grid.dx, j * grid.dy, grid.dx, grid.dy));
+}
+
+double PlaneKernel::entry(int di, int j, int k) const {
+  const auto film = [&](int dj) {
+    const int i = std::abs(di), distance = std::abs(dj);
+    if (i < near_count_ && distance < 2 * near_count_)
+      return near_[static_cast<std::size_t>(distance * near_count_ + i)];
+    return film_of_rectangle(i * grid_.dx, distance * grid_.dy, grid_.dx, grid_.dy);
+  };
+  return k == 0 ? film(j) : film(j - k) + film(j + k);
+}
+
+Eigen::VectorXd PlaneKernel::operator*(const Eigen::VectorXd& pressure) const {
+  const int nx = grid_.count_x(), ny = grid_.count_y(), half_x = length_x_ / 2 + 1,
+            half_y = length_y_ / 2 + 1;
+  thread_local Eigen::FFT<double> fft;
+  std::vector<double> line(static_cast<std::size_t>(length_x_), 0.);
+  std::vector<Complex> wave(static_cast<std::size_t>(half_x));
+  // Waves along X of each row of nodes, column by column.
+  std::vector<Complex> rows(static_cast<std::size_t>(half_x) * static_cast<std::size_t>(ny));
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) line[static_cast<std::size_t>(i)] = pressure[grid_.node(i, j)];
+    fft.fwd(wave.data(), line.data(), length_x_);
+    for (int i = 0; i < half_x; ++i)
+      rows[static_cast<std::size_t>(i * ny + j)] = wave[static_cast<std::size_t>(i)];
+  }
+  std::vector<Complex> column(static_cast<std::size_t>(length_y_)),
+      turned(static_cast<std::size_t>(length_y_));
+  for (int i = 0; i < half_x; ++i) {
+    Complex* row = &rows[static_cast<std::size_t>(i * ny)];
+    std::fill(column.begin(), column.end(), Complex{});
+    for (int j = 0; j < ny; ++j) {
+      column[static_cast<std::size_t>(j)] = row[j];
+      if (j > 0) column[static_cast<std::size_t>(length_y_ - j)] = row[j];
+    }
+    fft.fwd(turned.data(), column.data(), length_y_);
+    const double* kernel = &spectrum_[static_cast<std::size_t>(i * half_y)];
+    for (int j = 0; j < half_y; ++j) turned[static_cast<std::size_t>(j)] *= kernel[j];
+    for (int j = half_y; j < length_y_; ++j)
+      turned[static_cast<std::size_t>(j)] = turned[static_cast<std::size_t>(length_y_ - j)];
+    fft.inv(column.data(), turned.data(), length_y_);
+    for (int j = 0; j < ny; ++j) row[j] = column[static_cast<std::size_t>(j)];
+  }
+  Eigen::VectorXd film(pressure.size());
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < half_x; ++i)
+      wave[static_cast<std::size_t>(i)] = rows[static_cast<std::size_t>(i * ny + j)];
+    fft.inv(line.data(), wave.data(), length_x_);
+    for (int i = 0; i < nx; ++i) film[grid_.node(i, j)] = line[static_cast<std::size_t>(i)];
+    std::fill(line.begin() + nx, line.end(), 0.);
+  }
+  return film;
+}
+
+}  // namespace tribo::ehl

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The film that pressure adds on an elastic half-space, at all nodes of a plane grid from the
+// pressure at all nodes: ∬ P/r by fast Fourier transforms, in N log N operations. Pressure is
+// constant around each node. Source of the rectangle's film: A. E. H. Love: The stress produced in
+// a semi-infinite solid by pressure on part of the boundary. Phil. Trans. R. Soc. A 228 (1929) 377.
+#pragma once
+
+#include <Eigen/Dense>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "ehl/plane_grid.hpp"
+
+namespace tribo::ehl {
+
+// ∬ dX′dY′/r over a rectangle with sides dx and dy, seen from (x, y) off its middle.
+double film_of_rectangle(double x, double y, double dx, double dy);
+
+class PlaneKernel {
+ public:
+  explicit PlaneKernel(const PlaneGrid& grid);
+
+  // ∬ P/r at each node, of the pressure at each node and of its mirror image.
+  Eigen::VectorXd operator*(const Eigen::VectorXd& pressure) const;
+
+  // The film at node (i, j) by 1 of pressure at node (i + di, k), and at its mirror image.
+  double entry(int di, int j, int k) const;
+
+ private:
+  PlaneGrid grid_;
+  int length_x_, length_y_;         // of the transforms
+  std::vector<double> near_;        // films at distances below `near_count_` nodes
+  int near_count_ = 0;
+  std::vector<double> spectrum_;    // of the kernel: real, because the kernel is even
+};
+
+}  // namespace tribo::ehl

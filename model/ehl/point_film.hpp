@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pressure and film of a point contact on one grid: Newton's method for all nodes at once. The
+// linear equations of a step are solved by GMRES; its preconditioner is their sparse part, in which
+// a node's pressure lifts the film of that node alone, factored.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "ehl/line_film.hpp"
+#include "ehl/plane_grid.hpp"
+#include "ehl/point_contact.hpp"
+
+namespace tribo::ehl {
+
+struct PointFilm {
+  Outcome outcome = Outcome::not_converged;
+  PlaneGrid grid{};
+  Eigen::VectorXd pressure, film;  // P and H at the nodes
+  double separation = 0;           // H₀
+  int steps = 0;                   // with the steps on the grids before, and the steps in time
+  double last_change = 0;          // of the pressure, in the last step
+};
+
+// A film H of the right size, before the contact is solved: the greatest limit of a circle's.
+double expected_film(const PointContact& contact);
+// How far pressure reaches from the middle along X, at least: 1, or more where the bodies hardly
+// flatten.
+double reach_of(const PointContact& contact);
+
+// Starts from the pressure of dry contact over a film of the expected thickness, and follows the
+// film in time until it is steady.
+PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
+                             const Watch& watch);
+// Takes a solved film to another grid: by Newton's method, or, where that does not converge, by
+// following the film in time.
+PointFilm solve_on(const PointContact& contact, const PlaneGrid& grid, const PointFilm& film,
+                   const Watch& watch);
+
+}  // namespace tribo::ehl

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A point contact solved to a stated error: as solved_film.hpp has it for lines, on plane grids.
+#pragma once
+
+#include <string>
+
+#include "ehl/point_film.hpp"
+#include "ehl/solved_film.hpp"
+
+namespace tribo::ehl {
+
+struct PointOptions {
+  // Relative, of the central film and of the film at the greatest pressure; the least film, which
+  // lies where the film bends most, may be off by three times as much.
+  double tolerance = 1e-3;
+  Eigen::Index greatest_nodes = 400'000;  // of the finest grid: 1.5 GB
+};
+
+struct SolvedPoint {
+  Outcome outcome = Outcome::not_converged;
+  // Empty where the film is solved to the tolerance. Else it says what failed, where, and how far
+  // the solver came, without a capital and a full stop.
+  std::string reason;
+  PointFilm film;  // on the finest grid that was solved
+  int grids = 0;
+  Estimate central, minimum, at_greatest_pressure;  // H
+  // The relative error from the ends of the grid, the greatest of the three; the errors above
+  // include it.
+  double domain_error = 0;
+  int steps = 0;  // of Newton's method, on the way to the finest grid
+};
+
+// The solver was tried from the first to the second number, and refuses contacts below the first.
+inline constexpr double least_point_load_number = 1, greatest_tried_point_load_number = 2000;
+
+// The nodes for a contact, with `cells` cells on the length that pressure reaches. It is `longer`
+// times as long as the solver takes it for itself.
+PlaneGrid grid_for(const PointContact& contact, int cells, double longer = 1);
+
+// Error of each film: its Estimate, from three grids or more and from a larger one. Where the
+// tolerance was not met, the outcome is `solved` all the same, the films hold with their errors,
+// and `reason` says which error was reached.
+SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& options = {},
+                             const Watch& watch = {});
+
+}  // namespace tribo::ehl
