@@ -54,8 +54,8 @@ FarInlet::FarInlet(const PointContact& contact)
     const double phi = step * i, next_phi = phi + step;
     const std::array<double, 2> next = step_of(gap, phi, at, step);
     const double g = gap.value(next_phi);
-    const double wronskian = gap.kapitza_slope(next_phi) * next[0] -
-                             gap.kapitza(next_phi) * next[1] / (g * g * g);
+    const double wronskian =
+        gap.kapitza_slope(next_phi) * next[0] - gap.kapitza(next_phi) * next[1] / (g * g * g);
     // Below it the pressure's slope would be negative where the pressure is 0, behind it positive.
     if (wronskian > 0) {
       const double part = before / (before - wronskian);

@@ -64,8 +64,8 @@ FilmScale scale_of(const FilmConditions& c) {
   }
   const HertzEllipse<double> hertz =
       hertz_ellipse(c.load, c.effective_modulus, c.radius, c.radius_ratio * c.radius);
-  return {hertz.semi_axis_x, hertz.peak_pressure, hertz.semi_axis_x * (hertz.semi_axis_x / c.radius),
-          speed_number, hertz.ellipticity};
+  return {hertz.semi_axis_x, hertz.peak_pressure,
+          hertz.semi_axis_x * (hertz.semi_axis_x / c.radius), speed_number, hertz.ellipticity};
 }
 
 LineContact contact_of(const FilmConditions& c) {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-#include "ehl/line_film.hpp"
+#include "ehl/solve_step.hpp"
 
 namespace tribo::ehl {
 
@@ -31,9 +31,13 @@ struct FilmChange {
 //   FilmChange change_for(linear, state, rate)     the change that removes the state's residual
 //   FilmChange change_left(linear, state)          the same roughly, by the equations of a state
 //                                                  before: tells whether a step leads nearer
-//   double size_of(change), int cells()
-//   double reach()      how far pressure reaches from the middle
-//   double pressure()   the size of the pressure: Hertz' peak is 1
+//   double size_of(change)
+//   double size_asked(linear, state, change)   the size of what change_left() asks at the state for
+//                                              which change_for() asked for this change
+//   int cells()
+//   double reach()               how far pressure reaches from the middle
+//   double pressure()            the size of the pressure: Hertz' peak is 1
+//   double pressure_in_time()    the same for steps in time
 //   double separation_weight()   of a change of H₀ beside one of pressure
 template <class Problem>
 class FilmNewton {
@@ -42,7 +46,6 @@ class FilmNewton {
       : problem_(problem), now_(problem.state_of(std::move(guess), separation)) {}
 
   const FilmState& state() const { return now_; }
-  void return_to(const FilmState& state) { now_ = state; }
   Outcome outcome() const { return outcome_; }
   int steps() const { return steps_; }
   double last_change() const { return last_change_; }
@@ -74,7 +77,7 @@ class FilmNewton {
   // then Newton's method.
   void settle(const NewtonLimits& limits, const Watch& watch) {
     outcome_ = Outcome::not_converged;
-    const double most = greatest_change_in_time * problem_.pressure();
+    const double most = greatest_change_in_time * problem_.pressure_in_time();
     double rate = first_rate / problem_.reach();
     for (int step = 0; rate > last_rate / problem_.reach(); ++step) {
       if (step == most_steps_in_time || rate > greatest_rate || !goes_on(watch)) return;
@@ -86,6 +89,15 @@ class FilmNewton {
     converge(limits, watch);
   }
 
+  // Newton's method, or, where that does not converge, the film in time from the same guess.
+  void converge_or_settle(const NewtonLimits& limits, const Watch& watch) {
+    const FilmState start = now_;
+    converge(limits, watch);
+    if (outcome_ != Outcome::not_converged) return;
+    now_ = start;
+    settle(limits, watch);
+  }
+
  private:
   // Not finite where any number of the change is not.
   double greatest_of(const FilmChange& change) const {
@@ -94,7 +106,7 @@ class FilmNewton {
                     problem_.separation_weight() * std::fabs(change.separation));
   }
 
-  static constexpr double greatest_change = 0.5;   // of P in one step
+  static constexpr double greatest_change = 0.5;   // of P in one step, as a share of the greatest P
   static constexpr double least_part = 1e-3;       // the least part of a step that is worth making
   static constexpr double rounding_change = 1e-7;  // of P, at most
   // For a film that is followed in time: 1/ΔT of its steps, for a contact of half-width 1.
@@ -126,8 +138,9 @@ class FilmNewton {
     const FilmChange change = problem_.change_for(linear, now_, 0);
     last_change_ = greatest_of(change);
     if (!std::isfinite(last_change_)) return 0;
-    const double size = problem_.size_of(problem_.change_left(linear, now_));
-    const double most = greatest_change * problem_.pressure();
+    const double size = problem_.size_asked(linear, now_, change);
+    // A spike may be many times as high as Hertz' peak.
+    const double most = greatest_change * std::fmax(problem_.pressure(), now_.pressure.maxCoeff());
     double part = std::fmin(1, most / change.pressure.cwiseAbs().maxCoeff());
     for (; part > least_part; part /= 2) {
       std::optional<FilmState> next = state_after(part, change);

@@ -4,19 +4,12 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <cstdint>
-#include <functional>
 
 #include "ehl/grid.hpp"
 #include "ehl/line_contact.hpp"
+#include "ehl/solve_step.hpp"
 
 namespace tribo::ehl {
-
-enum class Outcome : std::uint8_t {
-  solved,
-  not_converged,  // no part of a step led nearer, or the steps were too few
-  stopped         // the caller stopped it
-};
 
 struct LineFilm {
   Outcome outcome = Outcome::not_converged;
@@ -26,19 +19,6 @@ struct LineFilm {
   double separation = 0;           // H₀
   int steps = 0;                   // with the steps on the grids before, and the steps in time
   double last_change = 0;          // of the pressure, in the last step
-};
-
-// The watch is called with this before every step. The work stops where it returns false.
-struct Step {
-  int cells;
-  int step;
-  double change;  // of the pressure in the step before
-};
-using Watch = std::function<bool(const Step&)>;
-
-struct NewtonLimits {
-  int steps = 40;
-  double change = 1e-10;  // greatest change of P and H₀ that may be left at the end
 };
 
 // Starts from a guess: pressures ≥ 0 at the nodes, 0 at both ends, and H₀.

@@ -66,7 +66,8 @@ PlaneKernel::PlaneKernel(const PlaneGrid& grid)
     }
     fft.fwd(wave, column);
     for (int j = 0; j < half_y; ++j)
-      spectrum_[static_cast<std::size_t>(i * half_y + j)] = wave[static_cast<std::size_t>(j)].real();
+      spectrum_[static_cast<std::size_t>(i * half_y + j)] =
+          wave[static_cast<std::size_t>(j)].real();
   }
   near_count_ = std::min(8, std::min(nx, ny));
   for (int j = 0; j < 2 * near_count_; ++j)

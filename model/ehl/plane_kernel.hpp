@@ -29,10 +29,10 @@ class PlaneKernel {
 
  private:
   PlaneGrid grid_;
-  int length_x_, length_y_;         // of the transforms
-  std::vector<double> near_;        // films at distances below `near_count_` nodes
+  int length_x_, length_y_;   // of the transforms
+  std::vector<double> near_;  // films at distances below `near_count_` nodes
   int near_count_ = 0;
-  std::vector<double> spectrum_;    // of the kernel: real, because the kernel is even
+  std::vector<double> spectrum_;  // of the kernel: real, because the kernel is even
 };
 
 }  // namespace tribo::ehl

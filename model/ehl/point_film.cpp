@@ -13,6 +13,7 @@
 
 #include "ehl/far_inlet.hpp"
 #include "ehl/film_newton.hpp"
+#include "ehl/grid.hpp"
 #include "ehl/plane_kernel.hpp"
 #include "ehl/point_reynolds.hpp"
 
@@ -70,7 +71,8 @@ class PointEquations {
       const auto nodes = stencil(grid, row);
       for (std::size_t k = 0; k < nodes.size(); ++k)
         if (nodes[k] >= 0)
-          result[row] += slopes.by_film[k] * film[nodes[k]] + slopes.by_pressure[k] * change[nodes[k]];
+          result[row] +=
+              slopes.by_film[k] * film[nodes[k]] + slopes.by_pressure[k] * change[nodes[k]];
     }
     result[last] = parts_.areas.dot(change.head(last));
     return result;
@@ -91,8 +93,8 @@ class PointEquations {
   static std::array<Index, 6> stencil(const PlaneGrid& grid, Index row) {
     const Index across = grid.count_x();
     const Index i = row % across;
-    return {i < 2 ? -1 : row - 2, row - 1,      row, row + 1,
-            row < across ? row + across : row - across, row + across};
+    return {i < 2 ? -1 : row - 2, row - 1, row, row + 1, row < across ? row + across : row - across,
+            row + across};
   }
 
   // The matrix has the same places in all steps on a grid, so that they are ordered once.
@@ -160,10 +162,15 @@ class PointProblem {
   int cells() const { return parts_.grid.count_x() - 1; }
   double reach() const { return reach_; }
   double pressure() const { return 1 / (reach_ * reach_); }
+  double pressure_in_time() const { return pressure(); }
   double separation_weight() const { return pressure() * pressure(); }
   double size_of(const FilmChange& change) const {
     const double separation = separation_weight() * change.separation;
     return std::sqrt(parts_.areas.dot(change.pressure.cwiseAbs2()) + separation * separation);
+  }
+
+  double size_asked(const Linear& linear, const FilmState& at, const FilmChange&) const {
+    return size_of(change_left(linear, at));
   }
 
   FilmState state_of(VectorXd pressure, double separation) const {
@@ -288,8 +295,8 @@ VectorXd pressure_on(const PlaneGrid& grid, const PointFilm& film) {
                 to_y = within(places(grid.count_y(), [&](int j) { return grid.y(j); }), from_y);
   Eigen::MatrixXd rows(grid.count_x(), from.count_y());
   for (int j = 0; j < from.count_y(); ++j) {
-    const Numbers row = interpolated(
-        from_x, {film.pressure.data() + from.node(0, j), from_x.size()}, to_x);
+    const Numbers row =
+        interpolated(from_x, {film.pressure.data() + from.node(0, j), from_x.size()}, to_x);
     rows.col(j) = Eigen::Map<const VectorXd>(row.data(), grid.count_x());
   }
   VectorXd pressure(grid.size());
@@ -337,12 +344,7 @@ PointFilm solve_on(const PointContact& contact, const PlaneGrid& grid, const Poi
                    const Watch& watch) {
   const PointProblem problem(contact, grid);
   FilmNewton<PointProblem> newton(problem, pressure_on(grid, film), film.separation);
-  const FilmState start = newton.state();
-  newton.converge(limits, watch);
-  if (newton.outcome() == Outcome::not_converged) {
-    newton.return_to(start);
-    newton.settle(limits, watch);
-  }
+  newton.converge_or_settle(limits, watch);
   return film_of(newton, grid, film.steps);
 }
 

@@ -6,9 +6,9 @@
 
 #include <Eigen/Dense>
 
-#include "ehl/line_film.hpp"
 #include "ehl/plane_grid.hpp"
 #include "ehl/point_contact.hpp"
+#include "ehl/solve_step.hpp"
 
 namespace tribo::ehl {
 

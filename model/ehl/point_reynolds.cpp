@@ -15,8 +15,8 @@ std::array<double, 3> upstream_weights(int i) {
 }  // namespace
 
 PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
-                              const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
-                              bool with_slopes) {
+                        const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
+                        bool with_slopes) {
   const double wedge = numbers_of(contact).wedge;
   const int nx = grid.count_x(), ny = grid.count_y();
   std::vector<LiquidAtNode> liquid(static_cast<std::size_t>(grid.size()));

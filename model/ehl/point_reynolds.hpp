@@ -12,8 +12,8 @@
 
 namespace tribo::ehl {
 
-// How the balance at node (i, j) changes with film and pressure at the nodes (i − 2, j), (i − 1, j),
-// (i, j), (i + 1, j), (i, j − 1) and (i, j + 1). The nodes below Y = 0 are those above it.
+// How the balance at node (i, j) changes with film and pressure at the nodes (i − 2, j), (i − 1,
+// j), (i, j), (i + 1, j), (i, j − 1) and (i, j + 1). The nodes below Y = 0 are those above it.
 struct PlaneSlopes {
   std::array<double, 6> by_film{}, by_pressure{};
 };
@@ -28,7 +28,7 @@ struct PlaneBalance {
 // before, so that films do not waver where pressure drives nothing (reynolds.hpp). `slopes` stay
 // empty if they are not asked for.
 PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
-                              const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
-                              bool with_slopes = true);
+                        const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
+                        bool with_slopes = true);
 
 }  // namespace tribo::ehl

@@ -54,9 +54,10 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
         film.outcome == Outcome::stopped
             ? text("stopped on the grid of %d by %d cells", film.grid.count_x() - 1,
                    film.grid.beside)
-            : text("on the grid of %d by %d cells neither Newton's method nor the film in time "
-                   "came to rest: the last step still changed the pressure by %.2g of Hertz' peak",
-                   film.grid.count_x() - 1, film.grid.beside, film.last_change);
+            : text(
+                  "on the grid of %d by %d cells neither Newton's method nor the film in time "
+                  "came to rest: the last step still changed the pressure by %.2g of Hertz' peak",
+                  film.grid.count_x() - 1, film.grid.beside, film.last_change);
     return true;
   };
 
@@ -90,11 +91,11 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     solved.reason.clear();
     return solved;
   }
-  const std::string met =
-      text("the tolerance of %g was not met: the errors are %.1g of the central film and %.1g of "
-           "the least film on the grid of %d by %d cells",
-           options.tolerance, solved.central.relative_error(), solved.minimum.relative_error(),
-           solved.film.grid.count_x() - 1, solved.film.grid.beside);
+  const std::string met = text(
+      "the tolerance of %g was not met: the errors are %.1g of the central film and %.1g of "
+      "the least film on the grid of %d by %d cells",
+      options.tolerance, solved.central.relative_error(), solved.minimum.relative_error(),
+      solved.film.grid.count_x() - 1, solved.film.grid.beside);
   solved.reason = met + (solved.reason.empty() ? "" : "; " + solved.reason);
   return solved;
 }
@@ -138,9 +139,10 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
     if (solved.outcome != Outcome::not_converged) return solved;
     tried += text(i == 0 ? "%d" : ", %d", cells);
   }
-  solved.reason = text("no film was found at M = %.3g and L = %.3g, from coarsest grids of %s "
-                       "cells a semi-axis; %s",
-                       m, l, tried.c_str(), solved.reason.c_str());
+  solved.reason = text(
+      "no film was found at M = %.3g and L = %.3g, from coarsest grids of %s "
+      "cells a semi-axis; %s",
+      m, l, tried.c_str(), solved.reason.c_str());
   if (m > greatest_tried_point_load_number)
     solved.reason += text("; the solver was tried up to M = %g", greatest_tried_point_load_number);
   return solved;

@@ -108,8 +108,8 @@ class FilmRun {
     writer_.add(film);
     output_.flush();
     if (!arguments_.picture.empty() && film.is_solved)
-      all_solved_ = draw_picture(
-          "film_picture.py", film_json(film, true).dump(), arguments_.picture);
+      all_solved_ =
+          draw_picture("film_picture.py", film_json(film, true).dump(), arguments_.picture);
   }
 
   const FilmArguments& arguments_;
@@ -192,7 +192,8 @@ void add_settings(CLI::App& app, FilmSettings& settings) {
   add_number_option(
       app, "--tolerance", [&settings](double tolerance) { settings.tolerance = tolerance; },
       [](double tolerance) { return tolerance >= 1e-6 && tolerance <= 1e-2; },
-      "a number from 1e-6 to 1e-2", "relative error of the films, 1e-6 to 1e-2 (default: 1e-4 of a line, 1e-3 of a circle or an "
+      "a number from 1e-6 to 1e-2",
+      "relative error of the films, 1e-6 to 1e-2 (default: 1e-4 of a line, 1e-3 of a circle or an "
       "ellipse)");
 }
 

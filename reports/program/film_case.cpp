@@ -141,11 +141,10 @@ void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c) {
                  : unknown.value;
     const bool is_minimum = named.word.ends_with("_minimum");
     const double solved = is_minimum ? film.minimum.value : film.central.value;
-    film.formulas.push_back({named.word,
-                             stands_for(is_minimum ? ehl::FilmQuantity::minimum
-                                                   : ehl::FilmQuantity::central),
-                             ehl::name(ehl::FitLiquid::unknown), length, unknown.value,
-                             length / solved - 1});
+    film.formulas.push_back(
+        {named.word,
+         stands_for(is_minimum ? ehl::FilmQuantity::minimum : ehl::FilmQuantity::central),
+         ehl::name(ehl::FitLiquid::unknown), length, unknown.value, length / solved - 1});
   }
 }
 

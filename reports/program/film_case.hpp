@@ -59,8 +59,8 @@ struct FilmCase {
   bool is_solved = false;
   // Why it is not solved, or which error was reached in place of the tolerance; else empty.
   std::string reason;
-  // Cells of the finest grid; of a plane grid along x, and as many across as the second number; 0 of
-  // a line. Steps of Newton's method in all.
+  // Cells of the finest grid; of a plane grid along x, and as many across as the second number; 0
+  // of a line. Steps of Newton's method in all.
   int grids = 0, cells = 0, cells_across = 0, steps = 0;
   std::vector<FormulaFilm> formulas;
   std::vector<ProfilePoint> profile;  // nodes of the finest grid along the middle, y = 0
@@ -68,8 +68,8 @@ struct FilmCase {
   bool is_line() const { return std::isnan(ellipticity); }
 };
 
-// Names of all formulas: those of lines, then those of circles and ellipses. A FilmCase has those of
-// its contact, in this order.
+// Names of all formulas: those of lines, then those of circles and ellipses. A FilmCase has those
+// of its contact, in this order.
 std::vector<std::string_view> film_formula_names();
 
 // Called before every step of Newton's method; the work stops where it returns false.

@@ -119,8 +119,7 @@ void append_csv_profile(Text& to, const FilmCase& film) {
 
 void append_formulas(Text& to, const FilmCase& film) {
   std::size_t longest = 24;
-  for (const FormulaFilm& formula : film.formulas)
-    longest = std::max(longest, formula.name.size());
+  for (const FormulaFilm& formula : film.formulas) longest = std::max(longest, formula.name.size());
   const std::vector<ColumnHead> heads{{"formula", "", longest},
                                       {"film", "[m]", number_width},
                                       {"deviation", "[%]", deviation_width},
@@ -179,13 +178,15 @@ void append_notes(Text& to, const FilmCase& film) {
             "which is that of the last column, where it is known; this liquid: the formula against "
             "the film above"
           : "this liquid: the formula against the film above; deviation, from the film of the "
-            "liquid that the formula was fitted to, is not known, because no text at hand names it");
+            "liquid that the formula was fitted to, is not known, because no text at hand names "
+            "it");
   if (!film.is_line())
     note("the minimum film lies in the constriction beside the middle or behind it");
-  note(fmt::format("± is what the numerical solution may be off by; {} grids, the finest of {} cells",
-                   film.grids,
-                   film.is_line() ? std::to_string(film.cells)
-                                  : fmt::format("{} × {}", film.cells, film.cells_across)));
+  note(fmt::format(
+      "± is what the numerical solution may be off by; {} grids, the finest of {} cells",
+      film.grids,
+      film.is_line() ? std::to_string(film.cells)
+                     : fmt::format("{} × {}", film.cells, film.cells_across)));
   if (film.is_line() && (film.viscosity == "barus" || film.density == "incompressible"))
     note(note_on_oil(film));
 }
@@ -282,8 +283,9 @@ void FilmWriter::add(const FilmCase& film) {
     return with_profile_ ? append_csv_profile(text_, film) : append_csv(text_, film);
   append(text_, std::exchange(before_, format_ == "table" ? "\n" : list_comma));
   if (format_ == "table") return append_table(text_, film, with_profile_);
-  append(text_, film_json(film, with_profile_)
-                    .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  append(
+      text_,
+      film_json(film, with_profile_).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 void FilmWriter::finish(const ordered_json& warnings) {

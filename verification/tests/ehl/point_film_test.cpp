@@ -64,8 +64,8 @@ TEST(PlaneKernel, ProductIsTheDirectSumOverBothSides) {
             for (const int side : {1, -1})
               if (n > 0 || side > 0)
                 direct += pressure[grid.node(m, n)] *
-                          ehl::film_of_rectangle(grid.x(i) - grid.x(m), grid.y(j) - side * grid.y(n),
-                                                 grid.dx, grid.dy);
+                          ehl::film_of_rectangle(grid.x(i) - grid.x(m),
+                                                 grid.y(j) - side * grid.y(n), grid.dx, grid.dy);
         EXPECT_TRUE(is_within(product[grid.node(i, j)], direct, 1e-12))
             << "node " << i << ", " << j << " of " << grid.count_x() << " by " << grid.count_y();
       }
@@ -181,15 +181,13 @@ TEST(PlaneBalance, SlopesAreItsDerivatives) {
         for (int j = 0; j < grid.count_y(); ++j)
           for (int i = 0; i < grid.count_x(); ++i) {
             if (!grid.is_inside(i, j)) continue;
-            const auto& slopes =
-                balance.slopes[static_cast<std::size_t>(grid.node(i, j))].*member;
+            const auto& slopes = balance.slopes[static_cast<std::size_t>(grid.node(i, j))].*member;
             double got = 0, scale = 0;
             for (std::size_t k = 0; k < 6; ++k) {
               scale += std::fabs(slopes[k]);
               if (places(i, j)[k] == n) got += slopes[k];
             }
-            const double expected =
-                (above[grid.node(i, j)] - below[grid.node(i, j)]) / (2 * step);
+            const double expected = (above[grid.node(i, j)] - below[grid.node(i, j)]) / (2 * step);
             EXPECT_TRUE(is_within(got, expected, 1e-7 * scale))
                 << "surplus of node " << i << ", " << j << " by the " << name << " at " << n;
           }
@@ -207,10 +205,9 @@ TEST(PointConditions, GiveTheNumbersOfTheModel) {
     c.load *= 1e-3;
     c.radius_ratio = sampler.log_uniform(0.2, 10);
     const ehl::PointContact contact = ehl::point_contact_of(c);
-    const auto known = moes_numbers(
-        similarity_numbers(c.speed, c.viscosity, c.pressure_viscosity, c.load, c.effective_modulus,
-                           c.radius),
-        false);
+    const auto known = moes_numbers(similarity_numbers(c.speed, c.viscosity, c.pressure_viscosity,
+                                                       c.load, c.effective_modulus, c.radius),
+                                    false);
     EXPECT_TRUE(is_within(contact.load_number, known.load, 1e-13 * known.load));
     EXPECT_TRUE(is_within(contact.material_number, known.material, 1e-13 * known.material));
     // αp₀ and a film's unit by M, L and R_y/R_x alone are those in SI.
