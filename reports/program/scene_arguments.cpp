@@ -105,9 +105,9 @@ LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
   if (results_explain)
     loaded.warnings.tell("the results explain them");
   else
-    loaded.warnings.tell(is_of_solved_films(use) ? "section 14 of model/README.md explains them"
-                         : use == SceneUse::onset   ? "`tribocheck contact` explains them"
-                                                    : "`tribocheck solve --explain` explains them");
+    loaded.warnings.tell(is_of_solved_films(use)  ? "section 14 of model/README.md explains them"
+                         : use == SceneUse::onset ? "`tribocheck contact` explains them"
+                                                  : "`tribocheck solve --explain` explains them");
   return loaded;
 }
 

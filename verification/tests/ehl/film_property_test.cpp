@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "ehl/film_conditions.hpp"
 #include "ehl/film_kernel.hpp"
 #include "ehl/films.hpp"
-#include "ehl/film_conditions.hpp"
 #include "ehl/reynolds.hpp"
 #include "ehl/sampled_contact.hpp"
 #include "support/judge.hpp"

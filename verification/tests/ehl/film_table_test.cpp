@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "accuracy/reference_table.hpp"
-#include "ehl/films.hpp"
 #include "ehl/film_conditions.hpp"
+#include "ehl/films.hpp"
 #include "ehl/line_formulas.hpp"
 #include "support/judge.hpp"
 #include "tribo/film_thickness.hpp"
@@ -111,8 +111,8 @@ TEST(LineFormulas, AreThoseOfTheModelInSi) {
     for (const ehl::LineFormula& formula : ehl::line_formulas) {
       const double film =
           formula.law == nullptr
-              ? moes_line(c.speed, c.viscosity, c.pressure_viscosity, c.load,
-                          c.effective_modulus, c.radius)
+              ? moes_line(c.speed, c.viscosity, c.pressure_viscosity, c.load, c.effective_modulus,
+                          c.radius)
               : line_film_thickness(*formula.law, c.speed, c.viscosity, c.pressure_viscosity,
                                     c.load, c.effective_modulus, c.radius);
       const double number =
