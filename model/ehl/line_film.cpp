@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double greatest_change = 0.5;   // of P in one step: Hertz' peak is 1
+constexpr double greatest_change = 0.5;   // of P in one step, as a share of the greatest P
 constexpr double least_part = 1e-3;       // the least part of a Newton step that is worth making
 constexpr double rounding_change = 1e-7;  // of P, at most
 
@@ -220,7 +220,9 @@ class Newton {
     const Change change = change_for(linear, now_, linear.balance, 0);
     result_.last_change = change.greatest();
     if (!std::isfinite(result_.last_change)) return 0;
-    double part = std::fmin(1, greatest_change / change.pressure.cwiseAbs().maxCoeff());
+    // A spike may be many times as high as Hertz' peak, which is 1.
+    const double most = greatest_change * std::fmax(1, now_.pressure.maxCoeff());
+    double part = std::fmin(1, most / change.pressure.cwiseAbs().maxCoeff());
     for (; part > least_part; part /= 2) {
       std::optional<State> next = state_after(part, change);
       if (!next) continue;
