@@ -13,8 +13,11 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <memory>
 #include <numbers>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "conformance/conformance.hpp"
@@ -461,6 +464,134 @@ Formula load_sharing(Draw& draw) {
   };
 }
 
+// --- Single expressions, rearranged by machine
+
+enum class Op { number, input, sum, product, power, exponential, logarithm };
+struct Node;
+struct Tree {
+  std::shared_ptr<const Node> node;
+  Tree(double number);  // an expression is written with numbers as they are
+  explicit Tree(Node&& made);
+};
+struct Node {
+  Op op;
+  double number;  // its value, the place of an input, or the exponent of a power
+  std::vector<Tree> of = {};
+};
+Tree::Tree(double number) : Tree(Node{Op::number, number}) {}
+Tree::Tree(Node&& made) : node(std::make_shared<const Node>(std::move(made))) {}
+
+Tree input(int place) { return Tree(Node{Op::input, static_cast<double>(place)}); }
+Tree power(const Tree& x, double n) { return Tree(Node{Op::power, n, {x}}); }
+Tree exponential(const Tree& x) { return Tree(Node{Op::exponential, 0, {x}}); }
+Tree logarithm(const Tree& x) { return Tree(Node{Op::logarithm, 0, {x}}); }
+Tree operator+(const Tree& a, const Tree& b) { return Tree(Node{Op::sum, 0, {a, b}}); }
+Tree operator*(const Tree& a, const Tree& b) { return Tree(Node{Op::product, 0, {a, b}}); }
+Tree operator-(const Tree& a, const Tree& b) { return a + Tree(-1) * b; }
+Tree operator/(const Tree& a, const Tree& b) { return a * power(b, -1); }
+
+double value(const Tree& tree, const Arguments& x) {
+  const Node& node = *tree.node;
+  const auto of = [&](std::size_t place) { return value(node.of[place], x); };
+  switch (node.op) {
+    case Op::number:
+      return node.number;
+    case Op::input:
+      return x[static_cast<std::size_t>(node.number)];
+    case Op::sum:
+      return of(0) + of(1);
+    case Op::product:
+      return of(0) * of(1);
+    case Op::power:
+      return node.number == -1 ? 1 / of(0) : std::pow(of(0), node.number);
+    case Op::exponential:
+      return std::exp(of(0));
+    default:
+      return std::log(of(0));
+  }
+}
+
+enum class Rule { commute, distribute, split_powers, invert, any };
+constexpr std::array rules{Rule::commute, Rule::distribute, Rule::split_powers, Rule::invert,
+                           Rule::any};
+
+// The same expression, with the rule applied at about half of the places where it can be.
+Tree rearranged(const Tree& tree, Rule rule, Draw& draw) {
+  Node node = *tree.node;
+  for (Tree& one : node.of) one = rearranged(one, rule, draw);
+  if (rule == Rule::any) rule = rules[static_cast<std::size_t>(draw.any(4))];
+  if (draw.any(2) == 0) return Tree(std::move(node));
+  const bool is_sum = node.op == Op::sum, is_product = node.op == Op::product;
+  if (rule == Rule::commute && (is_sum || is_product)) std::swap(node.of[0], node.of[1]);
+  if (rule == Rule::distribute && is_product)  // a (b + c)
+    for (const std::size_t place : {0U, 1U})
+      if (const Node& sum = *node.of[place].node; sum.op == Op::sum)
+        return node.of[1 - place] * sum.of[0] + node.of[1 - place] * sum.of[1];
+  if (rule == Rule::split_powers && node.op == Op::power) {
+    const double part = node.number * draw.between(0.1, 0.9);
+    return power(node.of[0], part) * power(node.of[0], node.number - part);
+  }
+  if (rule == Rule::split_powers && node.op == Op::exponential)  // e^(b + c)
+    if (const Node& sum = *node.of[0].node; sum.op == Op::sum)
+      return exponential(sum.of[0]) * exponential(sum.of[1]);
+  if (rule == Rule::invert && node.op == Op::power)  // 1/x^n, or (1/x)^n
+    return draw.any(2) == 0 ? power(power(node.of[0], -node.number), -1)
+                            : power(power(node.of[0], -1), -node.number);
+  return Tree(std::move(node));
+}
+
+Tree film(const catalogue::Function& function) {
+  const FilmLaw& law = *function.film_law;
+  const auto number = [](const Fraction& one) { return static_cast<double>(one.p) / one.q; };
+  const bool is_soft = function.parameters[2].name != "pressure_viscosity";
+  const int load = is_soft ? 2 : 3;
+  const Tree modulus = 2 * input(load + 1), radius = input(load + 2);
+  const Tree u = input(0) * input(1) / (modulus * radius);
+  const Tree w = input(load) / (modulus * (law.is_of_lines ? radius : radius * radius));
+  const Tree g = is_soft ? Tree(1) : input(2) * modulus;
+  const Tree side =
+      law.is_of_lines
+          ? Tree(1)
+          : 1 - number(law.side_leakage) * exponential(-number(law.side_decay) * input(load + 3));
+  return radius * number(law.constant) * power(u, number(law.speed_exponent)) *
+         power(g, number(law.material_exponent)) * power(w, number(law.load_exponent)) * side;
+}
+
+// The expressions of each function's results.
+std::map<std::string_view, std::vector<Tree>> expressions() {
+  const auto x = input;
+  const auto compliance = [&](int of) { return (1 - x(of + 1) * x(of + 1)) / x(of); };
+  const Tree radius = power(0.75 * x(0) * x(2) / x(1), 1.0 / 3);
+  const Tree mean = x(0) / (pi * radius * radius);
+  const Tree heat = x(3) * x(4) * x(5) * x(5) / x(6);
+  const Tree scale = logarithm(x(0)) + 9.67;
+  std::map<std::string_view, std::vector<Tree>> all{
+      {"effective_modulus", {1 / (compliance(0) + compliance(2))}},
+      {"hertz_point", {radius, mean, 1.5 * mean, radius * radius / x(2)}},
+      {"gupta_thermal_reduction",
+       {(1 - 6.6 * x(0) / x(1) * power(heat, 0.42)) /
+        (1 + 0.213 * (1 + 2.23 * power(x(2), 0.83)) * power(heat, 0.64))}},
+      {"murch_wilson_thermal_reduction",
+       {3.94 / (3.94 + power(x(0) * x(1) * x(2) * x(2) / x(3), 0.62))}},
+      {"dowson_higginson_density", {(5.9e8 + 1.34 * x(0)) / (5.9e8 + x(0))}},
+      {"barus_viscosity", {x(0) * exponential(x(1) * x(2))}},
+      {"roelands_viscosity",
+       {exponential(logarithm(x(0)) +
+                    scale *
+                        (exponential(x(1) * 1.96e8 / scale * logarithm(1 + x(2) / 1.96e8)) - 1))}},
+      {"summits_from_spectral_moments",
+       {x(0) * x(2) / (x(1) * x(1)), x(2) / (6 * pi * std::sqrt(3) * x(1)),
+        0.375 * power(pi / x(2), 0.5), power(x(0) - 0.8968 * x(1) * x(1) / x(2), 0.5),
+        4 / power(pi * (x(0) * x(2) / (x(1) * x(1)) - 0.8968), 0.5)}},
+      {"plasticity_index", {x(0) / x(1) * power(x(2) / x(3), 0.5)}},
+      {"patir_cheng_pressure_flow", {1 - 0.9 * exponential(-0.56 * x(0))}},
+      {"lambda_ratio",
+       {power(x(1) * x(1) + x(2) * x(2), 0.5), x(0) / power(x(1) * x(1) + x(2) * x(2), 0.5)}}};
+  for (const catalogue::Function& function : catalogue::functions())
+    if (function.film_law != nullptr) all.try_emplace(function.name, std::vector{film(function)});
+  return all;
+}
+
 struct Kind {
   std::string_view function;
   Formula (*draw)(Draw&);
@@ -543,6 +674,26 @@ TEST(Reformulations, OfFilmsAreHeldInEachOfTheirWays) {
       Draw draw{std::mt19937_64(static_cast<unsigned>(number))};
       expect_held(function, film(function, draw), number);
     }
+}
+
+TEST(Reformulations, OfExpressionsRearrangedByMachineAreHeld) {
+  std::map<Rule, std::set<double>> different;  // answers, to the last digit
+  for (const auto& [name, results] : expressions())
+    for (const Rule rule : rules)
+      for (int number = 0; number < ways_of_each && !HasFailure(); ++number) {
+        Draw draw{std::mt19937_64(static_cast<unsigned>(number))};
+        std::vector<Tree> trees;
+        for (const Tree& one : results) trees.push_back(rearranged(one, rule, draw));
+        const catalogue::Function& function = *catalogue::function_named(name);
+        different[rule].insert(value(trees.front(), function.example));
+        const Formula formula = [&](const Arguments& x) {
+          Answers answers;
+          for (const Tree& one : trees) answers.push_back(value(one, x));
+          return answers;
+        };
+        expect_held(function, formula, number);
+      }
+  for (const Rule rule : rules) EXPECT_GT(different[rule].size(), 15U) << static_cast<int>(rule);
 }
 
 TEST(Reformulations, AreNotHeldWithAnErrorOfATenThousandth) {
