@@ -164,12 +164,8 @@ constexpr std::array forms{Form{same, same, same, false, "{1} {2}{0}"},
                            Form{same, logarithm, exponential, true, "{0} e^({1} {2})"},
                            Form{same, reciprocal, reciprocal, false, "1/({1} {2}{0})"}};
 
-struct PointOfForm {
-  double x, y;
-};
-
 // The form through the ends, if it is that of all points and both numbers have few digits.
-std::string form_through(const std::vector<PointOfForm>& points, const std::string& symbol) {
+std::string form_through(const std::vector<Sample>& points, const std::string& symbol) {
   constexpr double closeness = 1e-6;
   const auto [first, last] = std::minmax_element(
       points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
@@ -179,7 +175,7 @@ std::string form_through(const std::vector<PointOfForm>& points, const std::stri
     double constant = y - slope * from;
     const double written = round_number(form.is_power ? std::exp(constant) : constant);
     if (form.is_power) constant = std::log(written);
-    const bool is_of_all = std::all_of(points.begin(), points.end(), [&](const PointOfForm& one) {
+    const bool is_of_all = std::all_of(points.begin(), points.end(), [&](const Sample& one) {
       const double given = form.y_of(constant + slope * form.of_x(one.x));
       return std::abs(given - one.y) <= closeness * std::abs(one.y);
     });
@@ -198,14 +194,14 @@ std::string form_through(const std::vector<PointOfForm>& points, const std::stri
 std::string form_of(const Part& part) {
   if (part.function() == nullptr) return {};
   for (const Variable& variable : variables_of(part.function())) {
-    std::vector<PointOfForm> answers, factors;
+    std::vector<Sample> answers, factors;
     std::set<double> values;
     for (const Part::Number& one : part.all) {
       if (!one.answered->is_left()) continue;
       const double x = variable.value(one.of->asked);
       values.insert(x);
-      answers.push_back({x, one.answered->got});
-      factors.push_back({x, one.answered->got / one.answered->expected->high});
+      answers.push_back({x, one.answered->got, x});
+      factors.push_back({x, one.answered->got / one.answered->expected->high, x});
     }
     if (variable.is_result || values.size() < fewest_of_form) continue;
     if (const std::string text = form_through(answers, variable.symbol); !text.empty())

@@ -615,10 +615,6 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants) {
        return viscosity_at(ViscosityLaw::roelands, 1e3 * a[0], a[1], a[2]) / 1e3;
      }},
-    {"roelands_viscosity", "roelands_as_barus", 0,
-     [](const Arguments& a, Constants) {
-       return viscosity_at(ViscosityLaw::barus, a[0], a[1], a[2]);
-     }},
     {"astm_d341_viscosity", "d341_with_offset", 1,
      [](const Arguments& a, Constants offset) {
        return d341(a, log_log(offset), natural_log, without_log_log(offset));

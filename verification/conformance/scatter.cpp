@@ -20,7 +20,8 @@ constexpr std::size_t fewest_scattered = 20;
 constexpr double small_error = 1e-3;        // relative
 constexpr double least_of_each_sign = 0.2;  // of the errors
 constexpr double least_changes = 0.25;  // of the signs, from one value of a variable to the next
-constexpr double strong = 0.8;          // correlation of ranks
+constexpr double least_changes_of_lost = 0.05;
+constexpr double strong = 0.8;  // correlation of ranks
 
 struct Error {
   double x, relative, absolute;
@@ -183,6 +184,8 @@ std::string approximation_of(const Part& part) {
 Growth growth_of(const Part& part) {
   Growth found;
   if (part.function() == nullptr) return found;
+  found.text = approximation_of(part);
+  if (!found.text.empty()) return found;
   double best = in_order;
   for (const Variable& variable : variables_of(part.function())) {
     std::vector<Error> errors = errors_along(part, variable, of_rounding);
@@ -208,12 +211,11 @@ Growth growth_of(const Part& part) {
     found.cause = fmt::format("{}: numerics along {}", part.function()->name, variable.symbol);
     found.text = fmt::format(
         "The errors are nearly 0 for {} {}, and grow smoothly beyond, from {:.2g} to {:.2g} of the "
-        "value{}: as of a quadrature, a series or an iteration that stops too early, or of an "
-        "approximation that is meant for {} {}.",
+        "value{}: as of a quadrature, a series or an iteration that stops too early, or of a term "
+        "left out that is small for {} {}.",
         good, variable.symbol, from, to, is_of_one ? "" : first_power(errors), good,
         variable.symbol);
   }
-  if (found.text.empty()) found.text = approximation_of(part);
   return found;
 }
 
@@ -225,17 +227,21 @@ std::string scatter_of(const Part& part) {
   for (const Variable& variable : variables_of(part.function())) {
     const std::vector<Error> errors = errors_along(part, variable);
     if (errors.empty() || errors.front().x == errors.back().x) continue;
-    if (!has_both_signs(errors) || share_of_changes(errors) < least_changes) return {};
+    const std::size_t third = errors.size() / 3;
+    const double low = middle_size(errors, 0, third);
+    const double high = middle_size(errors, errors.size() - third, errors.size());
+    // Digits that cancel, to more than the value, may leave most errors of one sign.
+    const bool is_lost = std::max(low, high) > 100 * std::min(low, high) &&
+                         share_of_changes(errors) > least_changes_of_lost;
+    if (!is_lost && (!has_both_signs(errors) || share_of_changes(errors) < least_changes))
+      return {};
     for (const Error& one : errors) greatest = std::max(greatest, std::abs(one.relative));
     const double with = correlation(errors);
     if (std::abs(with) < std::max(strong, best)) continue;
     best = std::abs(with);
-    const std::size_t third = errors.size() / 3;
-    const double low = middle_size(errors, 0, third);
-    const double high = middle_size(errors, errors.size() - third, errors.size());
     grows = fmt::format(
         "The errors are of both signs and in no order, and grow where {} is {}, from {:.2g} to "
-        "{:.2g} of the value: as of digits that are lost, or rounded away.",
+        "{:.2g} of the value: as of digits that cancel, or are rounded away.",
         variable.symbol, with < 0 ? "small" : "large", std::min(low, high), std::max(low, high));
   }
   if (!grows.empty() || greatest == 0 || greatest > small_error) return grows;

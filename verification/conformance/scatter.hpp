@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of numerics: in no order, as of digits that are lost, or in one, as of a series cut off.
+// Errors of numerics: in no order, as of digits that cancel, or in one, as of a series cut off.
 #pragma once
 
 #include <string>

@@ -266,7 +266,7 @@ TEST(Said, OfBranchesIsSaidOfEachAlone) {
     return json{{"value", rounded_moment(order, inputs.at("argument"))}};
   });
   expect_said(said, {"For order 1.5: ", "−1 times the right value", "another sign convention",
-                     "order 1: ", "right up to d = ", "digits cancel there"});
+                     "order 1: ", "right up to d = ", "as of digits that cancel"});
 }
 
 TEST(Said, OfATailThatIsWrongIsWhereItBegins) {
