@@ -4,18 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "conformance/misread.hpp"
 #include "conformance/variable.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 constexpr std::size_t fewest_values = 12;  // different ones of the variable
-constexpr double same_factor = 1e-6;       // of the range of the logarithms of the factors
+constexpr std::size_t fewest_of_form = 6;
+constexpr double same_factor = 1e-6;  // of the range of the logarithms of the factors
 // Squares of what neighbours do not let expect, of the squares of all changes: of the factors'
 // logarithms, and of their ranks, so that no few cases decide.
 constexpr double most_rough = 2e-3, most_rough_ranks = 0.1;
@@ -142,7 +146,71 @@ std::string text_of(const Curve& curve, bool is_only_input) {
                      at(0), at(curve.samples.size() / 2), at(curve.samples.size() - 1));
 }
 
+// Forms of x with two numbers: a straight line in X of x and Y of y.
+struct Form {
+  double (*of_x)(double);
+  double (*of_y)(double);
+  double (*y_of)(double);
+  bool is_power;     // Y = ln y: the first number is e^a
+  const char* text;  // of the numbers and x
+};
+double same(double x) { return x; }
+double reciprocal(double x) { return 1 / x; }
+double logarithm(double x) { return std::log(x); }
+double exponential(double x) { return std::exp(x); }
+constexpr std::array forms{Form{same, same, same, false, "{1} {2}{0}"},
+                           Form{logarithm, same, same, false, "{1} ln {2}{0}"},
+                           Form{logarithm, logarithm, exponential, true, "{0} {2}^({1})"},
+                           Form{same, logarithm, exponential, true, "{0} e^({1} {2})"},
+                           Form{same, reciprocal, reciprocal, false, "1/({1} {2}{0})"}};
+
+// The form through the ends, if it is that of all points and both numbers have few digits.
+std::string form_through(const std::vector<Sample>& points, const std::string& symbol) {
+  constexpr double closeness = 1e-6;
+  const auto [first, last] = std::minmax_element(
+      points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  for (const Form& form : forms) {
+    const double from = form.of_x(first->x), y = form.of_y(first->y);
+    const double slope = round_number((form.of_y(last->y) - y) / (form.of_x(last->x) - from));
+    double constant = y - slope * from;
+    const double written = round_number(form.is_power ? std::exp(constant) : constant);
+    if (form.is_power) constant = std::log(written);
+    const bool is_of_all = std::all_of(points.begin(), points.end(), [&](const Sample& one) {
+      const double given = form.y_of(constant + slope * form.of_x(one.x));
+      return std::abs(given - one.y) <= closeness * std::abs(one.y);
+    });
+    if (!is_of_all || slope == 0 || !is_of_few_digits(slope) || !is_of_few_digits(written))
+      continue;
+    const std::string number =
+        form.is_power ? fmt::format("{:.6g}", written)
+                      : fmt::format(" {} {:.6g}", written < 0 ? "−" : "+", std::abs(written));
+    return fmt::format(fmt::runtime(form.text), number, fmt::format("{:.6g}", slope), symbol);
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string form_of(const Part& part) {
+  if (part.function() == nullptr) return {};
+  for (const Variable& variable : variables_of(part.function())) {
+    std::vector<Sample> answers, factors;
+    std::set<double> values;
+    for (const Part::Number& one : part.all) {
+      if (!one.answered->is_left()) continue;
+      const double x = variable.value(one.of->asked);
+      values.insert(x);
+      answers.push_back({x, one.answered->got, x});
+      factors.push_back({x, one.answered->got / one.answered->expected->high, x});
+    }
+    if (variable.is_result || values.size() < fewest_of_form) continue;
+    if (const std::string text = form_through(answers, variable.symbol); !text.empty())
+      return fmt::format("All {} wrong answers are {}.", answers.size(), text);
+    if (const std::string text = form_through(factors, variable.symbol); !text.empty())
+      return fmt::format("All {} wrong answers are {} times the right ones.", factors.size(), text);
+  }
+  return {};
+}
 
 std::optional<Dependence> dependence_of(const Part& part) {
   if (part.wrong.size() < fewest_cases || part.function() == nullptr) return std::nullopt;

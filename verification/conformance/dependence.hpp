@@ -17,6 +17,10 @@ struct Dependence {
   std::function<double(const Question&)> factor;
 };
 
+// "All 36 wrong answers are 3 x − 1.5.", or that the factor is such a form of one variable with two
+// numbers of few digits. Empty: neither is so.
+std::string form_of(const Part& part);
+
 // Empty where no variable alone determines the factor: where two cases with the same value have
 // different factors, or where the factor of a case is not what those of its neighbours let expect.
 std::optional<Dependence> dependence_of(const Part& part);

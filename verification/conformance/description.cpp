@@ -149,15 +149,6 @@ std::string powers_in_words(const catalogue::Function& function,
 
 // --- Where and how numbers are wrong
 
-std::vector<Part::Number> along(const Part& part, std::size_t input) {
-  std::vector<Part::Number> numbers = part.all;
-  std::stable_sort(numbers.begin(), numbers.end(),
-                   [input](const Part::Number& a, const Part::Number& b) {
-                     return a.input(input) < b.input(input);
-                   });
-  return numbers;
-}
-
 // Inputs that vary.
 std::vector<std::size_t> number_inputs(const Part& part) {
   std::vector<std::size_t> inputs;
@@ -167,55 +158,6 @@ std::vector<std::size_t> number_inputs(const Part& part) {
     if (parameters[i].words.empty() && parameters[i].range != catalogue::Range::half_order)
       inputs.push_back(i);
   return inputs;
-}
-
-constexpr double greatest_of_quadrature = 0.1, least_of_quadrature = 1e-4;  // relative errors
-
-// How the errors run along an input: as those of an integral that ends too early, of digits that
-// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: as none
-// of these.
-std::string manner_of_errors(const Part& part) {
-  const std::vector<std::size_t> inputs = number_inputs(part);
-  if (inputs.size() != 1) return {};  // along one of several inputs errors look like noise
-  std::vector<Part::Number> points = along(part, inputs.front());
-  std::erase_if(points, [](const Part::Number& one) {
-    return !one.answered->is_wrong || one.answered->expected->high == 0;
-  });
-  if (points.size() < fewest_cases) return {};
-  const auto relative = [](const Part::Number& one) {
-    return one.answered->error() / std::abs(one.answered->expected->high);
-  };
-  std::size_t flips = 0, falls = 0, zeros = 0;
-  std::vector<double> sizes;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    sizes.push_back(std::abs(relative(points[i])));
-    zeros += points[i].answered->got == 0 ? 1 : 0;
-    if (i == 0) continue;
-    flips += (relative(points[i]) < 0) != (relative(points[i - 1]) < 0) ? 1 : 0;
-    falls += sizes[i] < sizes[i - 1] ? 1 : 0;
-  }
-  const auto share = [&](std::size_t count) {
-    return static_cast<double>(count) / static_cast<double>(points.size());
-  };
-  const auto middle_of = [&](std::size_t first, std::size_t last) {
-    std::vector<double> some(sizes.begin() + static_cast<std::ptrdiff_t>(first),
-                             sizes.begin() + static_cast<std::ptrdiff_t>(last));
-    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-    std::nth_element(some.begin(), middle, some.end());
-    return *middle;
-  };
-  if (share(zeros) > 0.9) return "the answers are 0 there, as of an integral that ends too early";
-  const std::size_t third = sizes.size() / 3;
-  const double before = middle_of(0, third), after = middle_of(sizes.size() - third, sizes.size());
-  if (flips >= 3 && share(flips) > 0.05 && (after > 100 * before || before > 100 * after))
-    return "the errors have no order and grow: digits cancel there";
-  const double greatest = *std::max_element(sizes.begin(), sizes.end());
-  const double least = *std::min_element(sizes.begin(), sizes.end());
-  // A quadrature is good somewhere, and nowhere off by orders.
-  if (share(flips) < 0.05 && greatest <= greatest_of_quadrature && least <= least_of_quadrature &&
-      greatest > 3 * least && (share(falls) < 0.2 || share(falls) > 0.8))
-    return "the errors are smooth and grow, as of a quadrature or a series with too few terms";
-  return {};
 }
 
 // --- Words
@@ -546,7 +488,7 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   text += '.';
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};
-  if (const std::optional<Misread> misread = misread_input(part))
+  if (const std::optional<Misread> misread = misread_input(part, mistakes))
     return {text + with(misread->text), true, misread->text, is_in_place};
   if (const std::string other = other_value(part); !other.empty())
     return {text + ' ' + other, true, {}, is_in_place};
@@ -554,10 +496,10 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
     return {text + ' ' + sum, true, {}, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);
   if (!powers.empty()) return {text + powers, true, {}, is_in_place};
-  if (std::string manner = manner_of_errors(part); !manner.empty()) {
-    manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
-    return {text + ' ' + manner + '.', false, {}, is_in_place};
-  }
+  if (const std::string form = form_of(part); !form.empty())
+    return {text + ' ' + form, true, {}, is_in_place};
+  if (const Growth growth = growth_of(part); !growth.text.empty())
+    return {text + ' ' + growth.text, true, growth.cause, is_in_place};
   if (const std::optional<Dependence> depends = dependence_of(part))
     return {text + ' ' + depends->text, false, {}, is_in_place};
   if (const std::string scatter = scatter_of(part); !scatter.empty())

@@ -133,7 +133,7 @@ void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
     for (const Part& part : parts_left(cases)) {
       Factor factor{part.place, part.branch, power_factor(part)};
       if (!factor.at)
-        if (const std::optional<Misread> misread = misread_input(part))
+        if (const std::optional<Misread> misread = misread_input(part, {}))
           factor.at = [answer = misread->answer, place = part.place](const Question& question) {
             return answer(question, place) / right_numbers(question)[place];
           };

@@ -219,6 +219,8 @@ void add_formula(const Function& function, const MistakeEntry& entry, Mistake& m
   mistake.instead = [formula, numbers = entry.numbers](const Question& question) {
     return formula(question.arguments, numbers);
   };
+  if (!entry.numbers.empty()) mistake.of_numbers = formula;
+  mistake.numbers = entry.numbers;
   mistake.touches.emplace_back("formula");
 }
 

@@ -137,7 +137,7 @@ std::optional<Numbers> starved_film(const Arguments& a, Constants n) {
     const double other = closure == StarvationClosure::flooded_inlet ? 1 : y;
     return a[1] * (other + n[1] * std::pow(psi, n[2]) * power) > 1;
   };
-  double low = -60, high = 60;  // ln ψ
+  double low = -300, high = 60;  // ln ψ
   if (is_long(std::exp(low)) || !is_long(std::exp(high))) return std::nullopt;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
@@ -258,11 +258,12 @@ struct Residuals : Eigen::DenseFunctor<double> {
       const Part::Number& one = (*wrong)[i];
       const double given = law->answer(one.of->question, steps, place);
       if (!std::isfinite(given)) return -1;
-      // Exponents change answers by orders: then the logarithm is nearly linear in them.
-      const double got = one.answered->got, ratio = given / got;
-      left[static_cast<Eigen::Index>(i)] =
-          ratio > 0 ? std::log(ratio)
-                    : (given - got) / (std::abs(got) + std::abs(one.answered->expected->high));
+      // Exponents change answers by orders: then the logarithm is nearly linear in them. An answer
+      // of the wrong sign is reached through 0, where the logarithm has a pole.
+      const double got = one.answered->got, right = one.answered->expected->high;
+      left[static_cast<Eigen::Index>(i)] = given / got > 0 && right / got > 0
+                                               ? std::log(given / got)
+                                               : (given - got) / (std::abs(got) + std::abs(right));
     }
     return 0;
   }
@@ -315,16 +316,30 @@ std::optional<Eigen::VectorXd> steps_to(const ChangedLaw& changed,
   return steps;
 }
 
+std::vector<Part::Number> least_off(std::vector<Part::Number> numbers, std::size_t count) {
+  const auto off = [](const Part::Number& one) {
+    return std::abs(std::log(std::abs(one.answered->got / one.answered->expected->high)));
+  };
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [&](const Part::Number& a, const Part::Number& b) { return off(a) < off(b); });
+  numbers.resize(count);
+  return numbers;
+}
+
 std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change> changes,
                                     const std::vector<Part::Number>& wrong, std::size_t place) {
   ChangedLaw changed{law, std::move(changes)};
   const Eigen::VectorXd none =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(changed.changes.size()));
   auto solved = steps_to(changed, wrong, place, none);
-  // Near a pole of the law the way to all answers leads through one of them.
+  // Near a pole of the law the way to all answers leads through one of them, or, for two numbers,
+  // through those that are off least.
   for (std::size_t i = 0; i < 3 && !solved && changed.changes.size() == 1 && wrong.size() > 3; ++i)
     if (const auto one = steps_to(changed, {wrong[i * (wrong.size() - 1) / 2]}, place, none))
       solved = steps_to(changed, wrong, place, *one);
+  if (!solved && changed.changes.size() == 2 && wrong.size() >= fewest_of_three)
+    if (const auto near = steps_to(changed, least_off(wrong, wrong.size() / 3), place, none))
+      solved = steps_to(changed, wrong, place, *near);
   if (!solved) return std::nullopt;
   Eigen::VectorXd& steps = *solved;
   FittedNumbers found{changed.changes.size(), true, true, {}, {}, {}};
@@ -427,6 +442,47 @@ std::vector<FittedNumbers> exchanges_with_factors(const LawOfNumbers& law,
   return found;
 }
 
+// The law with a known mistake beside it, or the formula of the mistake, if it has one with
+// numbers.
+std::optional<LawOfNumbers> with_mistake(const catalogue::Function& function,
+                                         const LawOfNumbers& law, const Mistake& mistake) {
+  if (mistake.instead && !mistake.of_numbers) return std::nullopt;
+  LawOfNumbers changed =
+      mistake.instead ? LawOfNumbers{mistake.of_numbers, mistake.numbers, {}} : law;
+  changed.formula = [formula = std::move(changed.formula), &function, &mistake](
+                        const Arguments& arguments, Constants numbers) -> std::optional<Numbers> {
+    Question asked{nullptr, &function, arguments};
+    if (mistake.applies && !mistake.applies(asked)) return right_numbers(asked);
+    if (mistake.before) mistake.before(asked);
+    std::optional<Numbers> given = formula(asked.arguments, numbers);
+    if (given && mistake.after) mistake.after(asked, *given);
+    return given;
+  };
+  return changed;
+}
+
+// One number, or a factor of an input, beside a known mistake. A film's law has numbers alone.
+std::vector<FittedNumbers> beside_mistakes(const catalogue::Function& function,
+                                           const LawOfNumbers& law,
+                                           const std::vector<Mistake>& mistakes,
+                                           const std::vector<Part::Number>& wrong,
+                                           std::size_t place) {
+  std::vector<FittedNumbers> found;
+  if (function.film_law != nullptr) return found;
+  const std::vector<Part::Number> probes{wrong.front(), wrong[wrong.size() / 2], wrong.back()};
+  for (const Mistake& mistake : mistakes)
+    if (const auto changed = with_mistake(function, law, mistake))
+      for (const Change& one : changes_of(function, *changed)) {
+        if (!fitted(*changed, {one}, probes, place)) continue;
+        auto number = fitted(*changed, {one}, wrong, place);
+        if (!number || !number->is_plausible) continue;
+        number->count = 2;
+        number->text = mistake.text + ", and " + number->text;
+        found.push_back(std::move(*number));
+      }
+  return found;
+}
+
 // Three numbers with exchanged digits.
 std::vector<FittedNumbers> three_exchanges(const LawOfNumbers& law,
                                            const std::vector<Change>& changes,
@@ -480,15 +536,17 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) 
   return LawOfNumbers{formula, {right.begin(), right.end()}, {}};
 }
 
-std::vector<FittedNumbers> fitted_numbers(const Part& part, bool is_one_factor) {
+std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mistake>& mistakes,
+                                          bool is_one_factor) {
   const auto law = part.function() == nullptr ? std::nullopt : law_of_numbers(*part.function());
   if (!law) return {};
+  const catalogue::Function& function = *part.function();
   std::vector<Part::Number> wrong;
   for (const Part::Number& one : part.all)
     if (one.answered->is_left()) wrong.push_back(one);
   // The changes on which wrong answers depend.
   std::vector<Change> changes;
-  for (Change& one : changes_of(*part.function(), *law)) {
+  for (Change& one : changes_of(function, *law)) {
     const ChangedLaw changed{*law, {one}};
     const Eigen::VectorXd step = Eigen::VectorXd::Constant(1, probed);
     const bool matters = std::any_of(wrong.begin(), wrong.end(), [&](const Part::Number& number) {
@@ -503,7 +561,7 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part, bool is_one_factor) 
   if (!is_plausible && is_one_factor)
     return exchanges_with_factors(*law, changes, wrong, part.place);
   // Two numbers are not told apart by questions that differ in one of several inputs alone.
-  const std::size_t least = std::min<std::size_t>(2, part.function()->parameters.size());
+  const std::size_t least = std::min<std::size_t>(2, function.parameters.size());
   if (is_plausible || wrong.size() < fewest_of_pairs || inputs_that_vary(wrong) < least)
     return found;
   for (std::size_t i = 0; i < changes.size() && changes.size() <= most_in_pairs; ++i)
@@ -515,6 +573,8 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part, bool is_one_factor) 
   if (changes.size() > most_in_pairs)
     for (FittedNumbers& pair : one_after_the_other(*law, changes, wrong, part.place))
       found.push_back(std::move(pair));
+  for (FittedNumbers& one : beside_mistakes(function, *law, mistakes, wrong, part.place))
+    found.push_back(std::move(one));
   if (found.empty() && wrong.size() >= fewest_of_three)
     return three_exchanges(*law, changes, wrong, part.place);
   return found;

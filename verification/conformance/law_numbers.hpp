@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "conformance/mistake.hpp"
 #include "conformance/wrong_numbers.hpp"
 
 namespace tribo::conformance {
@@ -42,9 +43,10 @@ struct FittedNumbers {
   std::function<double(const Question&, std::size_t place)> answer;
 };
 // Those that give the wrong answers of the part, single numbers first, pairs only where no
-// plausible single number does, and three with exchanged digits only where no pair does; the caller
-// looks whether the right answers stay right. Where all wrong answers are off by one factor, only
-// what that can be is sought.
-std::vector<FittedNumbers> fitted_numbers(const Part& part, bool is_one_factor);
+// plausible single number does, also of a number beside one of the mistakes, and three with
+// exchanged digits only where no pair does; the caller looks whether the right answers stay right.
+// Where all wrong answers are off by one factor, only what that can be is sought.
+std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mistake>& mistakes,
+                                          bool is_one_factor);
 
 }  // namespace tribo::conformance

@@ -491,14 +491,14 @@ std::string other_default(const Part& part) {
   return wrong.empty() ? std::string() : default_of(part, wrong, inputs_of(part));
 }
 
-std::optional<Misread> misread_input(const Part& part) {
+std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake>& mistakes) {
   const std::vector<Part::Number> wrong = wrong_of(part);
   if (wrong.size() < fewest_cut) return std::nullopt;
   // The readings keep the address of their inputs.
   const auto inputs = std::make_shared<const std::vector<Input>>(inputs_of(part));
   std::vector<Misreading> all;
   const bool is_one_factor = !vary(part);
-  for (FittedNumbers& one : fitted_numbers(part, is_one_factor))
+  for (FittedNumbers& one : fitted_numbers(part, mistakes, is_one_factor))
     if (!is_one_factor || one.is_plausible)
       all.push_back({one.is_plausible ? (one.count == 1 ? 2 : 6) : 7, std::move(one.text),
                      std::move(one.answer)});
@@ -521,8 +521,57 @@ std::optional<Misread> misread_input(const Part& part) {
                  }};
 }
 
+namespace {
+
+// "All 3 wrong answers are 0: a floor …": and all right ones are on the other side of it.
+std::string floor_of(const Part& part, const std::vector<Part::Number>& wrong) {
+  const double end = wrong.front().answered->got;
+  const auto is_beyond = [&](double sign) {
+    return all_of(wrong,
+                  [&](const Part::Number& one) {
+                    return one.answered->got == end &&
+                           sign * (end - one.answered->expected->high) > 0;
+                  }) &&
+           std::none_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+             return !one.answered->is_wrong && sign * (end - one.answered->expected->high) > 0;
+           });
+  };
+  const bool is_enough = wrong.size() > 1 || is_of_digits(end, digits_of_defaults);
+  if (!is_enough || part.all.size() < wrong.size() + fewest_wrong) return {};
+  for (const double sign : {1.0, -1.0})
+    if (is_beyond(sign))
+      return fmt::format("{} {:.7g}: a {}, at which the answer stops changing.",
+                         wrong.size() == 1 ? std::string("The wrong answer is")
+                                           : fmt::format("All {} wrong answers are", wrong.size()),
+                         end + 0.0, sign > 0 ? "floor" : "cap");
+  return {};
+}
+
+// Another function that needs no other inputs, of which these are the answers.
+std::string other_function(const catalogue::Function& own, const std::vector<Part::Number>& wrong) {
+  for (const catalogue::Function& other : catalogue::functions()) {
+    if (&other == &own || other.results.size() > 1) continue;
+    std::vector<std::size_t> places;
+    for (const catalogue::Parameter& one : other.parameters)
+      places.push_back(catalogue::place_in(own.parameters, one.name));
+    const bool is_known = std::all_of(places.begin(), places.end(), [&](std::size_t place) {
+      return place < own.parameters.size();
+    });
+    if (is_known && all_of(wrong, [&](const Part::Number& one) {
+          Question asked{nullptr, &other};
+          for (std::size_t i = 0; i < places.size(); ++i) asked.arguments[i] = one.input(places[i]);
+          return std::abs(right_numbers(asked)[0] / one.answered->got - 1) <= 1e-6;
+        }))
+      return fmt::format("All {} wrong answers are those of {}.", wrong.size(), other.name);
+  }
+  return {};
+}
+
+}  // namespace
+
 std::string other_value(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
+  if (std::string end = floor_of(part, wrong); !end.empty()) return end;
   if (wrong.size() < fewest_cut || !vary(part)) return {};
   const auto got = [](const Part::Number& one) { return one.answered->got; };
   const double first = got(wrong.front());
@@ -546,6 +595,8 @@ std::string other_value(const Part& part) {
         "All {} wrong answers are {}: what {} is multiplied by is cut off, or constant.",
         wrong.size(), words, input.symbol);
   }
+  if (part.function() != nullptr)
+    if (std::string other = other_function(*part.function(), wrong); !other.empty()) return other;
   std::vector<Numbers> right;
   for (const Part::Number& one : wrong) right.push_back(right_numbers(one.of->question));
   std::vector<ResultName> names = results_of(part.function());

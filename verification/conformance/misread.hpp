@@ -7,7 +7,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "conformance/mistake.hpp"
 #include "conformance/wrong_numbers.hpp"
 
 namespace tribo::conformance {
@@ -15,19 +17,21 @@ namespace tribo::conformance {
 // "u/2 in place of u": with this the right formula gives all wrong answers. It is solved for each
 // input where an answer is wrong; what comes is a multiple of the input, a number, a sum, another
 // input, or cut off, and has to give all other answers. "0.231 in place of 0.213": a number of the
-// law likewise, or two of them, or one and a factor of an input. Empty: nothing of this does.
+// law likewise, or two of them, or one and a factor of an input, or one beside a known mistake.
+// Empty: nothing of this does.
 struct Misread {
   std::string text;
   std::function<double(const Question&, std::size_t place)> answer;  // with what is told first
 };
-std::optional<Misread> misread_input(const Part& part);
+std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake>& mistakes);
 
 // "k = 1.03 where it is left out": the wrong answers are those to questions that leave this out,
 // and are right with another default. Empty: no input is so.
 std::string other_default(const Part& part);
 
-// "All of these answers are 1e-09." or "… are the right semi_axis_y." Empty: they are neither one
-// number, nor one number times an input, nor an input or another result.
+// "All of these answers are 1e-09.", "… are the right semi_axis_y." or "… of barus_viscosity."
+// Empty: they are neither one number, nor one number times an input, nor an input, nor another
+// result, nor that of another function of these inputs.
 std::string other_value(const Part& part);
 
 // A number as people write it, with few digits, where that is within 1e-6 of it; else the number.

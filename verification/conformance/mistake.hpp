@@ -28,6 +28,10 @@ struct Mistake {
   // Another formula. Empty: it says nothing of this question.
   std::function<std::optional<Numbers>(const Question&)> instead = {};
   std::function<void(const Question&, Numbers&)> after = {};  // changes the results
+  // The numbers of the other formula, if it has some, and the formula of any in their place.
+  std::vector<double> numbers = {};
+  std::function<std::optional<Numbers>(const catalogue::Arguments&, std::span<const double>)>
+      of_numbers = {};
 
   bool can_stand_beside(const Mistake& other) const;
 };

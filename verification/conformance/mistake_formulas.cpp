@@ -194,8 +194,13 @@ Value d341(const Arguments& a, const Of& y, const OfTemperature& x, const Invers
   return std::isfinite(found) ? Value(found) : std::nullopt;
 }
 double natural_log(double x) { return std::log(x); }
-double log_log(double viscosity) { return std::log(std::log(viscosity + 0.7)); }
-double without_log_log(double y) { return std::exp(std::exp(y)) - 0.7; }
+// The number is the one that is added to the viscosity.
+auto log_log(Constants offset) {
+  return [=](double viscosity) { return std::log(std::log(viscosity + offset[0])); };
+}
+auto without_log_log(Constants offset) {
+  return [=](double y) { return std::exp(std::exp(y)) - offset[0]; };
+}
 
 // --- Viscosity index: arguments ν at 40 and at 100 °C
 
@@ -473,8 +478,8 @@ constexpr NamedFormula formulas[] = {
        }
      }},
 
-    {"gupta_thermal_reduction", "thermal_with_speed_once", 0,
-     [](const Arguments& a, Constants) { return thermal(a, heating(a, a[5]), gupta); }},
+    {"gupta_thermal_reduction", "thermal_with_speed_once", gupta.size(),
+     [](const Arguments& a, Constants numbers) { return thermal(a, heating(a, a[5]), numbers); }},
     {"gupta_thermal_reduction", "thermal_of_numbers", gupta.size(),
      [](const Arguments& a, Constants numbers) {
        return thermal(a, heating(a, a[5] * a[5]), numbers);
@@ -486,9 +491,9 @@ constexpr NamedFormula formulas[] = {
        return 1 / (1 + 0.1 * (1 + 14.8 * std::pow(a[2], 0.83)) * std::pow(l, 0.64));
      }},
 
-    {"murch_wilson_thermal_reduction", "rolling_with_speed_once", 0,
-     [](const Arguments& a, Constants) {
-       return rolling(rolling_heat(a, a[2]), 1 / 3.94, 0.62);
+    {"murch_wilson_thermal_reduction", "rolling_with_speed_once", rolling_inlet.size(),
+     [](const Arguments& a, Constants numbers) {
+       return rolling(rolling_heat(a, a[2]), 1 / numbers[0], numbers[1]);
      }},
     // Numbers: the factor of L, and its power.
     {"murch_wilson_thermal_reduction", "rolling_of_numbers", 2,
@@ -500,9 +505,9 @@ constexpr NamedFormula formulas[] = {
        return rolling(rolling_heat(a, a[2] * a[2]), 1 / numbers[0], numbers[1]);
      },
      rolling_inlet},
-    {"murch_wilson_thermal_reduction", "rolling_inverted", 0,
-     [](const Arguments& a, Constants) {
-       return 1 / rolling(rolling_heat(a, a[2] * a[2]), 1 / 3.94, 0.62);
+    {"murch_wilson_thermal_reduction", "rolling_inverted", rolling_inlet.size(),
+     [](const Arguments& a, Constants numbers) {
+       return 1 / rolling(rolling_heat(a, a[2] * a[2]), 1 / numbers[0], numbers[1]);
      }},
 
     {"subsurface_shear", "shear_with_arc_of_depth", 0,
@@ -567,8 +572,8 @@ constexpr NamedFormula formulas[] = {
        return 1 - numbers[0] * std::exp(-numbers[1] * a[0]);
      },
      patir_cheng},
-    {"patir_cheng_pressure_flow", "flow_shortage", 0,
-     [](const Arguments& a, Constants) { return 0.9 * std::exp(-0.56 * a[0]); }},
+    {"patir_cheng_pressure_flow", "flow_shortage", 2,
+     [](const Arguments& a, Constants numbers) { return numbers[0] * std::exp(-numbers[1] * a[0]); }},
     // Numbers: (m (Rq₁ⁿ + Rq₂ⁿ))^(1/n): n and m.
     {"lambda_ratio", "lambda_of_norm", 2,
      [](const Arguments& a, Constants numbers) {
@@ -600,45 +605,42 @@ constexpr NamedFormula formulas[] = {
        return a[0] * std::exp(scale * (std::pow(1 + a[2] / numbers[0], z) - 1));
      },
      roelands},
-    {"roelands_viscosity", "roelands_of_exponent", 1,
-     [](const Arguments& a, Constants z) {
-       const double power = std::pow(1 + a[2] / roelands[0], z[0]);
-       return a[0] * std::exp((std::log(a[0]) + roelands[3]) * (power - 1));
+    // Numbers: z, p_R and 9.67.
+    {"roelands_viscosity", "roelands_of_exponent", 3,
+     [](const Arguments& a, Constants n) {
+       const double power = std::pow(1 + a[2] / n[1], n[0]);
+       return a[0] * std::exp((std::log(a[0]) + n[2]) * (power - 1));
      }},
     {"roelands_viscosity", "roelands_in_millipascal", 0,
      [](const Arguments& a, Constants) {
        return viscosity_at(ViscosityLaw::roelands, 1e3 * a[0], a[1], a[2]) / 1e3;
      }},
-    {"roelands_viscosity", "roelands_as_barus", 0,
-     [](const Arguments& a, Constants) {
-       return viscosity_at(ViscosityLaw::barus, a[0], a[1], a[2]);
-     }},
     {"astm_d341_viscosity", "d341_with_offset", 1,
      [](const Arguments& a, Constants offset) {
-       return d341(
-           a, [&](double viscosity) { return std::log(std::log(viscosity + offset[0])); },
-           natural_log, [&](double y) { return std::exp(std::exp(y)) - offset[0]; });
+       return d341(a, log_log(offset), natural_log, without_log_log(offset));
      },
      walther},
-    {"astm_d341_viscosity", "d341_with_sum", 0,
-     [](const Arguments& a, Constants) {
-       return d341(a, log_log, natural_log, [](double y) { return std::exp(std::exp(y)); });
+    {"astm_d341_viscosity", "d341_with_sum", 1,
+     [](const Arguments& a, Constants offset) {
+       return d341(a, log_log(offset), natural_log, [](double y) { return std::exp(std::exp(y)); });
      }},
-    {"astm_d341_viscosity", "d341_in_celsius", 0,
-     [](const Arguments& a, Constants) {
+    {"astm_d341_viscosity", "d341_in_celsius", 1,
+     [](const Arguments& a, Constants offset) {
        return d341(
-           a, log_log, [](double t) { return std::log(t - 273.15); }, without_log_log);
+           a, log_log(offset), [](double t) { return std::log(t - 273.15); },
+           without_log_log(offset));
      }},
-    {"astm_d341_viscosity", "d341_over_temperature", 0,
-     [](const Arguments& a, Constants) {
+    // Numbers: the offset, and the power of T.
+    {"astm_d341_viscosity", "d341_over_power", 2,
+     [](const Arguments& a, Constants n) {
        return d341(
-           a, log_log, [](double t) { return t; }, without_log_log);
+           a, log_log(n), [&](double t) { return std::pow(t, n[1]); }, without_log_log(n));
      }},
-    {"astm_d341_viscosity", "d341_with_one_logarithm", 0,
-     [](const Arguments& a, Constants) {
+    {"astm_d341_viscosity", "d341_with_one_logarithm", 1,
+     [](const Arguments& a, Constants offset) {
        return d341(
-           a, [](double viscosity) { return std::log(viscosity + 0.7); }, natural_log,
-           [](double y) { return std::exp(y) - 0.7; });
+           a, [=](double viscosity) { return std::log(viscosity + offset[0]); }, natural_log,
+           [=](double y) { return std::exp(y) - offset[0]; });
      }},
 
     {"viscosity_index", "index_of_difference", 0,

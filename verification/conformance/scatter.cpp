@@ -20,7 +20,8 @@ constexpr std::size_t fewest_scattered = 20;
 constexpr double small_error = 1e-3;        // relative
 constexpr double least_of_each_sign = 0.2;  // of the errors
 constexpr double least_changes = 0.25;  // of the signs, from one value of a variable to the next
-constexpr double strong = 0.8;          // correlation of ranks
+constexpr double least_changes_of_lost = 0.05;
+constexpr double strong = 0.8;  // correlation of ranks
 
 struct Error {
   double x, relative, absolute;
@@ -29,8 +30,8 @@ struct Error {
 std::vector<double> ranks_in_order(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   std::vector<double> ranks(values.size());
   for (std::size_t i = 0; i < order.size(); ++i) ranks[order[i]] = static_cast<double>(i);
   return ranks;
@@ -54,11 +55,17 @@ double share_of_changes(const std::vector<Error>& errors) {
   return static_cast<double>(changes) / static_cast<double>(errors.size());
 }
 
-// By the variable; empty where it has no value somewhere.
-std::vector<Error> errors_along(const Part& part, const Variable& variable) {
+// By the variable; empty where it has no value somewhere. The least of an error is its relative
+// size over the condition of what is expected: 0 stands for wrong answers alone.
+std::vector<Error> errors_along(const Part& part, const Variable& variable, double least = 0) {
   std::vector<Error> errors;
   for (const Part::Number& one : part.all) {
-    if (!one.answered->is_left()) continue;
+    const Expected& expected = *one.answered->expected;
+    if (least == 0 ? !one.answered->is_left()
+                   : one.answered->is_explained ||
+                         std::abs(one.answered->error()) <=
+                             least * expected.condition * std::abs(expected.high))
+      continue;
     const double x = variable.value(one.of->asked);
     if (!std::isfinite(x) || one.answered->expected->high == 0) return {};
     const double off = one.answered->error();
@@ -112,6 +119,106 @@ std::string fixed_width(const Part& part) {
 
 }  // namespace
 
+namespace {
+
+constexpr double of_rounding = 1e-13;  // of the condition
+constexpr double nothing = 1e-5, many_times = 1e4, in_order = 0.95;
+constexpr double beside = 2e-8;  // of the greatest error: less is noise of something else
+constexpr std::size_t fewest_in_order = 6;
+
+// The correlation as the variable falls. Errors of one size are in the order of the variable.
+double correlation_down(std::vector<Error> errors) {
+  std::reverse(errors.begin(), errors.end());
+  for (Error& one : errors) one.x = -one.x;
+  return correlation(errors);
+}
+
+// The smaller correlation on both sides of 1, outward; 0: the variable is not on both sides.
+double correlation_from_one(const std::vector<Error>& errors) {
+  constexpr std::ptrdiff_t fewest_of_each = 4;
+  const auto one =
+      std::find_if(errors.begin(), errors.end(), [](const Error& error) { return error.x >= 1; });
+  if (errors.front().x <= 0 || one - errors.begin() < fewest_of_each ||
+      errors.end() - one < fewest_of_each)
+    return 0;
+  return std::min(correlation_down({errors.begin(), one}), correlation({one, errors.end()}));
+}
+
+// ", at first as its power 2": of the errors that are the smallest. Empty: they are of no power.
+std::string first_power(std::vector<Error> errors) {
+  constexpr double closeness = 0.1, greatest_power = 12;
+  if (errors.front().x <= 0) return {};
+  std::sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
+    return std::abs(a.relative) < std::abs(b.relative);
+  });
+  const Error &first = errors.front(), &last = errors[errors.size() / 3];
+  const auto power_to = [&](const Error& one) {
+    return std::log(one.relative / first.relative) / std::log(one.x / first.x);
+  };
+  const double power = power_to(last), between = power_to(errors[errors.size() / 6]);
+  if (!(std::abs(power - between) < closeness && std::abs(power) < greatest_power)) return {};
+  return fmt::format(", at first as its power {:.1f}", power);
+}
+
+// The greatest error where that is small beside 1, though not beside small answers.
+std::string approximation_of(const Part& part) {
+  constexpr double small_beside_one = 1e-4, times_as_great = 10;
+  double greatest = 0, relative = 0, answer = 0;
+  for (const Part::Number& one : part.all) {
+    const double right = std::abs(one.answered->expected->high);
+    greatest = std::max(greatest, std::abs(one.answered->error()));
+    relative = std::max(relative, std::abs(one.answered->error()) / right);
+    answer = std::max(answer, right);
+  }
+  if (!results_of(part.function())[part.place].unit.empty() || answer < 0.5 || answer > 1 ||
+      greatest > small_beside_one || !(relative > times_as_great * greatest))
+    return {};
+  return fmt::format(
+      "No error is above {:.2g}, while answers reach {:.3g}; of small answers it is up to {:.2g}: "
+      "as of an approximation with few terms, or of a difference of numbers near 1.",
+      greatest, answer, relative);
+}
+
+}  // namespace
+
+Growth growth_of(const Part& part) {
+  Growth found;
+  if (part.function() == nullptr) return found;
+  found.text = approximation_of(part);
+  if (!found.text.empty()) return found;
+  double best = in_order;
+  for (const Variable& variable : variables_of(part.function())) {
+    std::vector<Error> errors = errors_along(part, variable, of_rounding);
+    double to = 0;
+    for (const Error& one : errors) to = std::max(to, std::abs(one.relative));
+    std::erase_if(errors, [&](const Error& one) { return std::abs(one.relative) < beside * to; });
+    // What comes after the growth has no order.
+    for (Error& one : errors) one.relative = std::clamp(one.relative, -to / 10, to / 10);
+    const bool is_size = variable.symbol.starts_with('|');
+    if (errors.size() < fewest_in_order || variable.is_result || is_size) continue;
+    std::size_t flips = 0;
+    for (std::size_t i = 1; i < errors.size(); ++i)
+      flips += (errors[i].relative < 0) != (errors[i - 1].relative < 0) ? 1 : 0;
+    if (10 * flips > 10 + errors.size() || errors.front().x == errors.back().x) continue;
+    const double up = correlation(errors), down = correlation_down(errors);
+    const bool is_of_one = std::max(up, down) <= in_order;
+    const double with = is_of_one ? correlation_from_one(errors) : std::max(up, down);
+    double from = to;
+    for (const Error& one : errors) from = std::min(from, std::abs(one.relative));
+    if (with <= best || from > nothing || to < many_times * from) continue;
+    best = with;
+    const char* const good = is_of_one ? "values near 1 of" : up > down ? "small" : "large";
+    found.cause = fmt::format("{}: numerics along {}", part.function()->name, variable.symbol);
+    found.text = fmt::format(
+        "The errors are nearly 0 for {} {}, and grow smoothly beyond, from {:.2g} to {:.2g} of the "
+        "value{}: as of a quadrature, a series or an iteration that stops too early, or of a term "
+        "left out that is small for {} {}.",
+        good, variable.symbol, from, to, is_of_one ? "" : first_power(errors), good,
+        variable.symbol);
+  }
+  return found;
+}
+
 std::string scatter_of(const Part& part) {
   if (part.function() == nullptr || part.wrong.size() < fewest_scattered) return {};
   if (std::string fixed = fixed_width(part); !fixed.empty()) return fixed;
@@ -120,17 +227,21 @@ std::string scatter_of(const Part& part) {
   for (const Variable& variable : variables_of(part.function())) {
     const std::vector<Error> errors = errors_along(part, variable);
     if (errors.empty() || errors.front().x == errors.back().x) continue;
-    if (!has_both_signs(errors) || share_of_changes(errors) < least_changes) return {};
+    const std::size_t third = errors.size() / 3;
+    const double low = middle_size(errors, 0, third);
+    const double high = middle_size(errors, errors.size() - third, errors.size());
+    // Digits that cancel, to more than the value, may leave most errors of one sign.
+    const bool is_lost = std::max(low, high) > 100 * std::min(low, high) &&
+                         share_of_changes(errors) > least_changes_of_lost;
+    if (!is_lost && (!has_both_signs(errors) || share_of_changes(errors) < least_changes))
+      return {};
     for (const Error& one : errors) greatest = std::max(greatest, std::abs(one.relative));
     const double with = correlation(errors);
     if (std::abs(with) < std::max(strong, best)) continue;
     best = std::abs(with);
-    const std::size_t third = errors.size() / 3;
-    const double low = middle_size(errors, 0, third);
-    const double high = middle_size(errors, errors.size() - third, errors.size());
     grows = fmt::format(
         "The errors are of both signs and in no order, and grow where {} is {}, from {:.2g} to "
-        "{:.2g} of the value: as of digits that are lost, or rounded away.",
+        "{:.2g} of the value: as of digits that cancel, or are rounded away.",
         variable.symbol, with < 0 ? "small" : "large", std::min(low, high), std::max(low, high));
   }
   if (!grows.empty() || greatest == 0 || greatest > small_error) return grows;

@@ -112,7 +112,7 @@ std::vector<Variable> variables_of_function(const catalogue::Function& function)
     all.push_back(
         {"the right " + (function.results.size() > 1 ? std::string(function.results[i].name)
                                                      : symbol_of(function.results[i].meaning)),
-         false, [i](const Question& question) { return right_numbers(question)[i]; }});
+         false, [i](const Question& question) { return right_numbers(question)[i]; }, true});
   return all;
 }
 

@@ -16,6 +16,7 @@ struct Variable {
   std::string symbol;                            // "k", "αp", "surface.offset_planes"
   bool is_input;                                 // not a group of inputs, and not a result
   std::function<double(const Question&)> value;  // NaN: this question has none
+  bool is_result = false;
 };
 
 // "F" of "F, of both bodies": the symbol at the beginning of a meaning.

@@ -266,7 +266,7 @@ TEST(Said, OfBranchesIsSaidOfEachAlone) {
     return json{{"value", rounded_moment(order, inputs.at("argument"))}};
   });
   expect_said(said, {"For order 1.5: ", "−1 times the right value", "another sign convention",
-                     "order 1: ", "right up to d = ", "digits cancel there"});
+                     "order 1: ", "right up to d = ", "as of digits that cancel"});
 }
 
 TEST(Said, OfATailThatIsWrongIsWhereItBegins) {
@@ -279,6 +279,33 @@ TEST(Said, OfATailThatIsWrongIsWhereItBegins) {
                         return json{{"value", is_off ? value * (1 + d * d) : value}};
                       }),
               {"order 0.5: ", "right from d = -21", " to 5, wrong below and beyond"});
+}
+
+TEST(Said, OfAWrongFormulaWithAnotherNumberInsideIsBoth) {
+  const auto chart = [](double offset, auto scale, double noise) {
+    return [=](const json& in) {
+      const auto number = [&](const char* name) { return in.at(name).get<double>(); };
+      const auto log_log = [&](const char* name) {
+        return std::log(std::log(1e6 * number(name) + offset));
+      };
+      const double first = scale(number("first_temperature"));
+      const double part =
+          (scale(number("temperature")) - first) / (scale(number("second_temperature")) - first);
+      const double height =
+          log_log("first_viscosity") * (1 - part) + log_log("second_viscosity") * part;
+      const double found = 1e-6 * (std::exp(std::exp(height)) - offset);
+      return json{{"value", found * (1 + noise * std::sin(1e9 * found))}};
+    };
+  };
+  const auto plain = [](double t) { return t; };
+  const auto celsius = [](double t) { return std::log(t - 273.15); };
+  const std::string number = "and 0.8 in place of 0.7";
+  expect_said(said_of("astm_d341_viscosity", chart(0.8, plain, 0)),
+              {"a straight line over T in place of log T, " + number});
+  expect_said(said_of("astm_d341_viscosity", chart(0.8, celsius, 0)),
+              {"temperatures in °C in place of K, " + number});
+  EXPECT_EQ(said_of("astm_d341_viscosity", chart(0.8, plain, 0.01)).find(number),
+            std::string::npos);
 }
 
 TEST(Said, OfAQuadratureOfTooFewPointsIsItsPattern) {
