@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "catalogue/ways_to_ask.hpp"
+#include "conformance/insides.hpp"
 #include "conformance/law_numbers.hpp"
 #include "conformance/variable.hpp"
 #include "scene/schema.hpp"
@@ -36,6 +37,8 @@ enum class Kind : std::uint8_t {
   group,       // a number that several inputs make together, as αp: it may be cut off
   each_times,  // the first of several inputs of one unit, which are all multiplied by one number
   each_plus,   // … to which one number is added
+  inside,      // a number inside of a point
+  constant,    // a printed number inside of a point
 };
 
 constexpr std::string_view dimensionless = "1";  // a function's inputs without a unit
@@ -47,6 +50,9 @@ struct Input {
   std::function<double(const Question&)> get;  // NaN: this question has none
   std::function<void(Question&, double)> set;
   Kind kind = Kind::single;
+  // The only questions in which it is misread, and these in words; empty: all.
+  std::function<bool(const Question&)> holds = {};
+  std::string where = {};
 
   double answer_with(Question& asked, double value, std::size_t place) const {
     set(asked, value);
@@ -110,24 +116,47 @@ void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
   }
 }
 
-// The numbers that a point's friction is computed from, each of which may be cut off inside of it.
-void add_sheared_film(std::vector<Input>& all) {
-  const auto add = [&all](const char* symbol, double ShearedFilm::*number,
-                          std::optional<double> FrictionReading::*reading) {
-    all.push_back({symbol,
-                   {},
-                   {},
-                   [number](const Question& asked) {
-                     const std::optional<ShearedFilm> film = sheared_film(asked);
-                     return film ? (*film).*number : unsaid;
-                   },
-                   [reading](Question& asked, double value) { asked.friction.*reading = value; },
-                   Kind::group});
+// The choice of a scene as all wrong answers have it, and others have not; empty: there is none.
+std::optional<double> common_choice(const Part& part, std::size_t field) {
+  const auto choice = [&](const Part::Number& one) {
+    return scene_detail::value_in(*one.of->question.scene, field);
   };
-  add("ln(η/η₀) in friction", &ShearedFilm::log_viscosity, &FrictionReading::log_viscosity);
-  add("the fluid's pressure in friction", &ShearedFilm::pressure, &FrictionReading::pressure);
-  add("the shear rate in friction", &ShearedFilm::shear_rate, &FrictionReading::shear_rate);
-  add("the gap in friction", &ShearedFilm::gap, &FrictionReading::gap);
+  std::optional<double> common;
+  bool is_everywhere = true;
+  for (const Part::Number& one : part.all) {
+    if (!one.answered->is_left()) continue;
+    if (common && choice(one) != common) return std::nullopt;
+    common = choice(one);
+  }
+  for (const Part::Number& one : part.all) is_everywhere = is_everywhere && choice(one) == common;
+  return is_everywhere ? std::nullopt : common;
+}
+
+// The numbers inside of points that this result is computed from.
+void add_insides(const Part& part, std::vector<Input>& all) {
+  for (const Inside& inside : insides_of_points()) {
+    if (static_cast<std::size_t>(inside.place) != part.place ||
+        inside.kind == Inside::Kind::replaced)
+      continue;
+    Input input{inside.symbol,
+                {},
+                {},
+                inside.get,
+                inside.set,
+                inside.kind == Inside::Kind::constant ? Kind::constant
+                : inside.kind == Inside::Kind::factor ? Kind::inside
+                                                      : Kind::group};
+    if (const auto field = scene_detail::find_field(inside.choice))
+      if (const std::optional<double> choice = common_choice(part, *field)) {
+        input.holds = [field = *field, choice](const Question& question) {
+          return scene_detail::value_in(*question.scene, field) == choice;
+        };
+        input.where =
+            fmt::format(", where `{}` is {}", inside.choice,
+                        scene_fields()[*field].choices[static_cast<std::size_t>(*choice)]);
+      }
+    all.push_back(std::move(input));
+  }
 }
 
 std::vector<Input> inputs_of(const Part& part) {
@@ -145,7 +174,7 @@ std::vector<Input> inputs_of(const Part& part) {
                        store(*asked.scene, value);
                      }});
     }
-    if (part.place == static_cast<std::size_t>(Output::friction)) add_sheared_film(all);
+    add_insides(part, all);
     return all;
   }
   for (std::size_t i = 0; i < function->parameters.size(); ++i) {
@@ -210,6 +239,7 @@ struct Misreading {
   std::function<double(Question, std::size_t place)> answer;
   std::size_t fewest = fewest_wrong;  // wrong answers that decide
   bool is_default = false;            // the input where it is left out
+  std::function<void(Question&)> change = {};
 };
 
 // The factors that people lose or gain, and their names.
@@ -266,27 +296,36 @@ bool is_of_digits(double value, int digits) {
 void add_misreadings(const std::vector<Input>& inputs, const Input& input, const Question& asked,
                      double value, std::vector<Misreading>& found) {
   const double own = input.get(asked);
-  const auto add = [&](int rank, std::string text, std::function<double(const Question&)> taken,
+  const auto add = [&](int rank, const std::string& text,
+                       std::function<double(const Question&)> taken,
                        std::size_t fewest = fewest_wrong, bool is_default = false) {
-    found.push_back({rank, std::move(text),
-                     [taken = std::move(taken), &input](Question question, std::size_t place) {
-                       const double read = taken(question);
-                       return std::isfinite(read) && read != input.get(question)
-                                  ? input.answer_with(question, read, place)
-                                  : right_numbers(question)[place];
+    const auto change = [taken = std::move(taken), &input](Question& question) {
+      const double read = !input.holds || input.holds(question) ? taken(question) : unsaid;
+      if (std::isfinite(read) && read != input.get(question)) input.set(question, read);
+    };
+    found.push_back({rank, text + input.where,
+                     [change](Question question, std::size_t place) {
+                       change(question);
+                       return right_numbers(question)[place];
                      },
-                     fewest, is_default});
+                     fewest, is_default, change});
   };
   const double number = round_number(value), more = round_number(value - own);
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
-  if (input.kind == Kind::single || input.kind == Kind::each_times) {
+  const bool is_inside = input.kind == Kind::inside;
+  if (input.kind == Kind::constant)
+    add(is_of_few_digits(number) ? 2 : 8, in_place_of(fmt::format("{:.6g}", number), input.symbol),
+        [number, &input](const Question& question) {
+          return std::isfinite(input.get(question)) ? number : unsaid;
+        });
+  if (is_inside || input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;
-    const std::string text = times_in_words(factor, input.symbol);
-    if (text != input.symbol)  // a change that is told with more digits
-      add(familiar_times(factor, input.symbol) ? 1
-          : is_of_few_digits(factor)           ? 5
-                                               : 8,
-          fmt::format("{} in place of {}", text, input.symbol),
+    const std::string symbol =
+        is_inside ? input.symbol.substr(0, input.symbol.find(" in ")) : input.symbol;
+    const std::string text = times_in_words(factor, symbol);
+    const int rank = familiar_times(factor, symbol) ? 1 : is_of_few_digits(factor) ? 5 : 8;
+    if (text != symbol)  // a change that is told with more digits
+      add(rank + (is_inside ? 1 : 0), in_place_of(text, input.symbol),
           [factor, &input](const Question& question) { return factor * input.get(question); });
   }
   if (input.kind == Kind::single || input.kind == Kind::each_plus)
@@ -294,7 +333,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         fmt::format("{} {} {:.6g} in place of {}", input.symbol, more < 0 ? "−" : "+",
                     std::abs(more), input.symbol),
         [more, &input](const Question& question) { return more + input.get(question); });
-  if (input.kind == Kind::single || input.kind == Kind::group) {
+  if (is_inside || input.kind == Kind::single || input.kind == Kind::group) {
     add(
         3, is_number + " wherever it is greater: it is cut off there",
         [number, &input](const Question& question) {
@@ -518,7 +557,10 @@ std::optional<Misread> misread_input(const Part& part) {
   return Misread{fmt::format("{}", fmt::join(texts, "; or with ")),
                  [inputs, answer = first->answer](const Question& asked, std::size_t place) {
                    return answer(asked, place);
-                 }};
+                 },
+                 first->change == nullptr
+                     ? std::function<void(Question&)>()
+                     : [inputs, change = first->change](Question& asked) { change(asked); }};
 }
 
 std::string other_value(const Part& part) {

@@ -19,6 +19,7 @@ namespace tribo::conformance {
 struct Misread {
   std::string text;
   std::function<double(const Question&, std::size_t place)> answer;  // with what is told first
+  std::function<void(Question&)> change = {};  // the same of the question; empty: it is no such
 };
 std::optional<Misread> misread_input(const Part& part);
 

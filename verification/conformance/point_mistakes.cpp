@@ -137,14 +137,16 @@ double right_film(const Scene& s) {
   return MixedContact<double>(s).flooded_film_parameter(s.speeds[0]) * s.surface.summit_height_sd;
 }
 
-// Multiplies the film formula by a factor: changes the speed, but keeps the sliding speed and the
-// supply as they are.
+}  // namespace
+
 void scale_film(Scene& scene, double factor) {
   const double by = decimal_power(factor, inverse(film_law(scene.closures.film).speed_exponent));
   for (double& speed : scene.speeds.list) speed *= by;
   scene.friction.slide_roll_ratio /= by;
   if (scene.supply.kind == SupplyKind::inlet_flow) scene.supply.value *= by;
 }
+
+namespace {
 
 // The contact changed as Hertz sees it, with the film formula left as it is.
 void change_contact(Scene& scene, const std::function<void(Bodies&)>& change) {
@@ -153,7 +155,9 @@ void change_contact(Scene& scene, const std::function<void(Bodies&)>& change) {
   scale_film(scene, right / right_film(scene));
 }
 
-// A_nom times a factor, by the radii: it goes as R^{2/3}, and of a line as R^{1/2}.
+}  // namespace
+
+// By the radii: it goes as R^{2/3}, and of a line as R^{1/2}.
 void scale_area(Scene& scene, double factor) {
   change_contact(scene, [&](Bodies& bodies) {
     const bool is_line = bodies.shape() == ContactShape::line;
@@ -161,6 +165,8 @@ void scale_area(Scene& scene, double factor) {
       *radius *= std::pow(factor, is_line ? 2 : 1.5);
   });
 }
+
+namespace {
 
 // Changes of an ellipse.
 void take_circle(Question& question) {

@@ -77,10 +77,13 @@ ShearedFilm sheared_film_of(const OperatingPoint<double>& point, const Scene& sc
       reading.pressure_times * mean_pressure *
       (reading.whole_pressure != 0 ? reading.whole_pressure : point.fluid_load_share));
   const double log_viscosity = reading.log_viscosity.value_or(log_viscosity_ratio(
-      scene.friction.viscosity, std::pow(oil.viscosity, reading.roelands_logarithm),
+      scene.friction.viscosity,
+      std::pow(oil.viscosity, reading.roelands_logarithm) *
+          std::exp(reading.roelands_log_viscosity - roelands_log_viscosity<double>()),
       times * oil.pressure_viscosity, pressure / times));
   const double gap = reading.gap.value_or(point.separation);
   const double rate =
+      reading.shear_number_times *
       reading.shear_rate.value_or(scene.friction.slide_roll_ratio * point.speed / gap);
   return {pressure, log_viscosity, rate, gap};
 }
@@ -98,11 +101,13 @@ double friction_of(const OperatingPoint<double>& point, const Scene& scene,
       : is_limiting && reading.limiting_by_tangent != 0
           ? yield * std::tanh(newtonian / yield)
           : fluid_shear_stress(scene.friction.fluid, yield, viscosity, thickening, rate * gap, gap);
-  const double boundary = reading.asperities * point.asperity_load_share +
+  const double asperities = reading.boundary_share.value_or(point.asperity_load_share);
+  const double boundary = reading.asperities * asperities +
                           reading.film_boundary * point.fluid_load_share + reading.whole_boundary;
-  const double sheared = std::max(0.0, 1 - reading.contact_area * point.real_area_ratio);
+  const double sheared =
+      std::max(0.0, 1 - reading.contact_area * reading.real_area.value_or(point.real_area_ratio));
   return *scene.friction.boundary_coefficient * boundary +
-         reading.film * stress * sheared / mean_pressure;
+         reading.film * stress * sheared / reading.mean_pressure.value_or(mean_pressure);
 }
 
 }  // namespace
@@ -157,14 +162,25 @@ Numbers numbers_of(const catalogue::Results& results) {
   return numbers;
 }
 
-Numbers numbers_of(const OperatingPoint<double>& point, const Question& question) {
+Numbers numbers_of(const OperatingPoint<double>& right_point, const Question& question) {
+  OperatingPoint<double> point = right_point;
+  const auto by_model = [&](const std::optional<AsperityModel>& model, double& number,
+                            double (*value)(const AsperityContact<double>&, const double&)) {
+    if (!model || *model == question.scene->closures.asperity) return;
+    Scene scene = *question.scene;
+    scene.closures.asperity = *model;
+    number = value(MixedContact<double>(scene).asperities(),
+                   point.separation / scene.surface.summit_height_sd);
+  };
+  by_model(question.area_model, point.real_area_ratio, tribo::real_area_ratio<double>);
+  by_model(question.count_model, point.summit_count, tribo::summit_count<double>);
   Numbers numbers = tribo::numbers_of(point);  // where the film has collapsed some are NaN: unsaid
   numbers[static_cast<std::size_t>(Output::summit_count)] *= question.summit_count_times;
   numbers[static_cast<std::size_t>(Output::real_area_ratio)] *= question.real_area_times;
   double& friction = numbers[static_cast<std::size_t>(Output::friction)];
   FrictionReading reading = question.friction;
   reading.contact_area *= question.real_area_times;
-  if (point.regime != Regime::collapsed && !(reading == FrictionReading{}))
+  if (point.regime != Regime::collapsed && (question.area_model || reading != FrictionReading{}))
     friction = friction_of(point, *question.scene, reading);
   return numbers;
 }

@@ -40,6 +40,7 @@ struct FrictionReading {
   double asperities = 1, film_boundary = 0, whole_boundary = 0;  // a, b, c
   double film = 1, contact_area = 1;                             // d, e
   double roelands_pressure = tribo::roelands_pressure<double>();
+  double roelands_log_viscosity = tribo::roelands_log_viscosity<double>();  // 9.67
   double roelands_logarithm = 1;   // 1/ln 10: log₁₀ η₀ for ln η₀
   double limiting_by_minimum = 0;  // 1: min(ηγ̇, τ₀) for τ₀(1 − e^{−ηγ̇/τ₀})
   double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for it
@@ -47,6 +48,9 @@ struct FrictionReading {
   double whole_pressure = 0, pressure_times = 1;
   // In place of the point's own: this pressure in Pa, ln(η/η₀), shear rate in 1/s and gap in m.
   std::optional<double> pressure = {}, log_viscosity = {}, shear_rate = {}, gap = {};
+  double shear_number_times = 1;  // of ηγ̇/τ₀
+  // In place of A beside μ_b, of A_r/A_nom, and of p̄ in Pa under τ.
+  std::optional<double> boundary_share = {}, real_area = {}, mean_pressure = {};
 
   bool operator==(const FrictionReading&) const = default;
 };
@@ -66,7 +70,10 @@ struct Question {
   SharingReading sharing = {};          // of load_sharing
   double summit_count_times = 1;        // of an operating point
   double real_area_times = 1;           // of an operating point
-  FrictionReading friction = {};        // of an operating point
+  // The model by which the real area or the summits of a point are computed, where that is not the
+  // model that shares its load.
+  std::optional<AsperityModel> area_model = {}, count_model = {};
+  FrictionReading friction = {};  // of an operating point
 };
 
 Question question_of(const TestCase& asked);

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "conformance/diagnosis.hpp"
+#include "conformance/insides.hpp"
 #include "conformance/law_numbers.hpp"
 #include "conformance/mistake_entry.hpp"
 #include "conformance/question.hpp"
@@ -47,7 +48,8 @@ json right_answer(const TestCase& asked) {
 using Slip = std::function<void(const TestCase& asked, json& fields)>;
 
 // All sentences on a solver that offers the functions that have a slip.
-std::string said_of(const std::map<std::string, Slip>& slips) {
+std::string said_of(const std::map<std::string, Slip>& slips,
+                    const std::vector<Mistake>& mistakes = {}) {
   std::vector<TestCase> cases;
   Conversation conversation;
   for (const TestCase& one : all_cases()) {
@@ -59,7 +61,7 @@ std::string said_of(const std::map<std::string, Slip>& slips) {
     conversation.answers.push_back({Outcome::answered, std::move(fields), {}});
   }
   std::string said;
-  for (const Diagnosis& one : diagnose(cases, conversation, engineering_tolerance(), {}))
+  for (const Diagnosis& one : diagnose(cases, conversation, engineering_tolerance(), mistakes))
     said += one.text + '\n';
   return said;
 }
@@ -725,17 +727,67 @@ TEST(Misread, IsADefaultWhereOneCaseLeavesTheInputOut) {
               false);
 }
 
-// A number inside of a point, from which its friction is computed, is cut off in some points.
-TEST(Misread, IsACutInsideOfFriction) {
-  const auto cut = [](std::function<void(Question&, const ShearedFilm&)> change) {
-    return [=](const TestCase& asked, json& fields) {
-      Question question = question_of(asked);
-      const auto film = sheared_film(question);
-      if (!film || !fields["friction"].is_number()) return;
-      change(question, *film);
-      fields["friction"] = right_numbers(question)[static_cast<std::size_t>(Output::friction)];
-    };
+// A number inside of a point, from which its friction is computed, is another one.
+Slip cut(std::function<void(Question&, const ShearedFilm&)> change) {
+  return [=](const TestCase& asked, json& fields) {
+    Question question = question_of(asked);
+    const auto film = sheared_film(question);
+    if (!film || !fields["friction"].is_number()) return;
+    change(question, *film);
+    fields["friction"] = right_numbers(question)[static_cast<std::size_t>(Output::friction)];
   };
+}
+
+TEST(Misread, IsANumberInsideOfFrictionThatOneLawAloneMayHaveWrong) {
+  const auto expect_all = [](const std::string& words, const Slip& slip) {
+    for (const char* const points : {"operating_point", "operating_point_of_line"})
+      expect_said(said_of({{points, slip}}), words);
+  };
+  expect_all("(ηγ̇/τ₀)/2 in place of (ηγ̇/τ₀), in friction, where `friction.fluid` is eyring (",
+             cut([](Question& one, const ShearedFilm&) {
+               if (one.scene->friction.fluid == FluidShear::eyring)
+                 one.friction.shear_number_times = 0.5;
+             }));
+  expect_all("(3/2) the fluid's pressure in place of the fluid's pressure, in friction, where `fri",
+             cut([](Question& one, const ShearedFilm&) {
+               if (one.scene->friction.viscosity == ViscosityLaw::barus)
+                 one.friction.pressure_times = 1.5;
+             }));
+  expect_all(
+      "9.76 in place of 9.67, in Roelands' law of friction (",
+      cut([](Question& one, const ShearedFilm&) { one.friction.roelands_log_viscosity = 9.76; }));
+  // A factor that varies is none of these numbers.
+  const std::string varying =
+      said_of({{"operating_point", cut([](Question& one, const ShearedFilm& film) {
+                  one.friction.shear_number_times = 1 / (2 + std::sin(film.log_viscosity));
+                })}});
+  expect_said(varying, "the right ones with", false);
+}
+
+TEST(Insides, AreNamedWhereAnotherNumberOfThePointStandsInTheirPlace) {
+  const std::vector<Mistake> mistakes = mistakes_of_insides();
+  ASSERT_GE(mistakes.size(), 16U);
+  for (const Mistake& one : mistakes) {
+    const auto with = [&](double part) {
+      return [&one, part](const TestCase& asked, json& fields) {
+        const Mistake* const made = &one;
+        const std::optional<Numbers> given = numbers_with({&made, 1}, question_of(asked));
+        for (const Expected& expected : asked.expected)
+          if (given && expected.place && std::isfinite((*given)[*expected.place]))
+            fields[expected.field] = (1 - part) * expected.high + part * (*given)[*expected.place];
+      };
+    };
+    const std::string whole = said_of(
+        {{"operating_point_of_ellipse", with(1)}, {"operating_point_of_line", with(1)}}, mistakes);
+    expect_said(whole, "this gives: " + one.text);
+    expect_said(
+        said_of({{"operating_point_of_ellipse", with(0.9)}, {"operating_point_of_line", with(0.9)}},
+                mistakes),
+        "this gives", false);
+  }
+}
+
+TEST(Misread, IsACutInsideOfFriction) {
   const auto expect_cut = [&](const char* words,
                               std::function<void(Question&, const ShearedFilm&)> change) {
     expect_said(said_of({{"operating_point", cut(std::move(change))}}), words);
