@@ -37,8 +37,6 @@ enum class Kind : std::uint8_t {
   group,       // a number that several inputs make together, as αp: it may be cut off
   each_times,  // the first of several inputs of one unit, which are all multiplied by one number
   each_plus,   // … to which one number is added
-  inside,      // a number inside of a point
-  constant,    // a printed number inside of a point
 };
 
 constexpr std::string_view dimensionless = "1";  // a function's inputs without a unit
@@ -50,9 +48,6 @@ struct Input {
   std::function<double(const Question&)> get;  // NaN: this question has none
   std::function<void(Question&, double)> set;
   Kind kind = Kind::single;
-  // The only questions in which it is misread, and these in words; empty: all.
-  std::function<bool(const Question&)> holds = {};
-  std::string where = {};
 
   double answer_with(Question& asked, double value, std::size_t place) const {
     set(asked, value);
@@ -116,47 +111,13 @@ void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
   }
 }
 
-// The choice of a scene as all wrong answers have it, and others have not; empty: there is none.
-std::optional<double> common_choice(const Part& part, std::size_t field) {
-  const auto choice = [&](const Part::Number& one) {
-    return scene_detail::value_in(*one.of->question.scene, field);
-  };
-  std::optional<double> common;
-  bool is_everywhere = true;
-  for (const Part::Number& one : part.all) {
-    if (!one.answered->is_left()) continue;
-    if (common && choice(one) != common) return std::nullopt;
-    common = choice(one);
-  }
-  for (const Part::Number& one : part.all) is_everywhere = is_everywhere && choice(one) == common;
-  return is_everywhere ? std::nullopt : common;
+// A number inside of a point, which may be cut off.
+Input input_of(const Inside& inside) {
+  return {inside.symbol, {}, {}, inside.get, inside.set, Kind::group};
 }
 
-// The numbers inside of points that this result is computed from.
-void add_insides(const Part& part, std::vector<Input>& all) {
-  for (const Inside& inside : insides_of_points()) {
-    if (static_cast<std::size_t>(inside.place) != part.place ||
-        inside.kind == Inside::Kind::replaced)
-      continue;
-    Input input{inside.symbol,
-                {},
-                {},
-                inside.get,
-                inside.set,
-                inside.kind == Inside::Kind::constant ? Kind::constant
-                : inside.kind == Inside::Kind::factor ? Kind::inside
-                                                      : Kind::group};
-    if (const auto field = scene_detail::find_field(inside.choice))
-      if (const std::optional<double> choice = common_choice(part, *field)) {
-        input.holds = [field = *field, choice](const Question& question) {
-          return scene_detail::value_in(*question.scene, field) == choice;
-        };
-        input.where =
-            fmt::format(", where `{}` is {}", inside.choice,
-                        scene_fields()[*field].choices[static_cast<std::size_t>(*choice)]);
-      }
-    all.push_back(std::move(input));
-  }
+bool is_of(const Inside& inside, const Part& part) {
+  return static_cast<std::size_t>(inside.place) == part.place;
 }
 
 std::vector<Input> inputs_of(const Part& part) {
@@ -174,7 +135,10 @@ std::vector<Input> inputs_of(const Part& part) {
                        store(*asked.scene, value);
                      }});
     }
-    add_insides(part, all);
+    for (const Inside& inside : insides_of_points())
+      if (is_of(inside, part) &&
+          (inside.kind == Inside::Kind::cut_off || inside.kind == Inside::Kind::factor))
+        all.push_back(input_of(inside));
     return all;
   }
   for (std::size_t i = 0; i < function->parameters.size(); ++i) {
@@ -233,6 +197,7 @@ std::optional<double> solved(const Part::Number& number, const Input& input, std
 
 // --- Misreadings
 
+constexpr int rank_of_odd = 7;
 struct Misreading {
   int rank;  // the simplest is the least
   std::string text;
@@ -296,14 +261,13 @@ bool is_of_digits(double value, int digits) {
 void add_misreadings(const std::vector<Input>& inputs, const Input& input, const Question& asked,
                      double value, std::vector<Misreading>& found) {
   const double own = input.get(asked);
-  const auto add = [&](int rank, const std::string& text,
-                       std::function<double(const Question&)> taken,
+  const auto add = [&](int rank, std::string text, std::function<double(const Question&)> taken,
                        std::size_t fewest = fewest_wrong, bool is_default = false) {
     const auto change = [taken = std::move(taken), &input](Question& question) {
-      const double read = !input.holds || input.holds(question) ? taken(question) : unsaid;
+      const double read = taken(question);
       if (std::isfinite(read) && read != input.get(question)) input.set(question, read);
     };
-    found.push_back({rank, text + input.where,
+    found.push_back({rank, std::move(text),
                      [change](Question question, std::size_t place) {
                        change(question);
                        return right_numbers(question)[place];
@@ -311,21 +275,16 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
                      fewest, is_default, change});
   };
   const double number = round_number(value), more = round_number(value - own);
+  const int rank_of_number = is_of_few_digits(number) ? 3 : rank_of_odd;
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
-  const bool is_inside = input.kind == Kind::inside;
-  if (input.kind == Kind::constant)
-    add(is_of_few_digits(number) ? 2 : 8, in_place_of(fmt::format("{:.6g}", number), input.symbol),
-        [number, &input](const Question& question) {
-          return std::isfinite(input.get(question)) ? number : unsaid;
-        });
-  if (is_inside || input.kind == Kind::single || input.kind == Kind::each_times) {
+  if (input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;
-    const std::string symbol =
-        is_inside ? input.symbol.substr(0, input.symbol.find(" in ")) : input.symbol;
-    const std::string text = times_in_words(factor, symbol);
-    const int rank = familiar_times(factor, symbol) ? 1 : is_of_few_digits(factor) ? 5 : 8;
-    if (text != symbol)  // a change that is told with more digits
-      add(rank + (is_inside ? 1 : 0), in_place_of(text, input.symbol),
+    const std::string text = times_in_words(factor, input.symbol);
+    if (text != input.symbol)  // a change that is told with more digits
+      add(familiar_times(factor, input.symbol) ? 1
+          : is_of_few_digits(factor)           ? 5
+                                               : 8,
+          fmt::format("{} in place of {}", text, input.symbol),
           [factor, &input](const Question& question) { return factor * input.get(question); });
   }
   if (input.kind == Kind::single || input.kind == Kind::each_plus)
@@ -333,15 +292,15 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         fmt::format("{} {} {:.6g} in place of {}", input.symbol, more < 0 ? "−" : "+",
                     std::abs(more), input.symbol),
         [more, &input](const Question& question) { return more + input.get(question); });
-  if (is_inside || input.kind == Kind::single || input.kind == Kind::group) {
+  if (input.kind == Kind::single || input.kind == Kind::group) {
     add(
-        3, is_number + " wherever it is greater: it is cut off there",
+        rank_of_number, is_number + " wherever it is greater: it is cut off there",
         [number, &input](const Question& question) {
           return std::min(number, input.get(question));
         },
         fewest_cut);
     add(
-        3, is_number + " wherever it is less: it is cut off there",
+        rank_of_number, is_number + " wherever it is less: it is cut off there",
         [number, &input](const Question& question) {
           return std::max(number, input.get(question));
         },
@@ -355,7 +314,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
           return is_without(input, question) ? number : unsaid;
         },
         is_of_digits(value, digits_of_defaults) ? 1 : fewest_cut, true);
-  add(3, is_number + " always, whatever it is given as",
+  add(rank_of_number, is_number + " always, whatever it is given as",
       [number, &input](const Question& question) {
         return std::isfinite(input.get(question)) ? number : unsaid;
       });
@@ -462,7 +421,7 @@ bool vary(const Part& part) {
   double least = INFINITY, greatest = -INFINITY;
   for (const AnsweredNumber* const one : part.wrong) {
     const double ratio = one->got / one->expected->high;
-    if (!std::isfinite(ratio)) continue;
+    if (!std::isfinite(ratio)) return part.wrong.size() > 1;  // others than 0
     least = std::min(least, ratio);
     greatest = std::max(greatest, ratio);
   }
@@ -546,6 +505,9 @@ std::optional<Misread> misread_input(const Part& part) {
                    [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
   std::vector<std::string> texts;
   const Misreading* first = nullptr;
+  // A round number that is all wrong answers is told itself, and not an odd input that gives it.
+  if (is_of_few_digits(wrong.front().answered->got) && floor_or_cap(part))
+    std::erase_if(all, [](const Misreading& one) { return one.rank >= rank_of_odd; });
   for (const Misreading& one : all) {
     if (!texts.empty() && (one.rank > first->rank || texts.size() == 3)) break;
     if (std::find(texts.begin(), texts.end(), one.text) != texts.end() || !gives(one, part))
@@ -561,6 +523,74 @@ std::optional<Misread> misread_input(const Part& part) {
                  first->change == nullptr
                      ? std::function<void(Question&)>()
                      : [inputs, change = first->change](Question& asked) { change(asked); }};
+}
+
+std::vector<Mistake> solved_insides(const Part& part) {
+  struct Solved {
+    const Inside* inside;
+    double number;                 // a factor, or the number in place of a constant
+    std::optional<double> choice;  // of a law; empty: all of them
+    std::size_t count = 0;         // of answers
+  };
+  constexpr std::size_t most_solved = 100, fewest_alike = 2;
+  std::vector<Solved> all;
+  const auto count_one = [&](const Inside& inside, double number, std::optional<double> choice) {
+    const auto is_it = [&](const Solved& one) {
+      return one.inside == &inside && one.choice == choice &&
+             std::abs(one.number / number - 1) < 1e-5;
+    };
+    const auto found = std::find_if(all.begin(), all.end(), is_it);
+    ++(found != all.end() ? *found : all.emplace_back(Solved{&inside, number, choice})).count;
+  };
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  for (const Inside& inside : insides_of_points()) {
+    const bool is_constant = inside.kind == Inside::Kind::constant;
+    if (!is_of(inside, part) || !(is_constant || inside.kind == Inside::Kind::factor)) continue;
+    for (std::size_t i = 0; i < wrong.size(); i += 1 + wrong.size() / most_solved) {
+      const Question& asked = wrong[i].of->question;
+      const auto value = solved(wrong[i], input_of(inside), part.place);
+      const double number = value ? *value / (is_constant ? 1 : inside.get(asked)) : unsaid;
+      if (!(is_of_few_digits(number) || is_familiar(number)) || is_same(number, 1)) continue;
+      count_one(inside, round_number(number), std::nullopt);
+      if (const auto field = scene_detail::find_field(inside.choice))
+        count_one(inside, round_number(number), scene_detail::value_in(*asked.scene, *field));
+    }
+  }
+  std::vector<Mistake> mistakes;
+  for (const Solved& one : all) {
+    if (one.count < fewest_alike) continue;
+    const bool is_constant = one.inside->kind == Inside::Kind::constant;
+    const std::string symbol = one.inside->symbol.substr(0, one.inside->symbol.find(" in "));
+    const auto field = scene_detail::find_field(one.inside->choice);
+    std::string text = in_place_of(
+        is_constant ? fmt::format("{:.6g}", one.number) : times_in_words(one.number, symbol),
+        one.inside->symbol);
+    if (one.choice)
+      text += fmt::format(", where `{}` is {}", one.inside->choice,
+                          scene_fields()[*field].choices[static_cast<std::size_t>(*one.choice)]);
+    mistakes.push_back(mistake_of_inside(text, text, *one.inside, [=](const Question& asked) {
+      if (one.choice && scene_detail::value_in(*asked.scene, *field) != one.choice) return unsaid;
+      return is_constant ? one.number : one.number * one.inside->get(asked);
+    }));
+  }
+  return mistakes;
+}
+
+std::function<double(double right)> floor_or_cap(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  const double number = wrong.front().answered->got;
+  const auto lie = [&](bool above) {
+    return std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+      const AnsweredNumber& answered = *one.answered;
+      return answered.is_left() == ((answered.expected->high > number) == above &&
+                                    std::abs(answered.error()) > answered.allowed);
+    });
+  };
+  if (!all_of(wrong, [&](const auto& one) { return is_same(one.answered->got, number); }))
+    return {};
+  if (lie(false)) return [number](double right) { return std::max(number, right); };
+  if (lie(true)) return [number](double right) { return std::min(number, right); };
+  return {};
 }
 
 std::string other_value(const Part& part) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "conformance/mistake.hpp"
 #include "conformance/wrong_numbers.hpp"
 
 namespace tribo::conformance {
@@ -30,6 +31,14 @@ std::string other_default(const Part& part);
 // "All of these answers are 1e-09." or "… are the right semi_axis_y." Empty: they are neither one
 // number, nor one number times an input, nor an input or another result.
 std::string other_value(const Part& part);
+
+// Mistakes of the numbers inside of points that wrong answers are solved for, several of which may
+// be made together: factors that people know, printed constants, of all laws of a choice or of one.
+std::vector<Mistake> solved_insides(const Part& part);
+
+// The number that all wrong answers are, and that is more than all right ones where it is a floor,
+// or less where it is a cap: the answer for a right one. Empty: they are none.
+std::function<double(double right)> floor_or_cap(const Part& part);
 
 // A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
 double round_number(double value);

@@ -119,6 +119,9 @@ void scale_area(Scene& scene, double factor);
 // A mistake that several film laws have, in the film of an operating point by any of them.
 Mistake with_film(const std::vector<Mistake>& laws);
 
+// The same of one law, whose exponents of U and G are in the load sharing, too.
+Mistake with_film_and_sharing(const Mistake& law);
+
 // A wrong function of Hertz in the points that have its contact: their area and pressure, and of an
 // ellipse the ratio of its axes in the film.
 Mistake with_contact(const Mistake& wrong);
