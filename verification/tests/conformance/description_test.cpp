@@ -147,6 +147,14 @@ TEST(Place, IsAWordOrAnEqualityOrAnOrderWhereThatTellsAllWrongAnswers) {
               "cases where R_y < R_x, right in all others");
   expect_said(said_of({{"operating_point", noise_where("friction", has_roelands)}}),
               "cases where `friction.viscosity` is roelands, right in all others");
+  const std::string model =
+      said_of({{"operating_point_of_line", noise_where("summit_count", [](const json& in) {
+                  return in.value("/closures/asperity"_json_pointer, "greenwood_tripp"s) !=
+                         "greenwood_tripp";
+                })}});
+  expect_said(model,
+              "cases where `closures.asperity` is greenwood_williamson, right in all others");
+  expect_said(model, "is not greenwood_tripp", false);
   expect_said(said_of({{"operating_point_of_line", noise_where("film",
                                                                [](const json& in) {
                                                                  return in.contains("supply") &&
@@ -835,6 +843,24 @@ TEST(Floor, IsToldInPlaceOfAnOddInputThatGivesIt) {
                                         })(asked, fields);
                                     }}});
   expect_said(cap, "r = 20 wherever it is greater: it is cut off there");
+}
+
+TEST(Words, OfAnInputThatAreExchangedAreToldOnce) {
+  const std::vector<Mistake> mistakes = read_mistakes(reference + "/mistakes.toml");
+  std::vector<Mistake> of_function;
+  std::copy_if(mistakes.begin(), mistakes.end(), std::back_inserter(of_function),
+               [](const Mistake& one) { return one.function == "pull_off_force"; });
+  const auto exchanged = [&](bool both) {
+    return said_of({{"pull_off_force",
+                     [both](const TestCase& asked, json& fields) {
+                       asked_as([both](Question& one) {
+                         if (both || one.arguments[0] == 0) one.arguments[0] = 1 - one.arguments[0];
+                       })(asked, fields);
+                     }}},
+                   of_function);
+  };
+  expect_said(exchanged(true), ", and the reverse (44 of 44 answers");
+  expect_said(exchanged(false), "the reverse", false);
 }
 
 TEST(Following, OfAFilmLawMayHaveItsExponentsInTheLoadSharing) {
