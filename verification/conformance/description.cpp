@@ -489,7 +489,7 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};
   if (const std::optional<Misread> misread = misread_input(part, mistakes))
-    return {text + with(misread->text), true, misread->text, is_in_place};
+    return {text + with(misread->text), true, misread->text, is_in_place, misread->change};
   if (const std::string other = other_value(part); !other.empty())
     return {text + ' ' + other, true, {}, is_in_place};
   if (const std::string sum = constant_sum(part); !sum.empty())

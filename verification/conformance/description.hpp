@@ -22,6 +22,7 @@ struct Description {
   std::string cause = {};  // what other functions may have, too; empty: nothing of this kind
   // For questions in the place where answers are wrong; empty: no place is told.
   std::function<bool(const Question&)> is_in_place = {};
+  std::function<void(Question&)> change = {};  // what is misread; empty: nothing of a question is
 };
 // The pattern of a part that no known mistake gives, where it is wrong, and its law if it has one.
 Description described(const Part& part, const std::vector<Mistake>& mistakes);

@@ -15,6 +15,7 @@
 
 #include "conformance/description.hpp"
 #include "conformance/follow.hpp"
+#include "conformance/misread.hpp"
 #include "conformance/mistake_search.hpp"
 #include "conformance/words.hpp"
 
@@ -26,6 +27,7 @@ constexpr const char* unknown = " None of the known mistakes gives these ";
 constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr std::size_t fewest_followed = 3;
+constexpr double closeness_of_misread = 1e-4;
 // Points that are told by themselves beside those with a result wrong that is computed before.
 constexpr std::size_t fewest_others = 3;
 constexpr double part_of_others = 0.25;  // of those
@@ -74,10 +76,11 @@ class Diagnoser {
   const std::set<const TestCase*>& cases_with_wrong_numbers() const { return with_wrong_numbers_; }
 
   // The function as others that are computed from it see it.
-  WrongFunction as_below() const {
+  WrongFunction as_below() const { return {function_, cases_, named()}; }
+  std::vector<Mistake> named() const {
     std::vector<Mistake> named;
     for (const Mistake* const one : named_) named.push_back(*one);
-    return {function_, cases_, named};
+    return named;
   }
 
  private:
@@ -144,13 +147,13 @@ class Diagnoser {
     const Mistake* at_points;
   };
 
-  std::vector<Used> used_by(const AnsweredCase& one) const {
+  std::vector<Used> used_by(const AnsweredCase& one, bool is_shared_alike = false) const {
     std::vector<Used> used;
     const std::vector<Question> inner = inner_questions(one.asked);
     for (const WrongFunction* const below : below_)
       for (const Question& question : inner)
         if (below->is_wrong_at(question)) {
-          used.push_back({below, below->at_points(question)});
+          used.push_back({below, below->at_points(question, is_shared_alike)});
           break;
         }
     return used;
@@ -192,20 +195,12 @@ class Diagnoser {
   // these. The others are judged by what would follow.
   void follow_by_number() {
     if (below_.empty() || !any_left()) return;
-    std::vector<Followed> all;
-    std::vector<AnsweredNumber*> met;
-    std::size_t lost = 0;  // right answers that would not be right
-    for (AnsweredCase& one : cases_) {
-      std::vector<Used> used = used_by(one);
-      if (used.empty()) continue;
-      std::optional<Followed> found = followed(one, std::move(used));
-      if (!found) continue;
-      for (AnsweredNumber& number : one.numbers) {
-        if (number.is_wrong && is_met(number, *found)) met.push_back(&number);
-        lost += !number.is_wrong && !is_met(number, *found) ? 1 : 0;
-      }
-      all.push_back(std::move(*found));
+    FollowedPoints points = all_followed(false);
+    if (points.met.size() < wrong_) {
+      FollowedPoints alike = all_followed(true);
+      if (alike.met.size() > points.met.size()) points = std::move(alike);
     }
+    auto& [all, met, lost] = points;
     if (met.size() < fewest_followed || lost > met.size()) return;
     std::set<std::string> from;
     for (const Followed& one : all)
@@ -216,6 +211,28 @@ class Diagnoser {
       one.of->question = std::move(one.question);
       for (AnsweredNumber& number : one.of->numbers) shift(number, one);
     }
+  }
+
+  struct FollowedPoints {
+    std::vector<Followed> all;
+    std::vector<AnsweredNumber*> met;
+    std::size_t lost = 0;  // right answers that would not be right
+  };
+  FollowedPoints all_followed(bool is_shared_alike) {
+    FollowedPoints points;
+    auto& [all, met, lost] = points;
+    for (AnsweredCase& one : cases_) {
+      std::vector<Used> used = used_by(one, is_shared_alike);
+      if (used.empty()) continue;
+      std::optional<Followed> found = followed(one, std::move(used));
+      if (!found) continue;
+      for (AnsweredNumber& number : one.numbers) {
+        if (number.is_wrong && is_met(number, *found)) met.push_back(&number);
+        lost += !number.is_wrong && !is_met(number, *found) ? 1 : 0;
+      }
+      all.push_back(std::move(*found));
+    }
+    return points;
   }
 
   void tell_followed(const std::vector<AnsweredNumber*>& met, const std::set<std::string>& from) {
@@ -336,12 +353,11 @@ class Diagnoser {
 
   // Judges a result by what the mistakes give, because they change it and something else does, too.
   void expect_with(const Mistakes& mistakes, std::size_t place) {
-    constexpr double closeness = 1e-4;
     for (AnsweredCase& one : cases_)
       for (AnsweredNumber& number : one.numbers)
         if (number.place == place)
           if (const std::optional<Numbers> given = numbers_with(mistakes, one.question))
-            shift(number, {&one, one.question, *given, closeness, {}});
+            shift(number, {&one, one.question, *given, closeness_of_misread, {}});
   }
 
   // --- Wrong answers that no known mistakes give
@@ -367,18 +383,17 @@ class Diagnoser {
 
   // Branches that are off in the same way are told at once.
   std::string described_by_branch(const std::string& quantity, std::size_t place,
-                                  const std::vector<Part>& parts,
-                                  std::function<bool(const Question&)>& is_in_place,
-                                  std::string& cause) const {
+                                  const std::vector<Part>& parts, Description& last) const {
+    std::string& cause = last.cause;
     std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
     bool has_causes = true, is_one_cause = true;
     for (const Part& part : parts) {
       if (part.place != place) continue;
-      const Description description = described(part, mistakes_);
+      Description description = described(part, mistakes_);
       has_causes = has_causes && description.is_cause;
-      is_in_place = description.is_in_place;
       is_one_cause = is_one_cause && (told.empty() || description.cause == cause);
-      cause = is_one_cause ? description.cause : "";
+      last = description;
+      if (!is_one_cause) cause.clear();
       const auto same = std::find_if(told.begin(), told.end(), [&](const auto& sentence) {
         return sentence.first == description.text;
       });
@@ -413,18 +428,21 @@ class Diagnoser {
                            [](const Part& a, const Part& b) { return a.place < b.place; });
       const std::size_t place = first->place;
       if (is_wrong_elsewhere(first->wrong.size())) {
-        const auto is_in_place = describe(parts, place);
-        leave_out(place, is_in_place);
+        const Description told = describe(parts, place);
+        explain_by(told.change, place);
+        leave_out(place, told.is_in_place);
         if (is_wrong_elsewhere(0)) find_causes();
         if (is_wrong_elsewhere(0)) describe_rest();
         return;
       }
     }
-    describe(parts, parts.front().place);
+    explain_by(describe(parts, parts.front().place).change, parts.front().place);
     // Other results of the function have a line of their own where their cause is another one.
     std::set<std::size_t> told{parts.front().place};
     for (const Part& part : parts)
-      if (told.insert(part.place).second) {
+      if (std::any_of(part.wrong.begin(), part.wrong.end(),
+                      [](const AnsweredNumber* one) { return one->is_left(); }) &&
+          told.insert(part.place).second) {
         describe(parts, part.place);
         const Diagnosis& last = found_.back();
         const bool is_old =
@@ -443,6 +461,19 @@ class Diagnoser {
            static_cast<double>(wrong - told) >= part_of_others * static_cast<double>(told);
   }
 
+  // Other results that are as the same misreading gives them need no words.
+  void explain_by(const std::function<void(Question&)>& change, std::size_t place) {
+    for (AnsweredCase& one : cases_) {
+      if (!change || !has_left(one)) continue;
+      Question misread = one.question;
+      change(misread);
+      const Followed followed{&one, misread, right_numbers(misread), closeness_of_misread, {}};
+      for (AnsweredNumber& number : one.numbers)
+        number.is_explained = number.is_explained || (number.is_left() && number.place != place &&
+                                                      is_met(number, followed));
+    }
+  }
+
   // Leaves out the points in which a result that is told is wrong, or that are in its place.
   void leave_out(std::size_t place, const std::function<bool(const Question&)>& is_in_place) {
     std::erase_if(cases_, [&](const AnsweredCase& one) {
@@ -453,16 +484,47 @@ class Diagnoser {
     });
   }
 
-  std::function<bool(const Question&)> describe(const std::vector<Part>& parts, std::size_t place) {
+  Description describe(const std::vector<Part>& parts, std::size_t place) {
     const Part& part = *std::find_if(parts.begin(), parts.end(),
                                      [&](const Part& one) { return one.place == place; });
     Diagnosis one{part.quantity(), {function_}, {}, 0, wrong_, {}};
     one.text = precision_text(one.quantity, part);
-    std::function<bool(const Question&)> is_in_place;
-    if (one.text.empty())
-      one.text = described_by_branch(one.quantity, place, parts, is_in_place, one.cause);
-    found_.push_back(std::move(one));
-    return is_in_place;
+    Description last{};
+    if (one.text.empty()) one.text = described_by_branch(one.quantity, place, parts, last);
+    one.cause = last.cause;
+    if (!tell_insides(part, last)) found_.push_back(std::move(one));
+    return last;
+  }
+
+  // Numbers inside of points that are wrong, alone or beside a known mistake of the same result.
+  bool tell_insides(const Part& part, const Description& description) {
+    if (!is_operating_point(function_) || description.is_cause) return false;
+    const std::vector<Mistake> solved = solved_insides(part);
+    if (solved.empty()) return false;
+    std::vector<Mistake>& all = solved_.emplace_back();
+    for (const Mistake& one : mistakes_)
+      if (changes_alone(one, part.place)) all.push_back(one);
+    all.insert(all.end(), solved.begin(), solved.end());
+    Cause cause = find_cause(cases_, all, {});
+    if (cause.explains.empty()) return false;
+    tell(std::move(cause), {});
+    return true;
+  }
+
+  // Whether the mistake changes this result of some points, and no other one.
+  bool changes_alone(const Mistake& mistake, std::size_t place) const {
+    const Mistake* const one = &mistake;
+    bool is_changed = false;
+    for (std::size_t i = 0; i < cases_.size(); i += 1 + cases_.size() / 20) {
+      const Numbers right = right_numbers(cases_[i].question);
+      const auto given = numbers_with({&one, 1}, cases_[i].question);
+      for (std::size_t k = 0; given && k < right.size(); ++k) {
+        if ((*given)[k] == right[k] || std::isnan((*given)[k])) continue;
+        if (k != place) return false;
+        is_changed = true;
+      }
+    }
+    return is_changed;
   }
 
   std::string function_;
@@ -470,6 +532,7 @@ class Diagnoser {
   const std::vector<Mistake>& mistakes_;
   std::vector<const WrongFunction*> below_;  // that this function needs and that are wrong
   std::deque<Expected> shifted_;             // what follows from them is expected
+  std::deque<std::vector<Mistake>> solved_;  // of insides
   const std::map<std::string, std::string>& named_before_;  // mistakes, with their functions
   std::size_t wrong_ = 0;
   std::set<const TestCase*> with_wrong_numbers_;
@@ -511,8 +574,10 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
   std::vector<Diagnosis> found;
   std::vector<WrongFunction> wrong;
   std::map<std::string, std::string> named;
+  std::vector<Mistake> of_points;  // solved ones, which other points may have, too
   for (const std::string& function : functions) {
-    std::vector<Mistake> mistakes;
+    std::vector<Mistake> mistakes =
+        is_operating_point(function) ? of_points : std::vector<Mistake>();
     for (const Mistake& one : all)
       if (one.function == (is_operating_point(function) ? "operating_point" : function))
         mistakes.push_back(one);
@@ -525,6 +590,11 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
     std::vector<Diagnosis> of_function = diagnoser.run();
     if (!of_function.empty() && !is_operating_point(function))
       wrong.push_back(diagnoser.as_below());
+    if (is_operating_point(function))
+      for (Mistake& one : diagnoser.named())
+        if (std::none_of(mistakes.begin(), mistakes.end(),
+                         [&](const Mistake& known) { return known.name == one.name; }))
+          of_points.push_back(std::move(one));
     for (Diagnosis& one : of_function) {
       for (const std::string& mistake : one.mistakes) named[mistake] = function;
       add(found, std::move(one));

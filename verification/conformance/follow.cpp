@@ -32,11 +32,11 @@ void add_moments(std::vector<Question>& inner, AsperityModel model, double argum
     inner.push_back(asked_of("gaussian_moment", {half_order_of(order), argument}));
 }
 
-// The factor of each wrong result, of one branch.
-struct Factor {
+// The answer of each wrong result, of one branch.
+struct WrongResult {
   std::size_t place;
   std::string branch;
-  std::function<double(const Question&)> at;
+  std::function<double(const Question&, double right)> answer;
 };
 
 }  // namespace
@@ -108,13 +108,13 @@ bool WrongFunction::is_wrong_at(const Question& inner) const {
   });
 }
 
-const Mistake* WrongFunction::at_points(const Question& inner) const {
+const Mistake* WrongFunction::at_points(const Question& inner, bool is_shared_alike) const {
   if (!at_points_) return nullptr;
   const Mistake* const slip = &*slip_;
   const std::optional<Numbers> numbers = numbers_with({&slip, 1}, inner);
   const bool is_known = numbers && std::none_of(numbers->begin(), numbers->end(),
                                                 [](double one) { return std::isnan(one); });
-  return is_known ? &*at_points_ : nullptr;
+  return is_known ? &*(is_shared_alike && with_sharing_ ? with_sharing_ : at_points_) : nullptr;
 }
 
 void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
@@ -129,29 +129,37 @@ void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
       return numbers ? numbers : std::optional(right_numbers(question));
     };
   } else {
-    std::vector<Factor> factors;
+    std::vector<WrongResult> results;
     for (const Part& part : parts_left(cases)) {
-      Factor factor{part.place, part.branch, power_factor(part)};
-      if (!factor.at)
-        if (const std::optional<Misread> misread = misread_input(part, {}))
-          factor.at = [answer = misread->answer, place = part.place](const Question& question) {
-            return answer(question, place) / right_numbers(question)[place];
-          };
-      if (factor.at) {
+      WrongResult result{part.place, part.branch, {}};
+      const auto times = [](const std::function<double(const Question&)>& factor) {
+        return
+            [factor](const Question& question, double right) { return right * factor(question); };
+      };
+      if (const auto factor = power_factor(part)) {
+        result.answer = times(factor);
+      } else if (const auto bounded = floor_or_cap(part)) {
+        result.answer = [bounded](const Question&, double right) { return bounded(right); };
+      } else if (const std::optional<Misread> misread = misread_input(part, {})) {
+        result.answer = [answer = misread->answer, place = part.place](
+                            const Question& question, double) { return answer(question, place); };
+      }
+      if (result.answer) {
         closeness_ = std::max(closeness_, closeness_of_formula);
       } else {
         // A branch of which nothing is known is known at no point.
         const auto depends = dependence_of(part);
-        factor.at = depends ? depends->factor : [](const Question&) { return unsaid; };
+        result.answer = times(depends ? depends->factor : [](const Question&) { return unsaid; });
         if (depends) closeness_ = closeness_of_curve;
       }
-      factors.push_back(std::move(factor));
+      results.push_back(std::move(result));
     }
     if (closeness_ == 0) return;
-    slip.instead = [factors](const Question& question) {
+    slip.instead = [results](const Question& question) {
       Numbers numbers = right_numbers(question);
-      for (const Factor& one : factors)
-        if (one.branch == branch_of(question)) numbers[one.place] *= one.at(question);
+      for (const WrongResult& one : results)
+        if (one.branch == branch_of(question))
+          numbers[one.place] = one.answer(question, numbers[one.place]);
       return std::optional(numbers);
     };
   }
@@ -159,7 +167,9 @@ void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
   at_points_ = name_.starts_with("hertz_") ? std::optional(with_contact(slip)) : for_points(slip);
   const bool is_film = std::find(film_formula_words.begin(), film_formula_words.end(), name_) !=
                        film_formula_words.end();
-  if (is_film) at_points_ = with_film({slip});
+  if (!is_film) return;
+  at_points_ = with_film({slip});
+  with_sharing_ = with_film_and_sharing(slip);
 }
 
 }  // namespace tribo::conformance

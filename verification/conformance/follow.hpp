@@ -32,8 +32,8 @@ class WrongFunction {
   bool is_wrong_at(const Question& inner) const;
 
   // Points in which this function is as the subject has it; null: it is not known well enough at
-  // this question to it.
-  const Mistake* at_points(const Question& inner) const;
+  // this question to it. Of a film law its exponents may be in the load sharing, too.
+  const Mistake* at_points(const Question& inner, bool is_shared_alike = false) const;
   // How closely at_points() is known, as a part of what it changes.
   double closeness() const { return closeness_; }
 
@@ -47,7 +47,7 @@ class WrongFunction {
 
   std::string name_;
   std::map<std::string, std::vector<Branch>> branches_;  // the wrong ones, one for each result
-  std::optional<Mistake> slip_, at_points_;
+  std::optional<Mistake> slip_, at_points_, with_sharing_;
   double closeness_ = 0;
 };
 

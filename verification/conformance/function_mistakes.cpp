@@ -242,6 +242,15 @@ std::vector<Mistake> swaps_of(const Function& function, const MistakeEntry& entr
       };
       all.push_back(std::move(swap));
     }
+  if (words.size() != 2) return all;
+  Mistake both = titled(with_words(entry, words[0], words[1]), function.name);
+  both.name += "-and-the-reverse";
+  both.text += ", and the reverse";
+  both.touches = {entry.swapped};
+  both.before = [place](Question& question) {
+    question.arguments[place] = 1 - question.arguments[place];
+  };
+  all.push_back(std::move(both));
   return all;
 }
 

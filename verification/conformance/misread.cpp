@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "catalogue/ways_to_ask.hpp"
+#include "conformance/insides.hpp"
 #include "conformance/law_numbers.hpp"
 #include "conformance/variable.hpp"
 #include "scene/schema.hpp"
@@ -110,24 +111,13 @@ void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
   }
 }
 
-// The numbers that a point's friction is computed from, each of which may be cut off inside of it.
-void add_sheared_film(std::vector<Input>& all) {
-  const auto add = [&all](const char* symbol, double ShearedFilm::*number,
-                          std::optional<double> FrictionReading::*reading) {
-    all.push_back({symbol,
-                   {},
-                   {},
-                   [number](const Question& asked) {
-                     const std::optional<ShearedFilm> film = sheared_film(asked);
-                     return film ? (*film).*number : unsaid;
-                   },
-                   [reading](Question& asked, double value) { asked.friction.*reading = value; },
-                   Kind::group});
-  };
-  add("ln(η/η₀) in friction", &ShearedFilm::log_viscosity, &FrictionReading::log_viscosity);
-  add("the fluid's pressure in friction", &ShearedFilm::pressure, &FrictionReading::pressure);
-  add("the shear rate in friction", &ShearedFilm::shear_rate, &FrictionReading::shear_rate);
-  add("the gap in friction", &ShearedFilm::gap, &FrictionReading::gap);
+// A number inside of a point, which may be cut off.
+Input input_of(const Inside& inside) {
+  return {inside.symbol, {}, {}, inside.get, inside.set, Kind::group};
+}
+
+bool is_of(const Inside& inside, const Part& part) {
+  return static_cast<std::size_t>(inside.place) == part.place;
 }
 
 std::vector<Input> inputs_of(const Part& part) {
@@ -145,7 +135,10 @@ std::vector<Input> inputs_of(const Part& part) {
                        store(*asked.scene, value);
                      }});
     }
-    if (part.place == static_cast<std::size_t>(Output::friction)) add_sheared_film(all);
+    for (const Inside& inside : insides_of_points())
+      if (is_of(inside, part) &&
+          (inside.kind == Inside::Kind::cut_off || inside.kind == Inside::Kind::factor))
+        all.push_back(input_of(inside));
     return all;
   }
   for (std::size_t i = 0; i < function->parameters.size(); ++i) {
@@ -204,12 +197,14 @@ std::optional<double> solved(const Part::Number& number, const Input& input, std
 
 // --- Misreadings
 
+constexpr int rank_of_odd = 7;
 struct Misreading {
   int rank;  // the simplest is the least
   std::string text;
   std::function<double(Question, std::size_t place)> answer;
   std::size_t fewest = fewest_wrong;  // wrong answers that decide
   bool is_default = false;            // the input where it is left out
+  std::function<void(Question&)> change = {};
 };
 
 // The factors that people lose or gain, and their names.
@@ -268,16 +263,19 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   const double own = input.get(asked);
   const auto add = [&](int rank, std::string text, std::function<double(const Question&)> taken,
                        std::size_t fewest = fewest_wrong, bool is_default = false) {
+    const auto change = [taken = std::move(taken), &input](Question& question) {
+      const double read = taken(question);
+      if (std::isfinite(read) && read != input.get(question)) input.set(question, read);
+    };
     found.push_back({rank, std::move(text),
-                     [taken = std::move(taken), &input](Question question, std::size_t place) {
-                       const double read = taken(question);
-                       return std::isfinite(read) && read != input.get(question)
-                                  ? input.answer_with(question, read, place)
-                                  : right_numbers(question)[place];
+                     [change](Question question, std::size_t place) {
+                       change(question);
+                       return right_numbers(question)[place];
                      },
-                     fewest, is_default});
+                     fewest, is_default, change});
   };
   const double number = round_number(value), more = round_number(value - own);
+  const int rank_of_number = is_of_few_digits(number) ? 3 : rank_of_odd;
   const std::string is_number = fmt::format("{} = {:.6g}", input.symbol, number);
   if (input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;
@@ -296,13 +294,13 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         [more, &input](const Question& question) { return more + input.get(question); });
   if (input.kind == Kind::single || input.kind == Kind::group) {
     add(
-        3, is_number + " wherever it is greater: it is cut off there",
+        rank_of_number, is_number + " wherever it is greater: it is cut off there",
         [number, &input](const Question& question) {
           return std::min(number, input.get(question));
         },
         fewest_cut);
     add(
-        3, is_number + " wherever it is less: it is cut off there",
+        rank_of_number, is_number + " wherever it is less: it is cut off there",
         [number, &input](const Question& question) {
           return std::max(number, input.get(question));
         },
@@ -316,7 +314,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
           return is_without(input, question) ? number : unsaid;
         },
         is_of_digits(value, digits_of_defaults) ? 1 : fewest_cut, true);
-  add(3, is_number + " always, whatever it is given as",
+  add(rank_of_number, is_number + " always, whatever it is given as",
       [number, &input](const Question& question) {
         return std::isfinite(input.get(question)) ? number : unsaid;
       });
@@ -423,7 +421,7 @@ bool vary(const Part& part) {
   double least = INFINITY, greatest = -INFINITY;
   for (const AnsweredNumber* const one : part.wrong) {
     const double ratio = one->got / one->expected->high;
-    if (!std::isfinite(ratio)) continue;
+    if (!std::isfinite(ratio)) return part.wrong.size() > 1;  // others than 0
     least = std::min(least, ratio);
     greatest = std::max(greatest, ratio);
   }
@@ -507,6 +505,9 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
                    [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
   std::vector<std::string> texts;
   const Misreading* first = nullptr;
+  // A round number that is all wrong answers is told itself, and not an odd input that gives it.
+  if (is_of_few_digits(wrong.front().answered->got) && floor_or_cap(part))
+    std::erase_if(all, [](const Misreading& one) { return one.rank >= rank_of_odd; });
   for (const Misreading& one : all) {
     if (!texts.empty() && (one.rank > first->rank || texts.size() == 3)) break;
     if (std::find(texts.begin(), texts.end(), one.text) != texts.end() || !gives(one, part))
@@ -518,7 +519,78 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
   return Misread{fmt::format("{}", fmt::join(texts, "; or with ")),
                  [inputs, answer = first->answer](const Question& asked, std::size_t place) {
                    return answer(asked, place);
-                 }};
+                 },
+                 first->change == nullptr
+                     ? std::function<void(Question&)>()
+                     : [inputs, change = first->change](Question& asked) { change(asked); }};
+}
+
+std::vector<Mistake> solved_insides(const Part& part) {
+  struct Solved {
+    const Inside* inside;
+    double number;                 // a factor, or the number in place of a constant
+    std::optional<double> choice;  // of a law; empty: all of them
+    std::size_t count = 0;         // of answers
+  };
+  constexpr std::size_t most_solved = 100, fewest_alike = 2;
+  std::vector<Solved> all;
+  const auto count_one = [&](const Inside& inside, double number, std::optional<double> choice) {
+    const auto is_it = [&](const Solved& one) {
+      return one.inside == &inside && one.choice == choice &&
+             std::abs(one.number / number - 1) < 1e-5;
+    };
+    const auto found = std::find_if(all.begin(), all.end(), is_it);
+    ++(found != all.end() ? *found : all.emplace_back(Solved{&inside, number, choice})).count;
+  };
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  for (const Inside& inside : insides_of_points()) {
+    const bool is_constant = inside.kind == Inside::Kind::constant;
+    if (!is_of(inside, part) || !(is_constant || inside.kind == Inside::Kind::factor)) continue;
+    for (std::size_t i = 0; i < wrong.size(); i += 1 + wrong.size() / most_solved) {
+      const Question& asked = wrong[i].of->question;
+      const auto value = solved(wrong[i], input_of(inside), part.place);
+      const double number = value ? *value / (is_constant ? 1 : inside.get(asked)) : unsaid;
+      if (!(is_of_few_digits(number) || is_familiar(number)) || is_same(number, 1)) continue;
+      count_one(inside, round_number(number), std::nullopt);
+      if (const auto field = scene_detail::find_field(inside.choice))
+        count_one(inside, round_number(number), scene_detail::value_in(*asked.scene, *field));
+    }
+  }
+  std::vector<Mistake> mistakes;
+  for (const Solved& one : all) {
+    if (one.count < fewest_alike) continue;
+    const bool is_constant = one.inside->kind == Inside::Kind::constant;
+    const std::string symbol = one.inside->symbol.substr(0, one.inside->symbol.find(" in "));
+    const auto field = scene_detail::find_field(one.inside->choice);
+    std::string text = in_place_of(
+        is_constant ? fmt::format("{:.6g}", one.number) : times_in_words(one.number, symbol),
+        one.inside->symbol);
+    if (one.choice)
+      text += fmt::format(", where `{}` is {}", one.inside->choice,
+                          scene_fields()[*field].choices[static_cast<std::size_t>(*one.choice)]);
+    mistakes.push_back(mistake_of_inside(text, text, *one.inside, [=](const Question& asked) {
+      if (one.choice && scene_detail::value_in(*asked.scene, *field) != one.choice) return unsaid;
+      return is_constant ? one.number : one.number * one.inside->get(asked);
+    }));
+  }
+  return mistakes;
+}
+
+std::function<double(double right)> floor_or_cap(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  const double number = wrong.front().answered->got;
+  const auto lie = [&](bool above) {
+    return std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+      const AnsweredNumber& answered = *one.answered;
+      return answered.is_left() == ((answered.expected->high > number) == above &&
+                                    std::abs(answered.error()) > answered.allowed);
+    });
+  };
+  if (!all_of(wrong, [&](const auto& one) { return is_same(one.answered->got, number); }))
+    return {};
+  if (lie(false)) return [number](double right) { return std::max(number, right); };
+  if (lie(true)) return [number](double right) { return std::min(number, right); };
+  return {};
 }
 
 namespace {

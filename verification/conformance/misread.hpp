@@ -22,6 +22,7 @@ namespace tribo::conformance {
 struct Misread {
   std::string text;
   std::function<double(const Question&, std::size_t place)> answer;  // with what is told first
+  std::function<void(Question&)> change = {};  // the same of the question; empty: it is no such
 };
 std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake>& mistakes);
 
@@ -33,6 +34,14 @@ std::string other_default(const Part& part);
 // Empty: they are neither one number, nor one number times an input, nor an input, nor another
 // result, nor that of another function of these inputs.
 std::string other_value(const Part& part);
+
+// Mistakes of the numbers inside of points that wrong answers are solved for, several of which may
+// be made together: factors that people know, printed constants, of all laws of a choice or of one.
+std::vector<Mistake> solved_insides(const Part& part);
+
+// The number that all wrong answers are, and that is more than all right ones where it is a floor,
+// or less where it is a cap: the answer for a right one. Empty: they are none.
+std::function<double(double right)> floor_or_cap(const Part& part);
 
 // A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
 double round_number(double value);

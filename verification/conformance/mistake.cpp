@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "conformance/insides.hpp"
 #include "conformance/mistake_entry.hpp"
 #include "scene/entries.hpp"
 
@@ -274,6 +275,7 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
           fmt::format("{}: mistake \"{}\": {}", path, entry.name, error.what()));
     }
   for (const auto& [name, laws] : of_films) of_points.push_back(with_film(laws));
+  for (Mistake& one : mistakes_of_insides()) of_points.push_back(std::move(one));
   for (Mistake& one : of_points) all.push_back(std::move(one));
   for (const Mistake& one : all)
     if (!one.follows.empty() && std::none_of(all.begin(), all.end(), [&](const Mistake& other) {

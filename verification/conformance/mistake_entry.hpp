@@ -110,8 +110,17 @@ std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry);
 // functions.
 std::optional<Mistake> for_points(const Mistake& mistake);
 
+// Multiplies the film formula of a scene by a factor: changes the speed, but keeps the sliding
+// speed and the supply as they are.
+void scale_film(Scene& scene, double factor);
+// Multiplies the nominal area of the contact by a factor, with the film formula left as it is.
+void scale_area(Scene& scene, double factor);
+
 // A mistake that several film laws have, in the film of an operating point by any of them.
 Mistake with_film(const std::vector<Mistake>& laws);
+
+// The same of one law, whose exponents of U and G are in the load sharing, too.
+Mistake with_film_and_sharing(const Mistake& law);
 
 // A wrong function of Hertz in the points that have its contact: their area and pressure, and of an
 // ellipse the ratio of its axes in the film.

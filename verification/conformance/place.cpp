@@ -208,6 +208,13 @@ std::string texts_alike(const CountedNumbers& numbers, const Circumstance& condi
     if (is_alike && one.text != condition.text && texts.size() < most_alike)
       texts.push_back(one.text);
   }
+  // "is not greenwood_tripp" says nothing beside "is greenwood_williamson".
+  for (const std::string& one : std::vector<std::string>(texts))
+    if (const std::size_t end = one.find(" is not "); end != std::string::npos)
+      if (std::any_of(texts.begin(), texts.end(), [&](const std::string& other) {
+            return other.starts_with(one.substr(0, end + 4)) && other.find("is not") > end + 1;
+          }))
+        std::erase(texts, one);
   return fmt::format("{}", fmt::join(texts, " or "));
 }
 

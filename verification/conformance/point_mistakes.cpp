@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "catalogue/ways_to_ask.hpp"
 #include "conformance/follow.hpp"
 #include "conformance/mistake_entry.hpp"
 #include "conformance/variable.hpp"
@@ -137,14 +138,16 @@ double right_film(const Scene& s) {
   return MixedContact<double>(s).flooded_film_parameter(s.speeds[0]) * s.surface.summit_height_sd;
 }
 
-// Multiplies the film formula by a factor: changes the speed, but keeps the sliding speed and the
-// supply as they are.
+}  // namespace
+
 void scale_film(Scene& scene, double factor) {
   const double by = decimal_power(factor, inverse(film_law(scene.closures.film).speed_exponent));
   for (double& speed : scene.speeds.list) speed *= by;
   scene.friction.slide_roll_ratio /= by;
   if (scene.supply.kind == SupplyKind::inlet_flow) scene.supply.value *= by;
 }
+
+namespace {
 
 // The contact changed as Hertz sees it, with the film formula left as it is.
 void change_contact(Scene& scene, const std::function<void(Bodies&)>& change) {
@@ -153,7 +156,9 @@ void change_contact(Scene& scene, const std::function<void(Bodies&)>& change) {
   scale_film(scene, right / right_film(scene));
 }
 
-// A_nom times a factor, by the radii: it goes as R^{2/3}, and of a line as R^{1/2}.
+}  // namespace
+
+// By the radii: it goes as R^{2/3}, and of a line as R^{1/2}.
 void scale_area(Scene& scene, double factor) {
   change_contact(scene, [&](Bodies& bodies) {
     const bool is_line = bodies.shape() == ContactShape::line;
@@ -161,6 +166,8 @@ void scale_area(Scene& scene, double factor) {
       *radius *= std::pow(factor, is_line ? 2 : 1.5);
   });
 }
+
+namespace {
 
 // Changes of an ellipse.
 void take_circle(Question& question) {
@@ -173,16 +180,8 @@ void take_circle(Question& question) {
 void exchange_radii(Question& question) {
   std::swap(question.scene->bodies.radius_x, question.scene->bodies.radius_y);
 }
-void take_film_of_circle(Question& question) {
-  Scene& scene = *question.scene;
-  Scene round = scene;
-  round.bodies.radius_y = round.bodies.radius_x;
-  scale_film(scene, right_film(round) / right_film(scene));
-}
 constexpr std::pair<std::string_view, void (*)(Question&)> ellipse_changes[] = {
-    {"circle_of_radius_x", take_circle},
-    {"radii_exchanged", exchange_radii},
-    {"film_of_circle", take_film_of_circle}};
+    {"circle_of_radius_x", take_circle}, {"radii_exchanged", exchange_radii}};
 
 // K times a factor, the real area left as it is: √(σ_s/β) grows at constant nβ; the number of
 // summits grows by the factor's square. Returns what undoes that.
@@ -225,17 +224,11 @@ void take_inlet_of_flooded_film(Question& question) {
 }
 
 constexpr std::pair<std::string_view, double FrictionReading::*> friction_numbers[] = {
-    {"asperities", &FrictionReading::asperities},
-    {"film_boundary", &FrictionReading::film_boundary},
-    {"whole_boundary", &FrictionReading::whole_boundary},
     {"film", &FrictionReading::film},
-    {"contact_area", &FrictionReading::contact_area},
     {"roelands_pressure", &FrictionReading::roelands_pressure},
     {"roelands_logarithm", &FrictionReading::roelands_logarithm},
     {"limiting_by_minimum", &FrictionReading::limiting_by_minimum},
-    {"limiting_by_tangent", &FrictionReading::limiting_by_tangent},
-    {"whole_pressure", &FrictionReading::whole_pressure},
-    {"pressure_times", &FrictionReading::pressure_times}};
+    {"limiting_by_tangent", &FrictionReading::limiting_by_tangent}};
 
 // The function's results with the mistake, for arguments that a point has.
 std::optional<double> value_with(const Mistake& wrong, const catalogue::Arguments& arguments) {
@@ -285,15 +278,20 @@ Numbers shared_point(const Question& question, const MixedContact<double>& conta
   return numbers;
 }
 
+Question sharing_question(const MixedContact<double>& contact, const Scene& scene) {
+  return {nullptr,
+          catalogue::function_named("load_sharing"),
+          {static_cast<double>(scene.closures.asperity),
+           contact.flooded_film_parameter(scene.speeds[0]), contact.sharing().stiffness(),
+           contact.sharing().offset()}};
+}
+
 // λ of load_sharing, which has the exponent of hamrock_dowson_central.
 std::optional<double> usual_sharing(const Mistake* wrong, const MixedContact<double>& contact,
                                     const Scene& scene) {
-  const catalogue::Arguments arguments{static_cast<double>(scene.closures.asperity),
-                                       contact.flooded_film_parameter(scene.speeds[0]),
-                                       contact.sharing().stiffness(), contact.sharing().offset()};
-  if (wrong != nullptr) return value_with(*wrong, arguments);
-  const double lambda =
-      right_numbers({nullptr, catalogue::function_named("load_sharing"), arguments})[0];
+  const Question question = sharing_question(contact, scene);
+  if (wrong != nullptr) return value_with(*wrong, question.arguments);
+  const double lambda = right_numbers(question)[0];
   return std::isfinite(lambda) ? std::optional(lambda) : std::nullopt;
 }
 constexpr double usual_exponent = hamrock_dowson_central_law.sharing_power.value;
@@ -382,6 +380,32 @@ Mistake with_film(const std::vector<Mistake>& laws) {
     if (const auto film = value_with(*law, film_question(scene).arguments))
       scale_film(scene, *film / right_film(scene));
   });
+}
+
+Mistake with_film_and_sharing(const Mistake& law) {
+  Mistake mistake = with_film({law});
+  mistake.instead = [law](const Question& question) -> std::optional<Numbers> {
+    const Scene& scene = *question.scene;
+    const MixedContact<double> contact(scene);
+    const Question film = film_question(scene);
+    if (film.function->name != law.function) return right_numbers(question);
+    // The exponent of an argument of the film; laws of soft bodies have no α.
+    const auto exponent_of = [&](std::string_view name) {
+      const std::size_t place = catalogue::place_in(film.function->parameters, name);
+      if (place == film.function->parameters.size()) return std::optional(0.0);
+      catalogue::Arguments twice = film.arguments;
+      twice[place] *= 2;
+      const auto before = value_with(law, film.arguments), after = value_with(law, twice);
+      return before && after ? std::optional(std::log2(*after / *before)) : std::nullopt;
+    };
+    const auto of_speed = exponent_of("speed"), of_oil = exponent_of("pressure_viscosity");
+    if (!of_speed || !of_oil || !(*of_speed > *of_oil)) return std::nullopt;
+    Question sharing = sharing_question(contact, scene);
+    sharing.sharing.film_exponent = *of_speed - *of_oil;
+    return shared_point(question, contact, right_numbers(sharing)[0],
+                        sharing.sharing.film_exponent);
+  };
+  return mistake;
 }
 
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {

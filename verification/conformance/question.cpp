@@ -73,36 +73,37 @@ ShearedFilm sheared_film_of(const OperatingPoint<double>& point, const Scene& sc
   const Lubricant& oil = scene.lubricant;
   // Another p_R in Roelands' law is the right one with αp_R′/p_R and p·p_R/p_R′; Barus' αp stays.
   const double times = reading.roelands_pressure / roelands_pressure<double>();
-  const double pressure = reading.pressure.value_or(
-      reading.pressure_times * mean_pressure *
-      (reading.whole_pressure != 0 ? reading.whole_pressure : point.fluid_load_share));
+  const double pressure = reading.pressure.value_or(mean_pressure * point.fluid_load_share);
   const double log_viscosity = reading.log_viscosity.value_or(log_viscosity_ratio(
-      scene.friction.viscosity, std::pow(oil.viscosity, reading.roelands_logarithm),
+      scene.friction.viscosity,
+      std::pow(oil.viscosity, reading.roelands_logarithm) *
+          std::exp(reading.roelands_log_viscosity - roelands_log_viscosity<double>()),
       times * oil.pressure_viscosity, pressure / times));
-  const double gap = reading.gap.value_or(point.separation);
-  const double rate =
-      reading.shear_rate.value_or(scene.friction.slide_roll_ratio * point.speed / gap);
-  return {pressure, log_viscosity, rate, gap};
+  const double gap = reading.gap.value_or(0) > 0 ? *reading.gap : point.separation;
+  const double newtonian = oil.viscosity * std::exp(log_viscosity);
+  const double rate = reading.shear_rate.value_or(
+      reading.shear_number ? *reading.shear_number * *oil.eyring_stress / newtonian
+                           : scene.friction.slide_roll_ratio * point.speed / gap);
+  return {pressure, log_viscosity, rate, gap, newtonian * rate / *oil.eyring_stress};
 }
 
 double friction_of(const OperatingPoint<double>& point, const Scene& scene,
                    const FrictionReading& reading) {
   const double mean_pressure = mean_pressure_of(scene);
-  const auto [pressure, thickening, rate, gap] =
+  const auto [pressure, thickening, rate, gap, shear_number] =
       sheared_film_of(point, scene, mean_pressure, reading);
   const double viscosity = scene.lubricant.viscosity, yield = *scene.lubricant.eyring_stress;
-  const double newtonian = viscosity * std::exp(thickening) * rate;
+  const double newtonian = shear_number * yield;
   const bool is_limiting = scene.friction.fluid == FluidShear::limiting;
   const double stress =
       is_limiting && reading.limiting_by_minimum != 0 ? std::min(newtonian, yield)
       : is_limiting && reading.limiting_by_tangent != 0
           ? yield * std::tanh(newtonian / yield)
           : fluid_shear_stress(scene.friction.fluid, yield, viscosity, thickening, rate * gap, gap);
-  const double boundary = reading.asperities * point.asperity_load_share +
-                          reading.film_boundary * point.fluid_load_share + reading.whole_boundary;
-  const double sheared = std::max(0.0, 1 - reading.contact_area * point.real_area_ratio);
+  const double boundary = reading.boundary_share.value_or(point.asperity_load_share);
+  const double sheared = std::max(0.0, 1 - reading.real_area.value_or(point.real_area_ratio));
   return *scene.friction.boundary_coefficient * boundary +
-         reading.film * stress * sheared / mean_pressure;
+         reading.film * stress * sheared / reading.mean_pressure.value_or(mean_pressure);
 }
 
 }  // namespace
@@ -157,15 +158,26 @@ Numbers numbers_of(const catalogue::Results& results) {
   return numbers;
 }
 
-Numbers numbers_of(const OperatingPoint<double>& point, const Question& question) {
+Numbers numbers_of(const OperatingPoint<double>& right_point, const Question& question) {
+  OperatingPoint<double> point = right_point;
+  const auto by_model = [&](const std::optional<AsperityModel>& model, double& number,
+                            double (*value)(const AsperityContact<double>&, const double&)) {
+    if (!model || *model == question.scene->closures.asperity) return;
+    Scene scene = *question.scene;
+    scene.closures.asperity = *model;
+    number = value(MixedContact<double>(scene).asperities(),
+                   point.separation / scene.surface.summit_height_sd);
+  };
+  by_model(question.area_model, point.real_area_ratio, tribo::real_area_ratio<double>);
+  by_model(question.count_model, point.summit_count, tribo::summit_count<double>);
+  point.summit_count *= question.summit_count_times;
+  point.real_area_ratio *= question.real_area_times;
   Numbers numbers = tribo::numbers_of(point);  // where the film has collapsed some are NaN: unsaid
-  numbers[static_cast<std::size_t>(Output::summit_count)] *= question.summit_count_times;
-  numbers[static_cast<std::size_t>(Output::real_area_ratio)] *= question.real_area_times;
-  double& friction = numbers[static_cast<std::size_t>(Output::friction)];
-  FrictionReading reading = question.friction;
-  reading.contact_area *= question.real_area_times;
-  if (point.regime != Regime::collapsed && !(reading == FrictionReading{}))
-    friction = friction_of(point, *question.scene, reading);
+  const bool is_friction_other = point.real_area_ratio != right_point.real_area_ratio ||
+                                 question.friction != FrictionReading{};
+  if (point.regime != Regime::collapsed && is_friction_other)
+    numbers[static_cast<std::size_t>(Output::friction)] =
+        friction_of(point, *question.scene, question.friction);
   return numbers;
 }
 

@@ -34,27 +34,28 @@ struct SharingReading {
   bool operator==(const SharingReading&) const = default;
 };
 
-// How friction is put together: μ = μ_b (a A + b (1−A) + c) + d τ (1 − e A_r/A_nom)/p̄ with the
-// weights a = d = e = 1 and b = c = 0, and the fluid's shear stress τ.
+// How friction is put together: μ = μ_b A + d τ (1 − A_r/A_nom)/p̄ with the weight d = 1, and the
+// fluid's shear stress τ.
 struct FrictionReading {
-  double asperities = 1, film_boundary = 0, whole_boundary = 0;  // a, b, c
-  double film = 1, contact_area = 1;                             // d, e
+  double film = 1;  // d
   double roelands_pressure = tribo::roelands_pressure<double>();
+  double roelands_log_viscosity = tribo::roelands_log_viscosity<double>();  // 9.67
   double roelands_logarithm = 1;   // 1/ln 10: log₁₀ η₀ for ln η₀
   double limiting_by_minimum = 0;  // 1: min(ηγ̇, τ₀) for τ₀(1 − e^{−ηγ̇/τ₀})
   double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for it
-  // The pressure that thickens: the fluid's share of p̄, or with 1 all of it, times a number.
-  double whole_pressure = 0, pressure_times = 1;
-  // In place of the point's own: this pressure in Pa, ln(η/η₀), shear rate in 1/s and gap in m.
-  std::optional<double> pressure = {}, log_viscosity = {}, shear_rate = {}, gap = {};
+  // In place of the point's own: the pressure that thickens in Pa, ln(η/η₀), shear rate in 1/s, gap
+  // in m, ηγ̇/τ₀; A beside μ_b, A_r/A_nom, and p̄ in Pa under τ.
+  std::optional<double> pressure = {}, log_viscosity = {}, shear_rate = {}, gap = {},
+                        shear_number = {};
+  std::optional<double> boundary_share = {}, real_area = {}, mean_pressure = {};
 
   bool operator==(const FrictionReading&) const = default;
 };
 
 // The numbers that the fluid's shear stress is computed from: the pressure that thickens it in Pa,
-// ln(η/η₀), the shear rate in 1/s and the gap in m.
+// ln(η/η₀), the shear rate in 1/s, the gap in m, and ηγ̇/τ₀.
 struct ShearedFilm {
-  double pressure, log_viscosity, shear_rate, gap;
+  double pressure, log_viscosity, shear_rate, gap, shear_number;
 };
 
 struct Question {
@@ -66,7 +67,10 @@ struct Question {
   SharingReading sharing = {};          // of load_sharing
   double summit_count_times = 1;        // of an operating point
   double real_area_times = 1;           // of an operating point
-  FrictionReading friction = {};        // of an operating point
+  // The model by which the real area or the summits of a point are computed, where that is not the
+  // model that shares its load.
+  std::optional<AsperityModel> area_model = {}, count_model = {};
+  FrictionReading friction = {};  // of an operating point
 };
 
 Question question_of(const TestCase& asked);

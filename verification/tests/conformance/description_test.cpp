@@ -13,6 +13,7 @@
 
 #include "catalogue/ways_to_ask.hpp"
 #include "conformance/diagnosis.hpp"
+#include "conformance/insides.hpp"
 #include "conformance/law_numbers.hpp"
 #include "conformance/mistake_entry.hpp"
 #include "conformance/question.hpp"
@@ -48,7 +49,8 @@ json right_answer(const TestCase& asked) {
 using Slip = std::function<void(const TestCase& asked, json& fields)>;
 
 // All sentences on a solver that offers the functions that have a slip.
-std::string said_of(const std::map<std::string, Slip>& slips) {
+std::string said_of(const std::map<std::string, Slip>& slips,
+                    const std::vector<Mistake>& mistakes = {}) {
   std::vector<TestCase> cases;
   Conversation conversation;
   for (const TestCase& one : all_cases()) {
@@ -60,7 +62,7 @@ std::string said_of(const std::map<std::string, Slip>& slips) {
     conversation.answers.push_back({Outcome::answered, std::move(fields), {}});
   }
   std::string said;
-  for (const Diagnosis& one : diagnose(cases, conversation, engineering_tolerance(), {}))
+  for (const Diagnosis& one : diagnose(cases, conversation, engineering_tolerance(), mistakes))
     said += one.text + '\n';
   return said;
 }
@@ -146,6 +148,14 @@ TEST(Place, IsAWordOrAnEqualityOrAnOrderWhereThatTellsAllWrongAnswers) {
               "cases where R_y < R_x, right in all others");
   expect_said(said_of({{"operating_point", noise_where("friction", has_roelands)}}),
               "cases where `friction.viscosity` is roelands, right in all others");
+  const std::string model =
+      said_of({{"operating_point_of_line", noise_where("summit_count", [](const json& in) {
+                  return in.value("/closures/asperity"_json_pointer, "greenwood_tripp"s) !=
+                         "greenwood_tripp";
+                })}});
+  expect_said(model,
+              "cases where `closures.asperity` is greenwood_williamson, right in all others");
+  expect_said(model, "is not greenwood_tripp", false);
   expect_said(said_of({{"operating_point_of_line", noise_where("film",
                                                                [](const json& in) {
                                                                  return in.contains("supply") &&
@@ -733,17 +743,156 @@ TEST(Misread, IsADefaultWhereOneCaseLeavesTheInputOut) {
               false);
 }
 
-// A number inside of a point, from which its friction is computed, is cut off in some points.
-TEST(Misread, IsACutInsideOfFriction) {
-  const auto cut = [](std::function<void(Question&, const ShearedFilm&)> change) {
-    return [=](const TestCase& asked, json& fields) {
-      Question question = question_of(asked);
-      const auto film = sheared_film(question);
-      if (!film || !fields["friction"].is_number()) return;
-      change(question, *film);
-      fields["friction"] = right_numbers(question)[static_cast<std::size_t>(Output::friction)];
+// A number inside of a point, from which its friction is computed, is another one.
+Slip cut(std::function<void(Question&, const ShearedFilm&)> change) {
+  return [=](const TestCase& asked, json& fields) {
+    Question question = question_of(asked);
+    const auto film = sheared_film(question);
+    if (!film || !fields["friction"].is_number()) return;
+    change(question, *film);
+    fields["friction"] = right_numbers(question)[static_cast<std::size_t>(Output::friction)];
+  };
+}
+
+TEST(Misread, IsANumberInsideOfFrictionThatOneLawAloneMayHaveWrong) {
+  const auto expect_all = [](const std::string& words, const Slip& slip) {
+    for (const char* const points : {"operating_point", "operating_point_of_line"})
+      expect_said(said_of({{points, slip}}), words);
+  };
+  expect_all("(ηγ̇/τ₀)/2 in place of (ηγ̇/τ₀), in friction, where `friction.fluid` is eyring (",
+             cut([](Question& one, const ShearedFilm& film) {
+               if (one.scene->friction.fluid == FluidShear::eyring)
+                 one.friction.shear_number = film.shear_number / 2;
+             }));
+  expect_all("(3/2) the fluid's pressure in place of the fluid's pressure, in friction, where `fri",
+             cut([](Question& one, const ShearedFilm& film) {
+               if (one.scene->friction.viscosity == ViscosityLaw::barus)
+                 one.friction.pressure = 1.5 * film.pressure;
+             }));
+  expect_all(
+      "9.76 in place of 9.67, in Roelands' law of friction (",
+      cut([](Question& one, const ShearedFilm&) { one.friction.roelands_log_viscosity = 9.76; }));
+  // A factor that varies is none of these numbers.
+  const std::string varying =
+      said_of({{"operating_point", cut([](Question& one, const ShearedFilm& film) {
+                  one.friction.shear_number =
+                      film.shear_number / (2 + std::sin(film.log_viscosity));
+                })}});
+  expect_said(varying, "the right ones with", false);
+}
+
+// The answers with a mistake, or between these and the right ones.
+Slip made(const Mistake& mistake, double part = 1) {
+  return [mistake, part](const TestCase& asked, json& fields) {
+    const Mistake* const one = &mistake;
+    const std::optional<Numbers> given = numbers_with({&one, 1}, question_of(asked));
+    for (const Expected& expected : asked.expected)
+      if (given && expected.place && std::isfinite((*given)[*expected.place]))
+        fields[expected.field] = (1 - part) * expected.high + part * (*given)[*expected.place];
+  };
+}
+
+TEST(Insides, AreNamedWhereAnotherNumberOfThePointStandsInTheirPlace) {
+  const std::vector<Mistake> mistakes = mistakes_of_insides();
+  ASSERT_GE(mistakes.size(), 20U);
+  for (const Mistake& one : mistakes)
+    for (const double part : {1.0, 0.9})
+      expect_said(said_of({{"operating_point_of_ellipse", made(one, part)},
+                           {"operating_point_of_line", made(one, part)}},
+                          mistakes),
+                  one.text, part == 1);
+}
+
+TEST(Insides, OfTwoLawsAreNamedTogether) {
+  const auto both = [](double times) {
+    return cut([times](Question& one, const ShearedFilm& film) {
+      const Friction& asked = one.scene->friction;
+      if (asked.viscosity == ViscosityLaw::barus) one.friction.pressure = 1.5 * film.pressure;
+      if (asked.fluid == FluidShear::eyring)
+        one.friction.shear_number = times * sheared_film(one)->shear_number;
+    });
+  };
+  const std::string said = said_of({{"operating_point", both(0.5)}});
+  expect_said(said, "two mistakes give together: (3/2) the fluid's pressure in place of");
+  expect_said(said, "(ηγ̇/τ₀)/2 in place of (ηγ̇/τ₀), in friction, where `friction.fluid` is eyring");
+  expect_said(said_of({{"operating_point", both(0.517238)}}), "together", false);
+}
+
+TEST(Misread, OfAnInputOfPointsIsToldOfTheResultThatIsComputedFirst) {
+  const Mistake flow{.function = "operating_point",
+                     .name = "flow",
+                     .text = "flow",
+                     .touches = {},
+                     .before = [](Question& one) {
+                       if (one.scene->supply.kind == SupplyKind::inlet_flow)
+                         one.scene->supply.value /= 1e6;
+                     }};
+  const std::string said = said_of({{"operating_point_of_line", made(flow)}});
+  expect_said(said, "operating_point_of_line.film is");
+  expect_said(said, "with `supply.inlet_flow`/10⁶ in place of `supply.inlet_flow`");
+  expect_said(said, "always, whatever it is given as", false);
+}
+
+TEST(Floor, IsToldInPlaceOfAnOddInputThatGivesIt) {
+  const auto bounded = [](double floor) {
+    return [=](const TestCase&, json& fields) {
+      fields["value"] = std::max(floor, fields["value"].get<double>());
     };
   };
+  const std::string said = said_of({{"starvation_ratio", bounded(0.05)}});
+  expect_said(said, "For damiens: ");
+  expect_said(said, "wrong answers are 0.05: a floor, a cap, a guard or a default gives them");
+  expect_said(said, "it is cut off there", false);
+  // Where the input is the round number, that is what is cut off.
+  const std::string cap = said_of({{"starvation_ratio", [](const TestCase& asked, json& fields) {
+                                      if (asked.inputs.at("closure") == "starved_inlet")
+                                        asked_as([](Question& one) {
+                                          one.arguments[1] = std::min(one.arguments[1], 20.0);
+                                        })(asked, fields);
+                                    }}});
+  expect_said(cap, "r = 20 wherever it is greater: it is cut off there");
+}
+
+TEST(Words, OfAnInputThatAreExchangedAreToldOnce) {
+  const std::vector<Mistake> mistakes = read_mistakes(reference + "/mistakes.toml");
+  std::vector<Mistake> of_function;
+  std::copy_if(mistakes.begin(), mistakes.end(), std::back_inserter(of_function),
+               [](const Mistake& one) { return one.function == "pull_off_force"; });
+  const auto exchanged = [&](bool both) {
+    return said_of({{"pull_off_force",
+                     [both](const TestCase& asked, json& fields) {
+                       asked_as([both](Question& one) {
+                         if (both || one.arguments[0] == 0) one.arguments[0] = 1 - one.arguments[0];
+                       })(asked, fields);
+                     }}},
+                   of_function);
+  };
+  expect_said(exchanged(true), ", and the reverse (44 of 44 answers");
+  expect_said(exchanged(false), "the reverse", false);
+}
+
+TEST(Following, OfAFilmLawMayHaveItsExponentsInTheLoadSharing) {
+  const Mistake law{.function = "hamrock_dowson_minimum",
+                    .name = "law",
+                    .text = "law",
+                    .touches = {},
+                    .after = [](const Question& asked, Numbers& numbers) {
+                      const catalogue::Arguments& x = asked.arguments;
+                      numbers[0] *= std::pow(x[0] * x[1] / (2 * x[4] * x[5]), -0.01);
+                    }};
+  const char* const points = "operating_point_of_other_film";
+  const auto words = [&](const Mistake& of_points) {
+    const std::string said =
+        said_of({{"hamrock_dowson_minimum", made(law)}, {points, made(of_points)}});
+    expect_said(said, "operating_point_of_other_film.film_flooded is");
+    expect_said(said, "This follows from hamrock_dowson_minimum");
+    return said;
+  };
+  expect_said(words(with_film_and_sharing(law)), "None of the known", false);
+  expect_said(words(with_film({law})), "None of the known", false);
+}
+
+TEST(Misread, IsACutInsideOfFriction) {
   const auto expect_cut = [&](const char* words,
                               std::function<void(Question&, const ShearedFilm&)> change) {
     expect_said(said_of({{"operating_point", cut(std::move(change))}}), words);
