@@ -84,9 +84,15 @@ struct FilmCautions {
   Caution away_from_spike, beside_spike;
 };
 FilmCautions cautions_of(bool is_compressible, std::size_t grids) {
+  // Where the spike is not resolved, the values that make the order may waver as much as they
+  // change.
+  constexpr double least_order = 0.5, greatest_order = 4;
   const double less_by_grids = std::pow(0.35, std::max(0., static_cast<double>(grids) - 4));
-  if (is_compressible) return {{1.1, 0.125, 0.0055, 36}, {1.45, 0.5, 0.58 * less_by_grids, 10.5}};
-  return {{0.36, 0.2, 0.019 * less_by_grids, 25.5}, {1, 0.125, 0.084, 8}};
+  if (is_compressible)
+    return {{0.85, 0.2, 0.015 * less_by_grids, 14},
+            {1.45, 0.4, 0.33 * less_by_grids, 10.5, least_order, greatest_order}};
+  return {{0.95, 0.08, 0.01 * less_by_grids, 16},
+          {0.6, 0.25, 0.09 * less_by_grids, 5.5, least_order, greatest_order}};
 }
 
 void estimate_all(SolvedFilm& solved, const LineContact& contact,
@@ -132,7 +138,7 @@ Estimate estimate_of(const std::vector<double>& values, const Caution& caution,
   e.error = 1.5 * (std::fabs(last) + std::fabs(before));
   if (last == 0 && before == 0) return e;
   const double order = std::log2(before / last);
-  if (!(order > 1.5 && order < 2.6)) return e;
+  if (!(order > caution.least_order && order < caution.greatest_order)) return e;
   e.order = order;
   const auto richardson = [&](std::size_t i) {
     return values[i] + (values[i] - values[i - 1]) / 3;
