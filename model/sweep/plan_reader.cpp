@@ -629,9 +629,4 @@ SweepPlan make_plan(std::vector<SceneSweep> scenes) {
   return plan;
 }
 
-bool is_result_of(const SweepPlan& plan, const std::string& digest) {
-  return digest == plan.digest ||
-         (numbers_version == 1 && digest == digest_of("0.1.0", plan.scenes));
-}
-
 }  // namespace tribo::sweep

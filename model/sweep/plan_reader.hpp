@@ -57,8 +57,4 @@ SweepReading read_sweep(const std::string& path);
 // Puts the sweeps of some files together. Throws std::invalid_argument where two have one id.
 SweepPlan make_plan(std::vector<SceneSweep> scenes);
 
-// Is a result with this digest one of the plan, with the same numbers? Results of tribocheck 0.1.0,
-// whose numbers are of version 1, have the program's version in the place of that of the numbers.
-bool is_result_of(const SweepPlan& plan, const std::string& digest);
-
 }  // namespace tribo::sweep

@@ -453,13 +453,5 @@ TEST(PlanReader, DigestFollowsTheTextAndNotItsFolder) {
   EXPECT_NE(plan_of(two_loads, "s.toml").digest, plan_of(two_loads + "#\n", "s.toml").digest);
 }
 
-TEST(PlanReader, ResultsOfTheSameNumbersAreTaken) {
-  const SweepPlan plan = plan_of(two_loads, "s.toml");
-  EXPECT_EQ(is_result_of(plan, plan.digest), true);
-  EXPECT_EQ(is_result_of(plan, "4e824314f9d8f0ae07e07d015b7cd0be"), true);  // as 0.1.0 wrote it
-  EXPECT_EQ(is_result_of(plan_of(two_loads + "#\n", "s.toml"), plan.digest), false);
-  EXPECT_EQ(is_result_of(plan, ""), false);
-}
-
 }  // namespace
 }  // namespace tribo::sweep
