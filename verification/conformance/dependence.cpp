@@ -18,7 +18,7 @@ namespace tribo::conformance {
 namespace {
 
 constexpr std::size_t fewest_values = 12;  // different ones of the variable
-constexpr std::size_t fewest_of_form = 6;
+constexpr std::size_t fewest_of_form = 4;
 constexpr double same_factor = 1e-6;  // of the range of the logarithms of the factors
 // Squares of what neighbours do not let expect, of the squares of all changes: of the factors'
 // logarithms, and of their ranks, so that no few cases decide.
@@ -160,12 +160,13 @@ double logarithm(double x) { return std::log(x); }
 double exponential(double x) { return std::exp(x); }
 constexpr std::array forms{Form{same, same, same, false, "{1} {2}{0}"},
                            Form{logarithm, same, same, false, "{1} ln {2}{0}"},
-                           Form{logarithm, logarithm, exponential, true, "{0} {2}^({1})"},
-                           Form{same, logarithm, exponential, true, "{0} e^({1} {2})"},
+                           Form{logarithm, logarithm, exponential, true, "{0}{2}^({1})"},
+                           Form{same, logarithm, exponential, true, "{0}e^({1} {2})"},
                            Form{same, reciprocal, reciprocal, false, "1/({1} {2}{0})"}};
 
 // The form through the ends, if it is that of all points and both numbers have few digits.
-std::string form_through(const std::vector<Sample>& points, const std::string& symbol) {
+std::string form_through(const std::vector<Sample>& points, std::string symbol) {
+  if (symbol.find('/') != std::string::npos) symbol = '(' + symbol + ')';
   constexpr double closeness = 1e-6;
   const auto [first, last] = std::minmax_element(
       points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
@@ -182,7 +183,7 @@ std::string form_through(const std::vector<Sample>& points, const std::string& s
     if (!is_of_all || slope == 0 || !is_of_few_digits(slope) || !is_of_few_digits(written))
       continue;
     const std::string number =
-        form.is_power ? fmt::format("{:.6g}", written)
+        form.is_power ? (written == 1 ? "" : fmt::format("{:.6g} ", written))
                       : fmt::format(" {} {:.6g}", written < 0 ? "−" : "+", std::abs(written));
     return fmt::format(fmt::runtime(form.text), number, fmt::format("{:.6g}", slope), symbol);
   }

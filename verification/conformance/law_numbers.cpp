@@ -461,7 +461,8 @@ std::optional<LawOfNumbers> with_mistake(const catalogue::Function& function,
   return changed;
 }
 
-// One number, or a factor of an input, beside a known mistake. A film's law has numbers alone.
+// One number, or a factor of an input, beside a known mistake, or two numbers of its own formula. A
+// film's law has numbers alone.
 std::vector<FittedNumbers> beside_mistakes(const catalogue::Function& function,
                                            const LawOfNumbers& law,
                                            const std::vector<Mistake>& mistakes,
@@ -471,15 +472,22 @@ std::vector<FittedNumbers> beside_mistakes(const catalogue::Function& function,
   if (function.film_law != nullptr) return found;
   const std::vector<Part::Number> probes{wrong.front(), wrong[wrong.size() / 2], wrong.back()};
   for (const Mistake& mistake : mistakes)
-    if (const auto changed = with_mistake(function, law, mistake))
-      for (const Change& one : changes_of(function, *changed)) {
-        if (!fitted(*changed, {one}, probes, place)) continue;
-        auto number = fitted(*changed, {one}, wrong, place);
-        if (!number || !number->is_plausible) continue;
-        number->count = 2;
-        number->text = mistake.text + ", and " + number->text;
-        found.push_back(std::move(*number));
+    if (const auto changed = with_mistake(function, law, mistake)) {
+      const std::vector<Change> changes = changes_of(function, *changed);
+      const auto add = [&](const std::vector<Change>& beside) {
+        if (!fitted(*changed, beside, probes, place)) return;
+        auto numbers = fitted(*changed, beside, wrong, place);
+        if (!numbers || !numbers->is_plausible) return;
+        ++numbers->count;
+        numbers->text = mistake.text + ", and " + numbers->text;
+        found.push_back(std::move(*numbers));
+      };
+      for (std::size_t i = 0; i < changes.size(); ++i) {
+        add({changes[i]});
+        for (std::size_t k = 0; k < i && mistake.instead && wrong.size() >= fewest_of_three; ++k)
+          if (!changes[i].is_input && !changes[k].is_input) add({changes[k], changes[i]});
       }
+    }
   return found;
 }
 

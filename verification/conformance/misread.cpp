@@ -498,8 +498,10 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
   const bool is_one_factor = !vary(part);
   for (FittedNumbers& one : fitted_numbers(part, mistakes, is_one_factor))
     if (!is_one_factor || one.is_plausible)
-      all.push_back({one.is_plausible ? (one.count == 1 ? 2 : 6) : 7, std::move(one.text),
-                     std::move(one.answer)});
+      all.push_back({!one.is_plausible ? 7
+                     : one.count == 1  ? 2
+                                       : 4 + static_cast<int>(one.count),
+                     std::move(one.text), std::move(one.answer)});
   if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);
   std::stable_sort(all.begin(), all.end(),
                    [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });

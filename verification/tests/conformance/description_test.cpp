@@ -1033,6 +1033,13 @@ TEST(OtherValue, IsAFormOfOneVariableWithTwoNumbers) {
   };
   expect_said(said_of({{"hamrock_dowson_central", by_k}}),
               "wrong answers are 0.02 k + 1 times the right ones.");
+  // A row of two numbers that is taken too far, in five cases.
+  const auto late_border = [](const TestCase& asked, json& fields) {
+    const double x = number(asked.inputs, "interference_ratio");
+    if (x >= 6 && x < 8) fields["value"] = 1.03 * std::pow(x, 1.425);
+  };
+  expect_said(said_of({{"kogut_etsion_load", late_border}}),
+              "All 5 wrong answers are 1.03 x^(1.425).");
 }
 
 TEST(Growth, OfErrorsFromNothingIsOfNumerics) {
