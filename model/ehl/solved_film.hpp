@@ -33,7 +33,7 @@ struct Beside {
 // the value itself. of_waver: the difference of the grid beside from what the second order says of
 // it, which shows how much an unresolved spike makes the values waver. The shares of films
 // (solved_film.cpp) are chosen, not derived: so that the error held on each grid of 220 random
-// contacts, and then judged by 300 others (verification/tests/ehl/film_survey.cpp).
+// contacts. `make film-survey` judges them by 300 others.
 struct Caution {
   double of_last = 0.5, falling = 0.125, of_change = 0.022, of_waver = 0;
   // The value is Richardson's where the observed order lies between these.

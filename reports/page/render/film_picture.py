@@ -117,11 +117,11 @@ def drawn(contact, data):
     liquid = f"{LAWS[conditions['viscosity']]}, {LAWS[conditions['density']]}"
     text = (f"M = {rounded(contact['load_number'], 3)}, L = {rounded(contact['material_number'], 3)}; "
             f"Hertz: {'half-width' if is_line else 'semi-axis'} {rounded(1e6*contact['half_width'], 3)} µm, {pressure_text(contact['peak_pressure'])}; {liquid}")
-    if not is_line:
-        text += f"; least film {rounded(1e6*contact['minimum_film']['value'], 3)} µm, beside the middle"
-    title = contact["id"] if len(contact["id"]) <= 40 else contact["id"][:40] + "…"
+    beside = "" if is_line else f", its middle; least film {rounded(1e6*contact['minimum_film']['value'], 3)} µm beside it"
+    room = 40 if is_line else 20
+    title = contact["id"] if len(contact["id"]) <= room else contact["id"][:room] + "…"
     return {"script": "film.gp", "data": data, "name": "film", "height": HEIGHT,
-            "title": drawing.enhanced(f"{title}: {'line' if is_line else 'point'} contact at {contact['speed']:.4g} m/s"),
+            "title": drawing.enhanced(f"{title}: {'line' if is_line else 'point'} contact at {contact['speed']:.4g} m/s{beside}"),
             "subtitle": drawing.enhanced(text)}
 
 
