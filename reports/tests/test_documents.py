@@ -35,7 +35,7 @@ DOCUMENTS = [
     Document("contact", "contact ALL ROLLER LOUD SPEEDLESS"), Document("contact", "contact BAD HUGE", 2),
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
     Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
-    Document("film", "film RIGID BAD --tolerance 1e-2", 2), Document("film", "film RIGID --tolerance 1e-2", 1),
+    Document("film", "film RIGID BAD --tolerance 1e-2", 2), Document("film", "film RIGID --tolerance 1e-2", 1), Document("film", "film BALL --speed 1 --tolerance 1e-2"),
     Document("functions", "functions"),
     *(Document("function", f"functions {name}") for name in ("hertz_ellipse", "load_sharing", "starvation_ratio")),
     Document("reproduce", "reproduce"), Document("reproduce", "reproduce --claim C1 --reading literal"),
@@ -91,7 +91,7 @@ def files_in(folder):
     for table in (ROOT / "reference/exact").iterdir():
         lines = table.read_text(encoding="utf-8").splitlines(keepends=True)
         (exact / table.name).write_text("".join(one for one in lines if ",friction," not in one), encoding="utf-8")
-    return paths | {"PLUGIN": os.path.join(os.environ["TRIBOCHECK_SUBJECTS"], "c_plugin.so"), "ROLLER": str(ROOT / "reference/scenes/roller.toml"), "WITHOUT_FRICTION": str(exact)}
+    return paths | {"PLUGIN": os.path.join(os.environ["TRIBOCHECK_SUBJECTS"], "c_plugin.so"), "ROLLER": str(ROOT / "reference/scenes/roller.toml"), "BALL": str(ROOT / "reference/scenes/ball_on_flat.toml"), "WITHOUT_FRICTION": str(exact)}
 
 
 class Schema:
