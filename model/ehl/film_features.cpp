@@ -115,8 +115,8 @@ FilmFeatures features_of(const PointFilm& film) {
     y.push_back(j * grid.dy);
     rows.push_back(j < 0 ? 0 : least(x, row(film.film, j)));
   }
-  for (int j = 1; j <= mirrored; ++j)
-    rows[static_cast<std::size_t>(mirrored - j)] = rows[static_cast<std::size_t>(mirrored + j)];
+  std::reverse_copy(rows.begin() + mirrored + 1, rows.begin() + mirrored + mirrored + 1,
+                    rows.begin());
   found.minimum = least(y, rows);
   return found;
 }

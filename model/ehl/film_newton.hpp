@@ -142,18 +142,22 @@ class FilmNewton {
     // A spike may be many times as high as Hertz' peak.
     const double most = greatest_change * std::fmax(problem_.pressure(), now_.pressure.maxCoeff());
     double part = std::fmin(1, most / change.pressure.cwiseAbs().maxCoeff());
-    for (; part > least_part; part /= 2) {
-      std::optional<FilmState> next = state_after(part, change);
-      if (!next) continue;
-      const FilmChange left = problem_.change_left(linear, *next);
-      if (last_change_ > rounding_change * problem_.pressure() &&
-          !(problem_.size_of(left) <= (1 - part / 4) * size))
-        continue;
-      change_left_ = greatest_of(left);
-      now_ = std::move(*next);
-      return part;
-    }
-    return 0;
+    while (part > least_part && !makes_part(part, linear, change, size)) part /= 2;
+    return part > least_part ? part : 0;
+  }
+
+  // Makes a part of a step if it leads nearer.
+  template <class Linear>
+  bool makes_part(double part, const Linear& linear, const FilmChange& change, double size) {
+    std::optional<FilmState> next = state_after(part, change);
+    if (!next) return false;
+    const FilmChange left = problem_.change_left(linear, *next);
+    if (last_change_ > rounding_change * problem_.pressure() &&
+        !(problem_.size_of(left) <= (1 - part / 4) * size))
+      return false;
+    change_left_ = greatest_of(left);
+    now_ = std::move(*next);
+    return true;
   }
 
   // Returns false, and makes no step, where the step would change the pressure too much.

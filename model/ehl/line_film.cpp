@@ -91,7 +91,7 @@ class LineProblem {
       slopes.by_pressure[2] += stored * contact_.fluid.density_slope(pressure) * at.film[i];
     }
     Jacobian jacobian(kernel_, balance.slopes, free);
-    VectorXd by_separation = jacobian.solve(std::move(side));
+    VectorXd by_separation = jacobian.solve(side);
     return {std::move(balance), std::move(free), std::move(jacobian), std::move(by_separation)};
   }
 

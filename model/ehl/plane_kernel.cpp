@@ -26,6 +26,12 @@ double corner(double x, double y) {
   return x * std::asinh(y / std::fabs(x)) + y * std::asinh(x / std::fabs(y));
 }
 
+// The place of the j-th number of the i-th line.
+std::size_t place(int i, int length, int j = 0) {
+  return static_cast<std::size_t>(i) * static_cast<std::size_t>(length) +
+         static_cast<std::size_t>(j);
+}
+
 }  // namespace
 
 double film_of_rectangle(double x, double y, double dx, double dy) {
@@ -43,31 +49,30 @@ PlaneKernel::PlaneKernel(const PlaneGrid& grid)
   Eigen::FFT<double> fft;
   std::vector<double> line(static_cast<std::size_t>(length_x_));
   std::vector<Complex> wave;
-  std::vector<double> rows(static_cast<std::size_t>(half_x) * static_cast<std::size_t>(half_y));
+  std::vector<double> rows(place(half_x, half_y));
   for (int j = 0; j < half_y; ++j) {
     std::fill(line.begin(), line.end(), 0.);
     if (j <= 2 * (ny - 1))
       for (int i = 0; i < nx; ++i) {
         const double film = film_of_rectangle(i * grid.dx, j * grid.dy, grid.dx, grid.dy);
         line[static_cast<std::size_t>(i)] = film;
-        if (i > 0) line[static_cast<std::size_t>(length_x_ - i)] = film;
+        if (i > 0) line[place(1, length_x_ - i)] = film;
       }
     fft.fwd(wave, line);
     for (int i = 0; i < half_x; ++i)
-      rows[static_cast<std::size_t>(i * half_y + j)] = wave[static_cast<std::size_t>(i)].real();
+      rows[place(i, half_y, j)] = wave[static_cast<std::size_t>(i)].real();
   }
   spectrum_.resize(rows.size());
   std::vector<double> column(static_cast<std::size_t>(length_y_));
   for (int i = 0; i < half_x; ++i) {
     for (int j = 0; j < half_y; ++j) {
-      const double value = rows[static_cast<std::size_t>(i * half_y + j)];
+      const double value = rows[place(i, half_y, j)];
       column[static_cast<std::size_t>(j)] = value;
-      if (j > 0) column[static_cast<std::size_t>(length_y_ - j)] = value;
+      if (j > 0) column[place(1, length_y_ - j)] = value;
     }
     fft.fwd(wave, column);
     for (int j = 0; j < half_y; ++j)
-      spectrum_[static_cast<std::size_t>(i * half_y + j)] =
-          wave[static_cast<std::size_t>(j)].real();
+      spectrum_[place(i, half_y, j)] = wave[static_cast<std::size_t>(j)].real();
   }
   near_count_ = std::min(8, std::min(nx, ny));
   for (int j = 0; j < 2 * near_count_; ++j)
@@ -79,7 +84,7 @@ double PlaneKernel::entry(int di, int j, int k) const {
   const auto film = [&](int dj) {
     const int i = std::abs(di), distance = std::abs(dj);
     if (i < near_count_ && distance < 2 * near_count_)
-      return near_[static_cast<std::size_t>(distance * near_count_ + i)];
+      return near_[place(distance, near_count_, i)];
     return film_of_rectangle(i * grid_.dx, distance * grid_.dy, grid_.dx, grid_.dy);
   };
   return k == 0 ? film(j) : film(j - k) + film(j + k);
@@ -92,35 +97,33 @@ Eigen::VectorXd PlaneKernel::operator*(const Eigen::VectorXd& pressure) const {
   std::vector<double> line(static_cast<std::size_t>(length_x_), 0.);
   std::vector<Complex> wave(static_cast<std::size_t>(half_x));
   // Waves along X of each row of nodes, column by column.
-  std::vector<Complex> rows(static_cast<std::size_t>(half_x) * static_cast<std::size_t>(ny));
+  std::vector<Complex> rows(place(half_x, ny));
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   for (int j = 0; j < ny; ++j) {
     for (int i = 0; i < nx; ++i) line[static_cast<std::size_t>(i)] = pressure[grid_.node(i, j)];
     fft.fwd(wave.data(), line.data(), length_x_);
-    for (int i = 0; i < half_x; ++i)
-      rows[static_cast<std::size_t>(i * ny + j)] = wave[static_cast<std::size_t>(i)];
+    for (int i = 0; i < half_x; ++i) rows[place(i, ny, j)] = wave[static_cast<std::size_t>(i)];
   }
   std::vector<Complex> column(static_cast<std::size_t>(length_y_)),
       turned(static_cast<std::size_t>(length_y_));
   for (int i = 0; i < half_x; ++i) {
-    Complex* row = &rows[static_cast<std::size_t>(i * ny)];
+    Complex* row = &rows[place(i, ny)];
     std::fill(column.begin(), column.end(), Complex{});
     for (int j = 0; j < ny; ++j) {
       column[static_cast<std::size_t>(j)] = row[j];
-      if (j > 0) column[static_cast<std::size_t>(length_y_ - j)] = row[j];
+      if (j > 0) column[place(1, length_y_ - j)] = row[j];
     }
     fft.fwd(turned.data(), column.data(), length_y_);
-    const double* kernel = &spectrum_[static_cast<std::size_t>(i * half_y)];
+    const double* kernel = &spectrum_[place(i, half_y)];
     for (int j = 0; j < half_y; ++j) turned[static_cast<std::size_t>(j)] *= kernel[j];
     for (int j = half_y; j < length_y_; ++j)
-      turned[static_cast<std::size_t>(j)] = turned[static_cast<std::size_t>(length_y_ - j)];
+      turned[static_cast<std::size_t>(j)] = turned[place(1, length_y_ - j)];
     fft.inv(column.data(), turned.data(), length_y_);
     for (int j = 0; j < ny; ++j) row[j] = column[static_cast<std::size_t>(j)];
   }
   Eigen::VectorXd film(pressure.size());
   for (int j = 0; j < ny; ++j) {
-    for (int i = 0; i < half_x; ++i)
-      wave[static_cast<std::size_t>(i)] = rows[static_cast<std::size_t>(i * ny + j)];
+    for (int i = 0; i < half_x; ++i) wave[static_cast<std::size_t>(i)] = rows[place(i, ny, j)];
     fft.inv(line.data(), wave.data(), length_x_);
     for (int i = 0; i < nx; ++i) film[grid_.node(i, j)] = line[static_cast<std::size_t>(i)];
     std::fill(line.begin() + nx, line.end(), 0.);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <unsupported/Eigen/IterativeSolvers>
 #include <utility>
 #include <vector>
 
@@ -138,6 +137,51 @@ class PointEquations {
   double load_by_separation_ = 0;  // the load that 1 of H₀ adds, by the preconditioner
 };
 
+// The solution of the equations to a relative residual, both seen through the preconditioner, from
+// its own solution on. Source: Y. Saad, M. H. Schultz: GMRES. SIAM J. Sci. Stat. Comput. 7 (1986)
+// 856.
+VectorXd solved_by_gmres(const PointEquations& equations, const VectorXd& side) {
+  VectorXd solution = equations.solve(side);
+  VectorXd residual = equations.solve(side - equations * solution);
+  const double size = residual.norm();
+  if (!(size > 0)) return solution;
+  std::vector<VectorXd> basis{residual / size};
+  // Column by column, turned so that only the upper triangle is left; the right side in `turned`.
+  std::vector<VectorXd> columns;
+  std::vector<Eigen::JacobiRotation<double>> turns;
+  std::vector<double> turned{size};
+  while (std::fabs(turned.back()) > gmres_residual * size &&
+         static_cast<int>(columns.size()) < most_gmres_steps) {
+    const std::size_t k = columns.size();
+    VectorXd next = equations.solve(equations * basis[k]);
+    VectorXd column(static_cast<Index>(k) + 2);
+    for (std::size_t i = 0; i <= k; ++i) {
+      column[static_cast<Index>(i)] = basis[i].dot(next);
+      next -= column[static_cast<Index>(i)] * basis[i];
+    }
+    const auto last = static_cast<Index>(k);
+    column[last + 1] = next.norm();
+    if (!std::isfinite(column[last + 1])) break;
+    basis.emplace_back(next / column[last + 1]);
+    for (Index i = 0; i < last; ++i)
+      column.applyOnTheLeft(i, i + 1, turns[static_cast<std::size_t>(i)].adjoint());
+    Eigen::JacobiRotation<double>& turn = turns.emplace_back();
+    turn.makeGivens(column[last], column[last + 1]);
+    column.applyOnTheLeft(last, last + 1, turn.adjoint());
+    Eigen::Vector2d rest(turned[k], 0);
+    rest.applyOnTheLeft(0, 1, turn.adjoint());
+    turned[k] = rest[0];
+    turned.push_back(rest[1]);
+    columns.push_back(std::move(column));
+  }
+  for (std::size_t k = columns.size(); k-- > 0;) {
+    const double share = turned[k] / columns[k][static_cast<Index>(k)];
+    for (std::size_t i = 0; i < k; ++i) turned[i] -= share * columns[k][static_cast<Index>(i)];
+    solution += share * basis[k];
+  }
+  return solution;
+}
+
 // FilmNewton's problem.
 class PointProblem {
  public:
@@ -203,12 +247,7 @@ class PointProblem {
 
   FilmChange change_for(const Linear& linear, const FilmState& at, double rate) const {
     const VectorXd side = side_of(linear, at, linear.balance, rate);
-    VectorXd solution = linear.equations.solve(side);
-    Index steps = most_gmres_steps;
-    double residual = gmres_residual;
-    Eigen::internal::gmres(linear.equations, side, solution, linear.equations, steps,
-                           Index{most_gmres_steps}, residual);
-    return change_of(solution);
+    return change_of(solved_by_gmres(linear.equations, side));
   }
 
   FilmChange change_left(const Linear& linear, const FilmState& at) const {

@@ -28,6 +28,7 @@ void estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
   solved.domain_error = 0;
   const auto estimate = [&](double FilmFeatures::*feature, double of_last) {
     std::vector<double> values;
+    values.reserve(grids.size());
     for (const FilmFeatures& f : grids) values.push_back(f.*feature);
     Estimate e = estimate_of(values, {.of_last = of_last});
     // What the ends of the grid do falls with the third power of its length: 3/2 times the length

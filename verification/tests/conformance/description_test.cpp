@@ -841,7 +841,7 @@ TEST(Floor, IsToldInPlaceOfAnOddInputThatGivesIt) {
   };
   const std::string said = said_of({{"starvation_ratio", bounded(0.05)}});
   expect_said(said, "For damiens: ");
-  expect_said(said, "wrong answers are 0.05: a floor, a cap, a guard or a default gives them");
+  expect_said(said, "wrong answers are 0.05: a floor, at which the answer stops changing");
   expect_said(said, "it is cut off there", false);
   // Where the input is the round number, that is what is cut off.
   const std::string cap = said_of({{"starvation_ratio", [](const TestCase& asked, json& fields) {
