@@ -9,7 +9,7 @@
 namespace tribo::ehl {
 namespace {
 
-// Kapitza's pressure without λ̄/(3 + 2R_x/R_y), cos φ/g², and its slope.
+// g and its slope by φ, and Kapitza's f without λ̄/(3 + 2R_x/R_y), cos φ/g², and its slope.
 struct Gap {
   double ratio;
 
@@ -56,7 +56,8 @@ FarInlet::FarInlet(const PointContact& contact)
     const double g = gap.value(next_phi);
     const double wronskian =
         gap.kapitza_slope(next_phi) * next[0] - gap.kapitza(next_phi) * next[1] / (g * g * g);
-    // Below it the pressure's slope would be negative where the pressure is 0, behind it positive.
+    // A lesser angle would give the pressure a negative slope where it is 0, a greater one a
+    // positive slope.
     if (wronskian > 0) {
       const double part = before / (before - wronskian);
       break_angle_ = phi + step * part;
@@ -93,7 +94,8 @@ double FarInlet::pressure(double x, double y, double film) const {
 }
 
 double FarInlet::load_outside(const PlaneGrid& grid, double separation) const {
-  const double left = -grid.x(0), side = grid.y(grid.count_y() - 1);
+  // Nodes at the grid's ends carry the load of half a cell outside.
+  const double left = -grid.x(0) + grid.dx / 2, side = grid.y(grid.count_y() - 1) + grid.dy / 2;
   const double spread = -1 / std::tan(break_angle_);  // of the pressure behind the contact, over y
   const auto at = [&](double x, double y) {
     const double film = separation + x * x / 2 + curvature_ratio_ * y * y / 2 +

@@ -49,9 +49,10 @@ Extremum smooth_extremum(std::span<const double> x, std::span<const double> y, s
   return best;
 }
 
-// The least value between nodes too, next to an end that of the node there.
-double least(std::span<const double> x, std::span<const double> y) {
-  const auto i = static_cast<std::size_t>(std::ranges::min_element(y) - y.begin());
+// The least value from the node `first` on, between nodes too; at an end that of the node there.
+double least(std::span<const double> x, std::span<const double> y, std::size_t first = 0) {
+  const auto part = y.subspan(first);
+  const auto i = first + static_cast<std::size_t>(std::ranges::min_element(part) - part.begin());
   return i == 0 || i + 1 == y.size() ? y[i] : smooth_extremum(x, y, i).value;
 }
 
@@ -117,7 +118,7 @@ FilmFeatures features_of(const PointFilm& film) {
   }
   std::reverse_copy(rows.begin() + mirrored + 1, rows.begin() + mirrored + mirrored + 1,
                     rows.begin());
-  found.minimum = least(y, rows);
+  found.minimum = least(y, rows, mirrored);
   return found;
 }
 

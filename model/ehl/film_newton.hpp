@@ -101,7 +101,8 @@ class FilmNewton {
  private:
   // Not finite where any number of the change is not.
   double greatest_of(const FilmChange& change) const {
-    if (!change.pressure.allFinite()) return std::numeric_limits<double>::infinity();
+    if (!change.pressure.allFinite() || !std::isfinite(change.separation))
+      return std::numeric_limits<double>::infinity();
     return std::max(change.pressure.cwiseAbs().maxCoeff(),
                     problem_.separation_weight() * std::fabs(change.separation));
   }

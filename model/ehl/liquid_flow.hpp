@@ -25,6 +25,10 @@ struct MeanFluidity {
 
 inline MeanFluidity mean_fluidity(double a, double b) {
   const double half = (b - a) / 2;
+  if (std::fabs(half) > 300) {  // sinh(half) may be ∞ where e^{−(a + b)/2} is 0
+    const double first = std::exp(-a), second = std::exp(-b), mean = (first - second) / (b - a);
+    return {mean, (mean - first) / (b - a), (second - mean) / (b - a)};
+  }
   const double middle = std::exp(-(a + b) / 2);
   double s, slope;  // sinh(d)/d and its derivative
   if (std::fabs(half) < 1e-2) {

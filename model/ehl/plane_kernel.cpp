@@ -2,7 +2,6 @@
 #include "ehl/plane_kernel.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <unsupported/Eigen/FFT>
 
 namespace tribo::ehl {
@@ -10,9 +9,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// An even length ≥ least without prime factors above 5.
+// A multiple of 4 ≥ least without prime factors above 5: its real transform is of half the length.
 int smooth_length(int least) {
-  for (int length = least + least % 2;; length += 2) {
+  for (int length = (least + 3) / 4 * 4;; length += 4) {
     int rest = length;
     for (const int prime : {2, 3, 5})
       while (rest % prime == 0) rest /= prime;
@@ -74,20 +73,9 @@ PlaneKernel::PlaneKernel(const PlaneGrid& grid)
     for (int j = 0; j < half_y; ++j)
       spectrum_[place(i, half_y, j)] = wave[static_cast<std::size_t>(j)].real();
   }
-  near_count_ = std::min(8, std::min(nx, ny));
-  for (int j = 0; j < 2 * near_count_; ++j)
-    for (int i = 0; i < near_count_; ++i)
-      near_.push_back(film_of_rectangle(i * grid.dx, j * grid.dy, grid.dx, grid.dy));
-}
-
-double PlaneKernel::entry(int di, int j, int k) const {
-  const auto film = [&](int dj) {
-    const int i = std::abs(di), distance = std::abs(dj);
-    if (i < near_count_ && distance < 2 * near_count_)
-      return near_[place(distance, near_count_, i)];
-    return film_of_rectangle(i * grid_.dx, distance * grid_.dy, grid_.dx, grid_.dy);
-  };
-  return k == 0 ? film(j) : film(j - k) + film(j + k);
+  for (int j = 0; j < ny; ++j)
+    own_.push_back(film_of_rectangle(0, 0, grid.dx, grid.dy) +
+                   (j > 0 ? film_of_rectangle(0, 2 * j * grid.dy, grid.dx, grid.dy) : 0));
 }
 
 Eigen::VectorXd PlaneKernel::operator*(const Eigen::VectorXd& pressure) const {

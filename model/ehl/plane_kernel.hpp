@@ -24,14 +24,13 @@ class PlaneKernel {
   // ∬ P/r at each node, of the pressure at each node and of its mirror image.
   Eigen::VectorXd operator*(const Eigen::VectorXd& pressure) const;
 
-  // The film at node (i, j) by 1 of pressure at node (i + di, k), and at its mirror image.
-  double entry(int di, int j, int k) const;
+  // The film at a node of row j by 1 of pressure there and at its mirror image.
+  double own(int j) const { return own_[static_cast<std::size_t>(j)]; }
 
  private:
   PlaneGrid grid_;
-  int length_x_, length_y_;   // of the transforms
-  std::vector<double> near_;  // films at distances below `near_count_` nodes
-  int near_count_ = 0;
+  int length_x_, length_y_;  // of the transforms
+  std::vector<double> own_;
   std::vector<double> spectrum_;  // of the kernel: real, because the kernel is even
 };
 

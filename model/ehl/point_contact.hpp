@@ -6,7 +6,7 @@
 //   ∇·[ρ̄H³/(λ̄η̄) ∇P] = ∂(ρ̄H)/∂X where P > 0;  P ≥ 0;
 //   H = H₀ + X²/2 + (R_x/R_y)Y²/2 + c ∬ P(X′, Y′)/√((X − X′)² + (Y − Y′)²) dX′dY′;  ∬ P = 2πk/3,
 //
-// steady, isothermal, Newtonian, fully flooded; k = a_y/a_x. Of a circle λ̄ = 6π(3M/2)^{−4/3},
+// steady, isothermal, Newtonian, fully flooded; k = a_y/a_x. A circle has λ̄ = 6π(3M/2)^{−4/3},
 // c = 2/π² and ᾱ = αp₀ = L(3M/2)^{1/3}/π, with Moes' numbers M of load and L of material
 // (similarity_numbers.hpp). Moes' film number is (h/R_x)(2U)^{−1/2}.
 //

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -48,15 +49,14 @@ class PointEquations {
         is_free_(std::move(is_free)),
         factors_(std::move(factors)),
         by_separation_(VectorXd::Zero(parts.grid.size())) {
-    factor();
+    is_factored_ = factor();
+    if (!is_factored_) return;
     by_separation_solved_ = factors_->solve(by_separation_);
     load_by_separation_ = -parts_.areas.dot(by_separation_solved_);
   }
 
   bool is_free(Index node) const { return is_free_[static_cast<std::size_t>(node)] != 0; }
 
-  Index rows() const { return parts_.grid.size() + 1; }
-  Index cols() const { return rows(); }
   VectorXd operator*(const VectorXd& change) const {
     const PlaneGrid& grid = parts_.grid;
     const Index last = grid.size();
@@ -77,9 +77,11 @@ class PointEquations {
     return result;
   }
 
-  // The preconditioner.
+  // The preconditioner. Not finite where the matrix could not be factored.
   VectorXd solve(const VectorXd& side) const {
     const Index last = parts_.grid.size();
+    if (!is_factored_)
+      return VectorXd::Constant(last + 1, std::numeric_limits<double>::quiet_NaN());
     const VectorXd pressure = factors_->solve(side.head(last));
     VectorXd result(last + 1);
     result[last] = (side[last] - parts_.areas.dot(pressure)) / load_by_separation_;
@@ -96,10 +98,12 @@ class PointEquations {
             row + across};
   }
 
-  // The matrix has the same places in all steps on a grid, so that they are ordered once.
-  void factor() {
+  // The matrix has the same places in all steps on a grid, so that they are ordered once. Returns
+  // false where it could not be factored.
+  bool factor() {
     const PlaneGrid& grid = parts_.grid;
     std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(6 * slopes_.size());
     for (int j = 0; j < grid.count_y(); ++j)
       for (int i = 0; i < grid.count_x(); ++i) {
         const Index row = grid.node(i, j);
@@ -113,26 +117,27 @@ class PointEquations {
         for (std::size_t k = 0; k < nodes.size(); ++k) {
           if (nodes[k] < 0) continue;
           const double own = parts_.numbers.deflection *
-                             parts_.kernel.entry(0, static_cast<int>(nodes[k] / grid.count_x()),
-                                                 static_cast<int>(nodes[k] / grid.count_x()));
+                             parts_.kernel.own(static_cast<int>(nodes[k] / grid.count_x()));
           const double value = slopes.by_pressure[k] + slopes.by_film[k] * own;
           const double held = nodes[k] == row ? 1 : 0;
           entries.emplace_back(place, static_cast<int>(nodes[k]), is_free(row) ? value : held);
           if (is_free(row)) by_separation_[row] += slopes.by_film[k];
-          // The place above and below Y = 0 is one.
-          if (j == 0 && k == 4) entries.back() = {place, static_cast<int>(nodes[k]), 0};
         }
       }
     Eigen::SparseMatrix<double> matrix(grid.size(), grid.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
+    if (Eigen::Map<const VectorXd>(matrix.valuePtr(), matrix.nonZeros()).allFinite() == false)
+      return false;
     if (factors_->rows() == 0) factors_->analyzePattern(matrix);
     factors_->factorize(matrix);
+    return factors_->info() == Eigen::Success;
   }
 
   const PointProblemParts& parts_;
   std::vector<PlaneSlopes> slopes_;
   std::vector<char> is_free_;
   std::shared_ptr<Factors> factors_;
+  bool is_factored_ = false;
   VectorXd by_separation_, by_separation_solved_;
   double load_by_separation_ = 0;  // the load that 1 of H₀ adds, by the preconditioner
 };
@@ -214,7 +219,7 @@ class PointProblem {
   }
 
   double size_asked(const Linear& linear, const FilmState& at, const FilmChange&) const {
-    return size_of(change_left(linear, at));
+    return size_of(change_of(linear.equations.solve(side_of(linear, at, linear.balance, 0))));
   }
 
   FilmState state_of(VectorXd pressure, double separation) const {
@@ -383,6 +388,9 @@ PointFilm solve_on(const PointContact& contact, const PlaneGrid& grid, const Poi
                    const Watch& watch) {
   const PointProblem problem(contact, grid);
   FilmNewton<PointProblem> newton(problem, pressure_on(grid, film), film.separation);
+  // Between the nodes of a coarse grid the pressure may lift the film too little.
+  const double least = film.film.minCoeff() / 2;
+  if (newton.state().film.minCoeff() < least) newton.lift_to(least);
   newton.converge_or_settle(limits, watch);
   return film_of(newton, grid, film.steps);
 }

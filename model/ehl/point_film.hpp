@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pressure and film of a point contact on one grid: Newton's method for all nodes at once. The
 // linear equations of a step are solved by GMRES; its preconditioner is their sparse part, in which
-// a node's pressure lifts the film of that node alone, factored.
+// a node's pressure lifts the film of that node alone, factored. The grid's ends and the load
+// outside follow the film from step to step; their derivatives are left out.
 #pragma once
 
 #include <Eigen/Dense>
@@ -21,7 +22,7 @@ struct PointFilm {
   double last_change = 0;          // of the pressure, in the last step
 };
 
-// A film H of the right size, before the contact is solved: the greatest limit of a circle's.
+// A film H of the right size, or below it, before the contact is solved: of a circle's limits.
 double expected_film(const PointContact& contact);
 // How far pressure reaches from the middle along X, at least: 1, or more where the bodies hardly
 // flatten.

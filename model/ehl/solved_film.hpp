@@ -3,6 +3,7 @@
 // before, with the observed order, Richardson's value and an estimate of the error that is left.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ struct Estimate {
   double error = std::numeric_limits<double>::quiet_NaN();  // absolute
   double order = std::numeric_limits<double>::quiet_NaN();  // observed; NaN: not regular
 
-  double relative_error() const { return error / value; }
+  double relative_error() const { return error / std::fabs(value); }
 };
 
 // The value on one more grid, beside a sequence, with fewer cells than its last grid.

@@ -23,24 +23,28 @@ double worst_of(const SolvedPoint& solved) {
                    solved.minimum.relative_error() / minimum_share});
 }
 
-void estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
-                  const FilmFeatures& larger) {
+// Sets the films and their errors. Returns the part of worst_of() that the grid's ends make.
+double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
+                    const FilmFeatures& larger) {
   solved.domain_error = 0;
-  const auto estimate = [&](double FilmFeatures::*feature, double of_last) {
+  double part = 0;
+  const auto estimate = [&](double FilmFeatures::*feature, double of_last, double share = 1) {
     std::vector<double> values;
     values.reserve(grids.size());
     for (const FilmFeatures& f : grids) values.push_back(f.*feature);
     Estimate e = estimate_of(values, {.of_last = of_last});
-    // What the ends of the grid do falls with the third power of its length: 3/2 times the length
+    // The error from the grid's ends falls with the third power of its length: 3/2 times the length
     // leaves 0.3 of it.
     const double domain = 1.5 * std::fabs(larger.*feature / grids.front().*feature - 1);
     solved.domain_error = std::fmax(solved.domain_error, domain);
+    part = std::fmax(part, domain / share);
     e.error += domain * std::fabs(e.value);
     return e;
   };
   solved.central = estimate(&FilmFeatures::central, 0.25);
-  solved.minimum = estimate(&FilmFeatures::minimum, 0.5);
+  solved.minimum = estimate(&FilmFeatures::minimum, 0.5, minimum_share);
   solved.at_greatest_pressure = estimate(&FilmFeatures::at_greatest_pressure, 0.25);
+  return part;
 }
 
 // The films by the grids that follow from one coarsest grid.
@@ -51,14 +55,16 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   const auto failed = [&](const PointFilm& film) {
     if (film.outcome == Outcome::solved) return false;
     solved.outcome = film.outcome;
-    solved.reason =
-        film.outcome == Outcome::stopped
-            ? text("stopped on the grid of %d by %d cells", film.grid.count_x() - 1,
-                   film.grid.beside)
-            : text(
-                  "on the grid of %d by %d cells neither Newton's method nor the film in time "
-                  "came to rest: the last step still changed the pressure by %.2g of Hertz' peak",
-                  film.grid.count_x() - 1, film.grid.beside, film.last_change);
+    const std::string where =
+        text("on the grid of %d by %d cells", film.grid.count_x() - 1, film.grid.beside);
+    if (film.outcome == Outcome::stopped)
+      solved.reason = "stopped " + where;
+    else
+      solved.reason = where + " neither Newton's method nor the film in time came to rest: " +
+                      (std::isfinite(film.last_change)
+                           ? text("the last step still changed the pressure by %.2g of Hertz' peak",
+                                  film.last_change)
+                           : text("the equations of step %d have no finite solution", film.steps));
     return true;
   };
 
@@ -68,6 +74,11 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   if (failed(longer)) return solved;
   const FilmFeatures larger = features_of(longer);
   std::vector<FilmFeatures> grids{features_of(film)};
+  double domain_part = 0;  // of worst_of()
+  const auto is_met = [&] {
+    return solved.minimum.value > 0 && std::isfinite(solved.at_greatest_pressure.error) &&
+           worst_of(solved) <= options.tolerance;
+  };
   while (4 * grid.size() <= options.greatest_nodes) {
     grid = grid.finer();
     PointFilm finer = solve_on(contact, grid, film, watch);
@@ -75,8 +86,8 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     film = std::move(finer);
     grids.push_back(features_of(film));
     if (grids.size() < 3) continue;
-    estimate_all(solved, grids, larger);
-    if (worst_of(solved) <= options.tolerance) break;
+    domain_part = estimate_all(solved, grids, larger);
+    if (is_met() || worst_of(solved) < 1.25 * domain_part) break;  // a finer grid does not help
   }
   solved.grids = static_cast<int>(grids.size());
   solved.steps = film.steps;
@@ -88,15 +99,17 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     return solved;
   }
   solved.outcome = Outcome::solved;
-  if (worst_of(solved) <= options.tolerance) {
+  if (is_met()) {
     solved.reason.clear();
     return solved;
   }
-  const std::string met = text(
+  std::string met = text(
       "the tolerance of %g was not met: the errors are %.1g of the central film and %.1g of "
       "the least film on the grid of %d by %d cells",
       options.tolerance, solved.central.relative_error(), solved.minimum.relative_error(),
       solved.film.grid.count_x() - 1, solved.film.grid.beside);
+  if (domain_part > options.tolerance)
+    met += text(", of which up to %.1g comes from a grid that is not endless", solved.domain_error);
   solved.reason = met + (solved.reason.empty() ? "" : "; " + solved.reason);
   return solved;
 }
@@ -105,15 +118,16 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
 
 PlaneGrid grid_for(const PointContact& contact, int cells, double longer) {
   const double reach = reach_of(contact), k = numbers_of(contact).ellipticity;
-  // Heavily loaded contacts have short inlets; below, the error falls with the third power.
+  // Heavily loaded contacts have short inlets; under lighter loads the error from the ends falls
+  // with the third power of the length.
   const double light = 20 / contact.load_number;
-  const double ahead = longer * (light < 1 ? 1.3 + 3.2 * std::pow(light, 0.27)
-                                           : std::fmin(12, 4.5 * std::pow(light, 0.4)));
-  const double side = 2 * ahead / 3;
+  const double ahead =
+      light < 1 ? 1.3 + 3.2 * std::pow(light, 0.27) : std::fmin(12, 4.5 * std::pow(light, 0.4));
+  const double side = std::fmax(2 * ahead / 3, 1.5);
   const double spread = -k / std::tan(FarInlet(contact).break_angle());
   const double behind = std::fmax(1.4, 1.1 * spread * side);
-  return {rounded_up(ahead * cells), rounded_up(behind * cells),
-          rounded_up(std::fmax(side, 1.5) * cells), reach / cells, k * reach / cells};
+  const auto on = [&](double length) { return rounded_up(longer * length * cells); };
+  return {on(ahead), on(behind), on(side), reach / cells, k * reach / cells};
 }
 
 SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& options,
@@ -125,6 +139,12 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
         text("the numbers of this contact, M = %.3g and L = %.3g, are not finite", m, l);
     return solved;
   }
+  if (!(contact.radius_ratio >= 1e-3 && contact.radius_ratio <= 1e3)) {
+    solved.reason =
+        text("R_y/R_x is %.3g, and contacts from 0.001 to 1000 are solved; a longer one is a line",
+             contact.radius_ratio);
+    return solved;
+  }
   if (m < least_point_load_number) {
     solved.reason = text(
         "M = %.3g is below %g: the load is too small to flatten the bodies, and the solver was "
@@ -133,9 +153,18 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
     return solved;
   }
   // The inlet is narrower the greater the load.
-  int cells = std::max(8, rounded_up(8 * std::pow(m / 30, 0.38)));
+  const double width = std::fmax(8, 8 * std::pow(m / 30, 0.38));  // cells, before an int holds them
+  const auto leaves_three_grids = [&](int cells) {
+    return 16 * grid_for(contact, cells).size() <= options.greatest_nodes;
+  };
+  if (!(width < 1e4) || !leaves_three_grids(rounded_up(width))) {
+    solved.reason = text("an error needs three grids, and %d nodes at most leave fewer at M = %.3g",
+                         static_cast<int>(options.greatest_nodes), m);
+    return solved;
+  }
   std::string tried;
-  for (int i = 0; i < 3; ++i, cells += cells / 2) {
+  int cells = rounded_up(width);
+  for (int i = 0; i < 3 && leaves_three_grids(cells); ++i, cells += cells / 2) {
     solved = solve_from_coarsest(contact, cells, options, watch);
     if (solved.outcome != Outcome::not_converged) return solved;
     tried += text(i == 0 ? "%d" : ", %d", cells);

@@ -13,7 +13,7 @@ struct PointOptions {
   // Relative, of the central film and of the film at the greatest pressure; the least film, which
   // lies where the film bends most, may be off by three times as much.
   double tolerance = 1e-3;
-  Eigen::Index greatest_nodes = 400'000;  // of the finest grid: 1.5 GB
+  Eigen::Index greatest_nodes = 400'000;  // of the finest grid
 };
 
 struct SolvedPoint {
@@ -27,14 +27,14 @@ struct SolvedPoint {
   // The relative error from the ends of the grid, the greatest of the three; the errors above
   // include it.
   double domain_error = 0;
-  int steps = 0;  // of Newton's method, on the way to the finest grid
+  int steps = 0;  // of Newton's method and in time, on the way to the finest grid
 };
 
 // The solver was tried from the first to the second number, and refuses contacts below the first.
-inline constexpr double least_point_load_number = 1, greatest_tried_point_load_number = 2000;
+inline constexpr double least_point_load_number = 1, greatest_tried_point_load_number = 5000;
 
-// The nodes for a contact, with `cells` cells on the length that pressure reaches. It is `longer`
-// times as long as the solver takes it for itself.
+// The nodes for a contact, with `cells` cells on the length that pressure reaches. `longer`: its
+// length over that which solve_point_film() takes.
 PlaneGrid grid_for(const PointContact& contact, int cells, double longer = 1);
 
 // Error of each film: its Estimate, from three grids or more and from a larger one. Where the

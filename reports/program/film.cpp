@@ -103,7 +103,7 @@ class FilmRun {
   }
 
  private:
-  // A film is shown as soon as it is solved: the next one may take a second.
+  // A film is shown as soon as it is solved: the next one may take minutes.
   void add(const FilmCase& film) {
     writer_.add(film);
     output_.flush();
@@ -143,8 +143,8 @@ int solve_films(const FilmArguments& arguments, OutputStream& output) {
 }
 
 constexpr const char* film_footer =
-    R"(The contact is smooth and its inlet flooded, the liquid steady, isothermal and Newtonian. Of a scene
-the load, the bodies, the speed, lubricant.viscosity and lubricant.pressure_viscosity are needed, and
+    R"(The contact is smooth and its inlet flooded, the liquid steady, isothermal and Newtonian. A scene
+needs its load, bodies, speed, lubricant.viscosity and lubricant.pressure_viscosity, and
 friction.viscosity is taken where it is barus or roelands; the other fields may be absent and are not used.
 
 Each number is followed by what the numerical solution may be off by (±, in CSV and JSON `error`), as
@@ -159,15 +159,16 @@ that of the finest grid; the films are extrapolated from all grids, and so are n
 
 Bodies may meet along a line, at a circle or at an ellipse. Films of circles and ellipses are solved on plane
 grids, to 0.1 % (the minimum film to 0.3 %) unless --tolerance asks for another error. At M up to 200 this takes
-5 to 30 seconds, at M = 5000 minutes and 2 GB; with `--tolerance 1e-2` it takes a fraction. Their profile and picture are
-those of the middle, y = 0. What a circle's bodies.ellipticity says is not used: the axes follow from the radii.
+3 to 30 seconds, at M = 5000 minutes and 1 GB; with `--tolerance 1e-2` it takes a fraction. Their profile and picture are
+those of the middle, y = 0. A circle's bodies.ellipticity is not used: the axes follow from the radii.
 
 With lubricant.pressure_viscosity = 0 the liquid's viscosity is constant; formulas without a film for
 such a liquid are empty. Where Roelands' z is outside 0.2 to 1.2, a
 warning says so.
 
 A line takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
-200 contacts. Ctrl-C stops at the next step, and what was solved is written.
+200 contacts. Ctrl-C stops at the next step, which takes up to some ten seconds on fine plane grids,
+and what was solved is written.
 
 Exit code 0: done; 1: a contact was not solved, or not to the tolerance, or the picture is missing;
 2: bad usage or input; 130: stopped by Ctrl-C.

@@ -74,7 +74,8 @@ void append_csv_heads(Text& to) {
   for (const Quantity& one : quantities) append(to, fmt::format(",{0},{0}_error", one.name));
   for (const std::string_view name : film_formula_names())
     append(to, fmt::format(",{0},{0}_deviation_percent,{0}_this_liquid_deviation_percent", name));
-  append(to, ",viscosity,density,tolerance,grids,cells,newton_steps,no_spike,reason\n");
+  append(to,
+         ",viscosity,density,tolerance,grids,cells,cells_across,newton_steps,no_spike,reason\n");
 }
 
 void append_csv_number(Text& to, double value) {
@@ -102,7 +103,8 @@ void append_csv(Text& to, const FilmCase& film) {
   }
   append(to, fmt::format(",{},{}", film.viscosity, film.density));
   append_csv_number(to, film.tolerance);
-  append(to, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
+  append(to, fmt::format(",{},{},{},{},{},{}\n", film.grids, film.cells,
+                         film.is_line() ? "" : std::to_string(film.cells_across), film.steps,
                          report::csv_text(film.no_spike), report::csv_text(film.reason)));
 }
 
@@ -193,7 +195,7 @@ void append_notes(Text& to, const FilmCase& film) {
 
 void append_profile(Text& to, const FilmCase& film) {
   const std::vector<ColumnHead> heads{{"x", "[m]", signed_width},
-                                      {"x/b", "[-]", signed_width},
+                                      {film.is_line() ? "x/b" : "x/a_x", "[-]", signed_width},
                                       {"pressure", "[Pa]", signed_width},
                                       {"film", "[m]", signed_width}};
   to.push_back('\n');
