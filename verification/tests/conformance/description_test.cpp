@@ -787,7 +787,8 @@ Slip made(const Mistake& mistake, double part = 1) {
     const Mistake* const one = &mistake;
     const std::optional<Numbers> given = numbers_with({&one, 1}, question_of(asked));
     for (const Expected& expected : asked.expected)
-      if (given && expected.place && std::isfinite((*given)[*expected.place]))
+      if (given && expected.place && *expected.place < given->size() &&
+          std::isfinite((*given)[*expected.place]))
         fields[expected.field] = (1 - part) * expected.high + part * (*given)[*expected.place];
   };
 }
