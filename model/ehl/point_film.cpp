@@ -28,7 +28,7 @@ constexpr NewtonLimits limits{.steps = 40, .change = 1e-6};
 constexpr double gmres_residual = 1e-3;  // relative: the next step removes what is left
 constexpr int most_gmres_steps = 80;
 
-// What all steps on a grid share.
+// Parts that all steps on a grid share.
 struct PointProblemParts {
   PointContact contact;
   PointNumbers numbers = numbers_of(contact);
@@ -277,7 +277,7 @@ class PointProblem {
     return at.pressure[node] > balance.surplus[node] / own;
   }
 
-  // What is missing in each equation at a state: at the grid's ends the pressure of the far inlet,
+  // The residual of each equation at a state: at the grid's ends the pressure of the far inlet,
   // where the film has broken the pressure 0, else the balance; last the load.
   VectorXd side_of(const Linear& linear, const FilmState& at, const PlaneBalance& balance,
                    double rate) const {
@@ -357,7 +357,8 @@ VectorXd pressure_on(const PlaneGrid& grid, const PointFilm& film) {
 }  // namespace
 
 double expected_film(const PointContact& contact) {
-  // H. Moes' limits of the circle: rigid, elastic, and elastic in a liquid that pressure thickens.
+  // The circle's limits, rounded: rigid (solved), elastic, and elastic in a liquid that pressure
+  // thickens, by G. Nijenbanning, C. H. Venner, H. Moes: Wear 176 (1994) 217. Only a start.
   const double m = contact.load_number, l = contact.material_number;
   const double rigid = 45 / (m * m), elastic = 3.2 * std::pow(m, -2. / 15),
                thickened = 1.25 * std::pow(m, -1. / 12) * std::pow(l, 0.75);

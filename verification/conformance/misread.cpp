@@ -578,47 +578,43 @@ std::vector<Mistake> solved_insides(const Part& part) {
   return mistakes;
 }
 
-std::function<double(double right)> floor_or_cap(const Part& part) {
-  const std::vector<Part::Number> wrong = wrong_of(part);
-  const double number = wrong.front().answered->got;
-  const auto lie = [&](bool above) {
-    return std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
-      const AnsweredNumber& answered = *one.answered;
-      return answered.is_left() == ((answered.expected->high > number) == above &&
-                                    std::abs(answered.error()) > answered.allowed);
-    });
-  };
-  if (!all_of(wrong, [&](const auto& one) { return is_same(one.answered->got, number); }))
-    return {};
-  if (lie(false)) return [number](double right) { return std::max(number, right); };
-  if (lie(true)) return [number](double right) { return std::min(number, right); };
-  return {};
-}
-
 namespace {
 
-// "All 3 wrong answers are 0: a floor …": and all right ones are on the other side of it.
-std::string floor_of(const Part& part, const std::vector<Part::Number>& wrong) {
-  const double end = wrong.front().answered->got;
-  const auto is_beyond = [&](double sign) {
-    return all_of(wrong,
-                  [&](const Part::Number& one) {
-                    return one.answered->got == end &&
-                           sign * (end - one.answered->expected->high) > 0;
-                  }) &&
-           std::none_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
-             return !one.answered->is_wrong && sign * (end - one.answered->expected->high) > 0;
-           });
-  };
-  const bool is_enough = wrong.size() > 1 || is_of_digits(end, digits_of_defaults);
-  if (!is_enough || part.all.size() < wrong.size() + fewest_wrong) return {};
-  for (const double sign : {1.0, -1.0})
-    if (is_beyond(sign))
-      return fmt::format("{} {:.7g}: a {}, at which the answer stops changing.",
-                         wrong.size() == 1 ? std::string("The wrong answer is")
-                                           : fmt::format("All {} wrong answers are", wrong.size()),
-                         end + 0.0, sign > 0 ? "floor" : "cap");
-  return {};
+// The number that all wrong answers are, and beyond which no answer is right.
+struct End {
+  double number;
+  bool is_floor;  // else a cap
+};
+std::optional<End> end_of(const Part& part, const std::vector<Part::Number>& wrong) {
+  const double number = wrong.front().answered->got;
+  for (const bool is_floor : {true, false}) {
+    const auto is_beyond = [&](const Part::Number& one, double least) {
+      const double right = one.answered->expected->high;
+      return (is_floor ? number - right : right - number) > least;
+    };
+    if (all_of(wrong,
+               [&](const Part::Number& one) {
+                 const double got = one.answered->got;
+                 return (got == number || is_same(got, number)) && is_beyond(one, 0);
+               }) &&
+        std::none_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+          return !one.answered->is_wrong && is_beyond(one, one.answered->allowed);
+        }))
+      return End{number, is_floor};
+  }
+  return std::nullopt;
+}
+
+// "All 3 wrong answers are 0: a floor …"
+std::string end_in_words(const Part& part, const std::vector<Part::Number>& wrong) {
+  const std::optional<End> end = end_of(part, wrong);
+  if (!end || part.all.size() < wrong.size() + fewest_wrong ||
+      !(wrong.size() > 1 || is_of_digits(end->number, digits_of_defaults)))
+    return {};
+  return fmt::format("{} {:.7g}: a {}, at which the answer stops changing.",
+                     wrong.size() == 1 ? std::string("The wrong answer is")
+                                       : fmt::format("All {} wrong answers are", wrong.size()),
+                     end->number + 0.0, end->is_floor ? "floor" : "cap");
 }
 
 // Another function that needs no other inputs, of which these are the answers.
@@ -643,9 +639,17 @@ std::string other_function(const catalogue::Function& own, const std::vector<Par
 
 }  // namespace
 
+std::function<double(double right)> floor_or_cap(const Part& part) {
+  const std::optional<End> end = end_of(part, wrong_of(part));
+  if (!end) return {};
+  return [end = *end](double right) {
+    return end.is_floor ? std::max(end.number, right) : std::min(end.number, right);
+  };
+}
+
 std::string other_value(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
-  if (std::string end = floor_of(part, wrong); !end.empty()) return end;
+  if (std::string end = end_in_words(part, wrong); !end.empty()) return end;
   if (wrong.size() < fewest_cut || !vary(part)) return {};
   const auto got = [](const Part::Number& one) { return one.answered->got; };
   const double first = got(wrong.front());

@@ -192,7 +192,7 @@ Growth growth_of(const Part& part) {
     double to = 0;
     for (const Error& one : errors) to = std::max(to, std::abs(one.relative));
     std::erase_if(errors, [&](const Error& one) { return std::abs(one.relative) < beside * to; });
-    // What comes after the growth has no order.
+    // Errors beyond the growth have no order.
     for (Error& one : errors) one.relative = std::clamp(one.relative, -to / 10, to / 10);
     const bool is_size = variable.symbol.starts_with('|');
     if (errors.size() < fewest_in_order || variable.is_result || is_size) continue;
