@@ -374,7 +374,7 @@ std::string advice_on_ellipticity(const State& state) {
     return "no text tells to which ellipticities the law was fitted; a roller is a line, which "
            "`tribocheck film` solves";
   return "the contact is longer along the motion than across it, and scenes have no law that was "
-         "fitted to that: the film is no more than an estimate";
+         "fitted to that: the film is no more than an estimate; `tribocheck film` solves it";
 }
 
 double summit_roughness(const State& state) {
@@ -442,8 +442,9 @@ constexpr Row rows[] = {
     {"film_law_ellipticity", "The film law is used at an ellipticity k that it was fitted to.", "",
      0, unbounded, "the law's own paper, which `tribocheck functions` names",
      [](const State& state) {
-       const bool is_ellipse = state.shape == ContactShape::ellipse;
-       return is_ellipse ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
+       // A solved film has no law.
+       const bool is_asked = state.shape == ContactShape::ellipse && !state.solves_film();
+       return is_asked ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
      },
      "film", advice_on_ellipticity, true},
     {"film_law_regime", "The film law is one of the contact's regime: their films are alike.", "",

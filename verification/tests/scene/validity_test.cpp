@@ -677,6 +677,7 @@ TEST(Validity, ALawThatWasNotFittedToTheEllipseSaysWhatToTake) {
   EXPECT_NE(advice("1", soft).find("tribocheck film"), std::string::npos);
   EXPECT_EQ(advice("0.004", soft), "");  // a circle
   EXPECT_NE(advice("0.001", hard).find("longer along the motion"), std::string::npos);
+  EXPECT_NE(advice("0.001", hard).find("`tribocheck film` solves it"), std::string::npos);
   EXPECT_NE(advice("0.01", soft).find("no text tells"), std::string::npos);
   EXPECT_EQ(advice("0.01", hard), "");
 }
@@ -725,6 +726,16 @@ TEST(Validity, OfASolvedFilmTheHeatIsTold) {
   EXPECT_TRUE(has_problem(told.warnings, "lubricant.thermal", "isothermal"));
   line.set("lubricant.thermal", "\"none\"");
   EXPECT_TRUE(read(Format::toml, line, SceneUse::line_film).warnings.empty());
+}
+
+// A solved film has no law that could be outside of its range.
+TEST(Validity, OfASolvedFilmNoLawIsAskedForTheEllipse) {
+  SceneText text = ordinary().remove("bodies.reduced_radius");
+  text.set("bodies.radius_x", "0.004").set("bodies.radius_y", "1");
+  EXPECT_TRUE(limit_of(scene_of(text), "film_law_ellipticity").is_passed());
+  const Scene solved = scene_of(text, SceneUse::film);
+  EXPECT_EQ(limit_of(solved, "film_law_ellipticity", SceneUse::film).word, "");
+  EXPECT_EQ(limit_of(solved, "film_law_regime", SceneUse::film).word, "");
 }
 
 TEST(Validity, SaysWhichResultsALimitTouches) {
