@@ -48,10 +48,25 @@ FilmConditions conditions_of(const Scene& scene, double speed) {
                             .viscosity_law = scene.friction.viscosity == ViscosityLaw::roelands
                                                  ? ViscosityLaw::roelands
                                                  : ViscosityLaw::barus};
-  if (shape == ContactShape::line)
+  if (shape == ContactShape::line) {
     conditions.load /= numbers.across;
-  else
-    conditions.radius_ratio = shape == ContactShape::circle ? 1 : numbers.across / numbers.radius_x;
+    return conditions;
+  }
+  conditions.radius_ratio = shape == ContactShape::circle ? 1 : numbers.across / numbers.radius_x;
+  const double supply = scene.supply.value;
+  switch (scene.supply.kind) {
+    case SupplyKind::flooded:
+      break;
+    case SupplyKind::inlet_film:
+      conditions.inlet_film = supply;
+      break;
+    case SupplyKind::inlet_film_ratio:
+      conditions.inlet_film = supply * numbers.summit_height_sd;
+      break;
+    case SupplyKind::inlet_flow:
+      conditions.inlet_film = supply / speed;
+      break;
+  }
   return conditions;
 }
 
@@ -80,7 +95,7 @@ PointContact point_contact_of(const FilmConditions& c) {
   const double root = std::sqrt(2 * scale.speed_number);
   const double load = c.load / (2 * c.effective_modulus * c.radius) / c.radius;
   return {load / root / std::sqrt(root), material_number_of(c, root), c.radius_ratio,
-          fluid_of(c, scale.peak_pressure)};
+          fluid_of(c, scale.peak_pressure), c.inlet_film / scale.film};
 }
 
 }  // namespace tribo::ehl

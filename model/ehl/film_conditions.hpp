@@ -26,7 +26,10 @@ struct FilmConditions {
   FilmDensity density_law = FilmDensity::incompressible;
   double radius_ratio = std::numeric_limits<double>::infinity();  // R_y/R_x; ∞ of a line
 
+  double inlet_film = std::numeric_limits<double>::infinity();  // h_oil, m; ∞: flooded
+
   bool is_line() const { return std::isinf(radius_ratio); }
+  bool is_starved() const { return std::isfinite(inlet_film); }
 };
 
 // Factors that turn H, P and X into SI units.
@@ -41,7 +44,7 @@ struct FilmScale {
 // The conditions of a scene at a speed. The law of viscosity is Roelands' where friction.viscosity
 // is; else it is Barus', because `ambient` is meant for friction alone. Scenes name no law of
 // density: the default holds. A circle's bodies.ellipticity, which enters film laws alone, is not
-// used.
+// used. The inlet of a line is taken as flooded.
 FilmConditions conditions_of(const Scene& scene, double speed);
 
 FilmScale scale_of(const FilmConditions& conditions);

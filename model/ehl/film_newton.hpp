@@ -13,19 +13,22 @@
 
 namespace tribo::ehl {
 
+// `missing`: the liquid that a gap lacks which is filled in part; empty where none is.
 struct FilmState {
   Eigen::VectorXd pressure, film;
   double separation = 0;
+  Eigen::VectorXd missing = {};
 };
 
-// The change of a state's pressure and separation.
 struct FilmChange {
   Eigen::VectorXd pressure;
   double separation = 0;
+  Eigen::VectorXd missing = {};
 };
 
 // A problem has:
 //   FilmState state_of(pressure, separation)       the film that belongs to a pressure
+//   FilmState state_after(state, part, change)     the state after a part of a change
 //   Linear linear_at(state, rate)                  the equations at a state, to first order, with
 //                                                  `rate` times the liquid that a change stores
 //   FilmChange change_for(linear, state, rate)     the change that removes the state's residual
@@ -39,6 +42,7 @@ struct FilmChange {
 //   double pressure()            the size of the pressure: Hertz' peak is 1
 //   double pressure_in_time()    the same for steps in time
 //   double separation_weight()   of a change of H₀ beside one of pressure
+//   bool must_lead_nearer()      whether a step that does not ask for less afterwards is halved
 template <class Problem>
 class FilmNewton {
  public:
@@ -123,8 +127,7 @@ class FilmNewton {
 
   // The state after a part of a change; nothing where hardly any film would be left.
   std::optional<FilmState> state_after(double part, const FilmChange& change) const {
-    FilmState next = problem_.state_of((now_.pressure + part * change.pressure).cwiseMax(0),
-                                       now_.separation + part * change.separation);
+    FilmState next = problem_.state_after(now_, part, change);
     if (!(next.film.minCoeff() > 0.2 * now_.film.minCoeff())) return {};
     return next;
   }
@@ -153,7 +156,7 @@ class FilmNewton {
     std::optional<FilmState> next = state_after(part, change);
     if (!next) return false;
     const FilmChange left = problem_.change_left(linear, *next);
-    if (last_change_ > rounding_change * problem_.pressure() &&
+    if (problem_.must_lead_nearer() && last_change_ > rounding_change * problem_.pressure() &&
         !(problem_.size_of(left) <= (1 - part / 4) * size))
       return false;
     change_left_ = greatest_of(left);

@@ -58,6 +58,7 @@ class LineProblem {
   double pressure() const { return 1; }
   double pressure_in_time() const { return 1 / reach_; }
   double separation_weight() const { return 1; }
+  static bool must_lead_nearer() { return true; }
   double size_of(const FilmChange& change) const {
     return std::sqrt(weights_.dot(change.pressure.cwiseAbs2()) +
                      change.separation * change.separation);
@@ -71,6 +72,11 @@ class LineProblem {
     state.film = kernel_ * state.pressure + parabola_;
     state.film.array() += separation;
     return state;
+  }
+
+  FilmState state_after(const FilmState& state, double part, const FilmChange& change) const {
+    return state_of((state.pressure + part * change.pressure).cwiseMax(0),
+                    state.separation + part * change.separation);
   }
 
   // Where the rate is above 0, liquid is stored in the film that a step in time adds: ∂(ρ̄H)/∂T.

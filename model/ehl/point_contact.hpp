@@ -6,13 +6,21 @@
 //   ∇·[ρ̄H³/(λ̄η̄) ∇P] = ∂(ρ̄H)/∂X where P > 0;  P ≥ 0;
 //   H = H₀ + X²/2 + (R_x/R_y)Y²/2 + c ∬ P(X′, Y′)/√((X − X′)² + (Y − Y′)²) dX′dY′;  ∬ P = 2πk/3,
 //
-// steady, isothermal, Newtonian, fully flooded; k = a_y/a_x. A circle has λ̄ = 6π(3M/2)^{−4/3},
+// steady, isothermal, Newtonian; k = a_y/a_x. A circle has λ̄ = 6π(3M/2)^{−4/3},
 // c = 2/π² and ᾱ = αp₀ = L(3M/2)^{1/3}/π, with Moes' numbers M of load and L of material
 // (similarity_numbers.hpp). Moes' film number is (h/R_x)(2U)^{−1/2}.
 //
+// A starved contact meets a layer of liquid of thickness H_oil far ahead. The part Θ of the gap
+// that is filled conserves the mass of the liquid: P > 0 → Θ = 1; P = 0 → Θ ≤ 1 and ∂(Θρ̄H)/∂X = 0,
+// and Θρ̄H = H_oil ahead of the meniscus. No liquid flows back into the track behind the contact.
+//
 // Sources: O. Reynolds: On the theory of lubrication. Phil. Trans. R. Soc. 177 (1886) 157; C. H.
-// Venner, A. A. Lubrecht: Multilevel Methods in Lubrication. Elsevier (2000), chapter 6.
+// Venner, A. A. Lubrecht: Multilevel Methods in Lubrication. Elsevier (2000), chapter 6; of Θ: H.
+// G. Elrod: A cavitation algorithm. J. Lubr. Technol. 103 (1981) 350.
 #pragma once
+
+#include <cmath>
+#include <limits>
 
 #include "ehl/fluid.hpp"
 #include "tribo/hertz_ellipse.hpp"
@@ -20,10 +28,13 @@
 namespace tribo::ehl {
 
 struct PointContact {
-  double load_number = 1;      // M > 0
-  double material_number = 0;  // L ≥ 0
-  double radius_ratio = 1;     // R_y/R_x > 0
-  Fluid fluid = {};            // its exponent is ᾱ
+  double load_number = 1;                                       // M > 0
+  double material_number = 0;                                   // L ≥ 0
+  double radius_ratio = 1;                                      // R_y/R_x > 0
+  Fluid fluid = {};                                             // its exponent is ᾱ
+  double inlet_film = std::numeric_limits<double>::infinity();  // H_oil > 0; ∞: flooded
+
+  bool is_starved() const { return std::isfinite(inlet_film); }
 };
 
 // The numbers in the equations above.
@@ -52,7 +63,7 @@ inline PointNumbers numbers_of(const PointContact& contact) {
 // An incompressible Barus liquid between the bodies.
 inline PointContact barus_point(double load_number, double material_number,
                                 double radius_ratio = 1) {
-  PointContact contact{load_number, material_number, radius_ratio, {}};
+  PointContact contact{load_number, material_number, radius_ratio};
   contact.fluid.exponent = numbers_of(contact).pressure_exponent;
   return contact;
 }

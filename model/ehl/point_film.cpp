@@ -38,42 +38,66 @@ struct PointProblemParts {
   VectorXd areas, gap;  // of the nodes; the gap of the bodies before they flatten
 };
 
-// The linear equations of a step, for the changes of all pressures and, last, of H₀: matrix and
+// The unknown of a node, and its equation: its pressure is held (or taken to 0); its pressure
+// follows from the balance; or, in a gap that is filled in part, so does the liquid that is missing
+// there.
+enum class Unknown : char { held, pressure, missing };
+
+// The linear equations of a step, for the changes of all unknowns and, last, of H₀: matrix and
 // preconditioner of GMRES.
 class PointEquations {
  public:
   PointEquations(const PointProblemParts& parts, std::vector<PlaneSlopes> slopes,
-                 std::vector<char> is_free, std::shared_ptr<Factors> factors)
+                 std::vector<Unknown> unknowns, std::shared_ptr<Factors> factors)
       : parts_(parts),
         slopes_(std::move(slopes)),
-        is_free_(std::move(is_free)),
+        unknowns_(std::move(unknowns)),
         factors_(std::move(factors)),
         by_separation_(VectorXd::Zero(parts.grid.size())) {
     is_factored_ = factor();
     if (!is_factored_) return;
     by_separation_solved_ = factors_->solve(by_separation_);
-    load_by_separation_ = -parts_.areas.dot(by_separation_solved_);
+    load_by_separation_ = -parts_.areas.dot(pressure_of(by_separation_solved_));
   }
 
-  bool is_free(Index node) const { return is_free_[static_cast<std::size_t>(node)] != 0; }
+  Unknown unknown(Index node) const { return unknowns_[static_cast<std::size_t>(node)]; }
+  bool is_held(Index node) const { return unknown(node) == Unknown::held; }
+  // The part of a solution that is pressure, and what is missing in gaps that are filled in part.
+  VectorXd pressure_of(const VectorXd& solution) const {
+    return part_of(solution, [](Unknown unknown) { return unknown != Unknown::missing; });
+  }
+  VectorXd missing_of(const VectorXd& solution) const {
+    return part_of(solution, [](Unknown unknown) { return unknown == Unknown::missing; });
+  }
 
   VectorXd operator*(const VectorXd& change) const {
+    const Index last = parts_.grid.size();
+    VectorXd result = residual_change({pressure_of(change), change[last], missing_of(change)});
+    for (Index row = 0; row < last; ++row)
+      if (is_held(row)) result[row] = change[row];
+    return result;
+  }
+
+  // What a change adds to the balances, 0 where the pressure is held, and to the load.
+  VectorXd residual_change(const FilmChange& change) const {
     const PlaneGrid& grid = parts_.grid;
     const Index last = grid.size();
-    VectorXd film = parts_.numbers.deflection * (parts_.kernel * change.head(last));
-    film.array() += change[last];
-    VectorXd result(last + 1);
+    VectorXd film = parts_.numbers.deflection * (parts_.kernel * change.pressure);
+    film.array() += change.separation;
+    VectorXd result = VectorXd::Zero(last + 1);
     for (Index row = 0; row < last; ++row) {
-      result[row] = is_free(row) ? 0 : change[row];
-      if (!is_free(row)) continue;
+      if (is_held(row)) continue;
       const PlaneSlopes& slopes = slopes_[static_cast<std::size_t>(row)];
       const auto nodes = stencil(grid, row);
       for (std::size_t k = 0; k < nodes.size(); ++k)
         if (nodes[k] >= 0)
-          result[row] +=
-              slopes.by_film[k] * film[nodes[k]] + slopes.by_pressure[k] * change[nodes[k]];
+          result[row] += slopes.by_film[k] * film[nodes[k]] +
+                         slopes.by_pressure[k] * change.pressure[nodes[k]];
+      if (!parts_.contact.is_starved()) continue;
+      for (const std::size_t k : {before, itself})
+        if (nodes[k] >= 0) result[row] += by_missing(k) * change.missing[nodes[k]];
     }
-    result[last] = parts_.areas.dot(change.head(last));
+    result[last] = parts_.areas.dot(change.pressure);
     return result;
   }
 
@@ -82,19 +106,36 @@ class PointEquations {
     const Index last = parts_.grid.size();
     if (!is_factored_)
       return VectorXd::Constant(last + 1, std::numeric_limits<double>::quiet_NaN());
-    const VectorXd pressure = factors_->solve(side.head(last));
+    const VectorXd nodes = factors_->solve(side.head(last));
     VectorXd result(last + 1);
-    result[last] = (side[last] - parts_.areas.dot(pressure)) / load_by_separation_;
-    result.head(last) = pressure - result[last] * by_separation_solved_;
+    result[last] = (side[last] - parts_.areas.dot(pressure_of(nodes))) / load_by_separation_;
+    result.head(last) = nodes - result[last] * by_separation_solved_;
     return result;
   }
 
  private:
+  template <class Kind>
+  VectorXd part_of(const VectorXd& solution, const Kind& is_in) const {
+    VectorXd part = solution.head(parts_.grid.size());
+    for (Index node = 0; node < part.size(); ++node)
+      if (!is_in(unknown(node))) part[node] = 0;
+    return part;
+  }
+
+  // Of the nodes in PlaneSlopes, the one before and the node itself: liquid that is missing in a
+  // gap is missing in what flows out of it, and in what flows into the next one.
+  static constexpr std::size_t before = 1, itself = 2;
+  static double by_missing(std::size_t k) { return k == before ? 1 : -1; }
+
   // The nodes of PlaneSlopes around a node; −1: there is none.
   static std::array<Index, 6> stencil(const PlaneGrid& grid, Index row) {
     const Index across = grid.count_x();
     const Index i = row % across;
-    return {i < 2 ? -1 : row - 2, row - 1, row, row + 1, row < across ? row + across : row - across,
+    return {i < 2 ? -1 : row - 2,
+            i < 1 ? -1 : row - 1,
+            row,
+            row + 1,
+            row < across ? row + across : row - across,
             row + across};
   }
 
@@ -108,7 +149,7 @@ class PointEquations {
       for (int i = 0; i < grid.count_x(); ++i) {
         const Index row = grid.node(i, j);
         const auto place = static_cast<int>(row);
-        if (!grid.is_inside(i, j)) {
+        if (!grid.is_inside(i, j) && is_held(row)) {
           entries.emplace_back(place, place, 1);
           continue;
         }
@@ -118,10 +159,12 @@ class PointEquations {
           if (nodes[k] < 0) continue;
           const double own = parts_.numbers.deflection *
                              parts_.kernel.own(static_cast<int>(nodes[k] / grid.count_x()));
-          const double value = slopes.by_pressure[k] + slopes.by_film[k] * own;
-          const double held = nodes[k] == row ? 1 : 0;
-          entries.emplace_back(place, static_cast<int>(nodes[k]), is_free(row) ? value : held);
-          if (is_free(row)) by_separation_[row] += slopes.by_film[k];
+          double value = slopes.by_pressure[k] + slopes.by_film[k] * own;
+          if (unknown(nodes[k]) == Unknown::missing)
+            value = k == before || k == itself ? by_missing(k) : 0;
+          if (is_held(row)) value = nodes[k] == row ? 1 : 0;
+          entries.emplace_back(place, static_cast<int>(nodes[k]), value);
+          if (!is_held(row)) by_separation_[row] += slopes.by_film[k];
         }
       }
     Eigen::SparseMatrix<double> matrix(grid.size(), grid.size());
@@ -135,7 +178,7 @@ class PointEquations {
 
   const PointProblemParts& parts_;
   std::vector<PlaneSlopes> slopes_;
-  std::vector<char> is_free_;
+  std::vector<Unknown> unknowns_;
   std::shared_ptr<Factors> factors_;
   bool is_factored_ = false;
   VectorXd by_separation_, by_separation_solved_;
@@ -213,57 +256,106 @@ class PointProblem {
   double pressure() const { return 1 / (reach_ * reach_); }
   double pressure_in_time() const { return pressure(); }
   double separation_weight() const { return pressure() * pressure(); }
+  // The meniscus moves by a layer of nodes a step, and meanwhile each step asks for as much.
+  bool must_lead_nearer() const { return !parts_.contact.is_starved(); }
   double size_of(const FilmChange& change) const {
     const double separation = separation_weight() * change.separation;
     return std::sqrt(parts_.areas.dot(change.pressure.cwiseAbs2()) + separation * separation);
   }
 
   double size_asked(const Linear& linear, const FilmState& at, const FilmChange&) const {
-    return size_of(change_of(linear.equations.solve(side_of(linear, at, linear.balance, 0))));
+    return size_of(change_asked(linear, at, linear.balance, 0, false));
   }
 
   FilmState state_of(VectorXd pressure, double separation) const {
-    FilmState state{std::move(pressure), {}, separation};
-    state.film = parts_.numbers.deflection * (parts_.kernel * state.pressure) + parts_.gap;
-    state.film.array() += separation;
+    FilmState state = film_at(std::move(pressure), separation);
+    if (!parts_.contact.is_starved()) return state;
+    set_missing(state, VectorXd::Zero(parts_.grid.size()));
     return state;
+  }
+
+  FilmState state_after(const FilmState& state, double part, const FilmChange& change) const {
+    FilmState next = film_at((state.pressure + part * change.pressure).cwiseMax(0),
+                             state.separation + part * change.separation);
+    if (parts_.contact.is_starved())
+      set_missing(next, (state.missing + part * change.missing).cwiseMax(0));
+    return next;
   }
 
   // Where the rate is above 0, liquid is stored in the film that a step in time adds: ∂(ρ̄H)/∂T.
   Linear linear_at(const FilmState& at, double rate) const {
     const PlaneGrid& grid = parts_.grid;
-    PlaneBalance balance = balance_of(parts_.contact, grid, at.pressure, at.film, true);
-    std::vector<char> free(static_cast<std::size_t>(grid.size()), 0);
-    for (int j = 0; j < grid.count_y(); ++j)
-      for (int i = 0; i < grid.count_x(); ++i) {
+    PlaneBalance balance = balance_of(parts_.contact, grid, at.pressure, at.film, at.missing, true);
+    std::vector<Unknown> unknowns(static_cast<std::size_t>(grid.size()), Unknown::held);
+    const bool is_starved = parts_.contact.is_starved();
+    for (int j = 0; j + 1 < grid.count_y(); ++j)
+      for (int i = is_starved ? 0 : 1; i + 1 < grid.count_x(); ++i) {
         const Index node = grid.node(i, j);
         const auto place = static_cast<std::size_t>(node);
-        if (!grid.is_inside(i, j) || !is_free(at, balance, node, own_part(balance, node, rate)))
-          continue;
-        free[place] = 1;
+        const bool is_end = i == 0;
+        if (!is_end && is_free(at, balance, node, rate))
+          unknowns[place] = Unknown::pressure;
+        else if (is_starved)
+          unknowns[place] = Unknown::missing;
+        if (unknowns[place] != Unknown::pressure) continue;
         const double stored = rate * grid.dx, pressure = at.pressure[node];
         balance.slopes[place].by_film[2] += stored * parts_.contact.fluid.density(pressure);
         balance.slopes[place].by_pressure[2] +=
             stored * parts_.contact.fluid.density_slope(pressure) * at.film[node];
       }
     std::vector<PlaneSlopes> slopes = std::move(balance.slopes);
-    return {std::move(balance), {parts_, std::move(slopes), std::move(free), factors_}};
+    return {std::move(balance), {parts_, std::move(slopes), std::move(unknowns), factors_}};
   }
 
   FilmChange change_for(const Linear& linear, const FilmState& at, double rate) const {
-    const VectorXd side = side_of(linear, at, linear.balance, rate);
-    return change_of(solved_by_gmres(linear.equations, side));
+    return change_asked(linear, at, linear.balance, rate, true);
   }
 
   FilmChange change_left(const Linear& linear, const FilmState& at) const {
     const PlaneBalance balance =
-        balance_of(parts_.contact, parts_.grid, at.pressure, at.film, false);
-    return change_of(linear.equations.solve(side_of(linear, at, balance, 0)));
+        balance_of(parts_.contact, parts_.grid, at.pressure, at.film, at.missing, false);
+    return change_asked(linear, at, balance, 0, false);
   }
 
  private:
-  FilmChange change_of(const VectorXd& solution) const {
-    return {solution.head(parts_.grid.size()), solution[parts_.grid.size()]};
+  // `missing` where there is pressure; elsewhere what leaves no surplus there.
+  void set_missing(FilmState& state, VectorXd missing) const {
+    const VectorXd nothing = VectorXd::Zero(missing.size());
+    state.missing = missing_in(
+        parts_.grid, state.pressure,
+        balance_of(parts_.contact, parts_.grid, state.pressure, state.film, nothing, false),
+        std::move(missing));
+  }
+
+  // The film without what is missing in it.
+  FilmState film_at(VectorXd pressure, double separation) const {
+    FilmState state{std::move(pressure), {}, separation};
+    state.film = parts_.numbers.deflection * (parts_.kernel * state.pressure) + parts_.gap;
+    state.film.array() += separation;
+    return state;
+  }
+
+  // The change that removes a state's residual, by GMRES or by its preconditioner alone.
+  FilmChange change_asked(const Linear& linear, const FilmState& at, const PlaneBalance& balance,
+                          double rate, bool is_exact) const {
+    const PointEquations& equations = linear.equations;
+    VectorXd side = side_of(linear, at, balance, rate);
+    FilmChange change{VectorXd::Zero(parts_.grid.size()), 0, {}};
+    if (parts_.contact.is_starved()) {
+      // A gap is full where there is pressure, and there is no pressure where it is not.
+      change.missing = change.pressure;
+      for (Index node = 0; node < parts_.grid.size(); ++node)
+        if (equations.unknown(node) == Unknown::missing)
+          change.pressure[node] = -at.pressure[node];
+        else
+          change.missing[node] = -at.missing[node];
+      if (change.pressure.any() || change.missing.any()) side -= equations.residual_change(change);
+    }
+    const VectorXd solution = is_exact ? solved_by_gmres(equations, side) : equations.solve(side);
+    change.pressure += equations.pressure_of(solution);
+    change.separation = solution[parts_.grid.size()];
+    if (parts_.contact.is_starved()) change.missing += equations.missing_of(solution);
+    return change;
   }
 
   // How much the pressure at a node changes the balance there: it drives liquid, and it lifts the
@@ -273,8 +365,10 @@ class PointProblem {
   }
 
   // A node is free if a Newton step of this node alone would leave pressure there.
-  static bool is_free(const FilmState& at, const PlaneBalance& balance, Index node, double own) {
-    return at.pressure[node] > balance.surplus[node] / own;
+  bool is_free(const FilmState& at, const PlaneBalance& balance, Index node, double rate) const {
+    double surplus = balance.surplus[node];
+    if (parts_.contact.is_starved()) surplus += at.missing[node];
+    return at.pressure[node] > surplus / own_part(balance, node, rate);
   }
 
   // The residual of each equation at a state: at the grid's ends the pressure of the far inlet,
@@ -286,22 +380,27 @@ class PointProblem {
     for (int j = 0; j < grid.count_y(); ++j)
       for (int i = 0; i < grid.count_x(); ++i) {
         const Index node = grid.node(i, j);
+        if (linear.equations.unknown(node) == Unknown::missing && i == 0) {
+          side[node] = -balance.surplus[node];
+          continue;
+        }
         if (!grid.is_inside(i, j)) {
-          const bool is_outlet = i + 1 == grid.count_x();
-          side[node] =
-              (is_outlet ? 0 : parts_.inlet.pressure(grid.x(i), grid.y(j), at.film[node])) -
-              at.pressure[node];
+          const bool is_dry = i + 1 == grid.count_x() || parts_.contact.is_starved();
+          side[node] = (is_dry ? 0 : parts_.inlet.pressure(grid.x(i), grid.y(j), at.film[node])) -
+                       at.pressure[node];
           continue;
         }
         const double own = own_part(balance, node, rate);
-        const bool is_row_of_balance = linear.equations.is_free(node);
-        if (is_free(at, balance, node, own))
+        const Unknown unknown = linear.equations.unknown(node);
+        const bool is_row_of_balance = unknown != Unknown::held;
+        if (unknown == Unknown::missing || is_free(at, balance, node, rate))
           side[node] = -balance.surplus[node] / (is_row_of_balance ? 1 : own);
         else
           side[node] = -at.pressure[node] * (is_row_of_balance ? own : 1);
       }
-    side[grid.size()] = parts_.numbers.load - parts_.inlet.load_outside(grid, at.separation) -
-                        parts_.areas.dot(at.pressure);
+    side[grid.size()] = parts_.numbers.load - parts_.areas.dot(at.pressure);
+    if (!parts_.contact.is_starved())
+      side[grid.size()] -= parts_.inlet.load_outside(grid, at.separation);
     return side;
   }
 
@@ -316,6 +415,7 @@ PointFilm film_of(const FilmNewton<PointProblem>& newton, const PlaneGrid& grid,
           .grid = grid,
           .pressure = newton.state().pressure,
           .film = newton.state().film,
+          .missing = newton.state().missing,
           .separation = newton.state().separation,
           .steps = steps_before + newton.steps(),
           .last_change = newton.last_change()};
@@ -369,8 +469,10 @@ double reach_of(const PointContact& contact) {
   return std::fmax(1, std::sqrt(2 * expected_film(contact)));
 }
 
-PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
-                             const Watch& watch) {
+namespace {
+
+PointFilm solve_flooded_from_nothing(const PointContact& contact, const PlaneGrid& grid,
+                                     const Watch& watch) {
   const PointProblem problem(contact, grid);
   const double k = numbers_of(contact).ellipticity, reach = reach_of(contact);
   VectorXd guess(grid.size());
@@ -383,6 +485,28 @@ PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
   newton.lift_to(expected_film(contact));
   newton.settle(limits, watch);
   return film_of(newton, grid, 0);
+}
+
+}  // namespace
+
+PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
+                             const Watch& watch) {
+  PointContact fuller = contact;
+  fuller.inlet_film = std::numeric_limits<double>::infinity();
+  PointFilm film = solve_flooded_from_nothing(fuller, grid, watch);
+  if (!contact.is_starved() || film.outcome != Outcome::solved) return film;
+  // Where the whole way does not lead to the film, layers that are ever thinner do.
+  PointFilm starved;
+  for (const int layers : {0, 2, 4, 8}) {
+    starved = film;
+    for (int k = layers; k >= 0 && starved.outcome == Outcome::solved; --k) {
+      fuller.inlet_film = contact.inlet_film * std::pow(2, k / 2.);
+      starved = solve_on(fuller, grid, starved, watch);
+    }
+    if (starved.outcome != Outcome::not_converged) return starved;
+    film.steps = starved.steps;
+  }
+  return starved;
 }
 
 PointFilm solve_on(const PointContact& contact, const PlaneGrid& grid, const PointFilm& film,

@@ -17,9 +17,12 @@ struct PointFilm {
   Outcome outcome = Outcome::not_converged;
   PlaneGrid grid{};
   Eigen::VectorXd pressure, film;  // P and H at the nodes
-  double separation = 0;           // H₀
-  int steps = 0;                   // with the steps on the grids before, and the steps in time
-  double last_change = 0;          // of the pressure, in the last step
+  // What is missing of the liquid that a full gap would drag from each node to the next one, in H;
+  // empty of flooded contacts.
+  Eigen::VectorXd missing;
+  double separation = 0;   // H₀
+  int steps = 0;           // with the steps on the grids before, and the steps in time
+  double last_change = 0;  // of the pressure, in the last step
 };
 
 // A film H of the right size, or below it, before the contact is solved: of a circle's limits.

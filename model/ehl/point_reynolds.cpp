@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ehl/point_reynolds.hpp"
 
+#include <cmath>
+
 #include "ehl/liquid_flow.hpp"
 
 namespace tribo::ehl {
@@ -16,7 +18,7 @@ std::array<double, 3> upstream_weights(int i) {
 
 PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
                         const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
-                        bool with_slopes) {
+                        const Eigen::VectorXd& missing, bool with_slopes) {
   const double wedge = numbers_of(contact).wedge;
   const int nx = grid.count_x(), ny = grid.count_y();
   std::vector<LiquidAtNode> liquid(static_cast<std::size_t>(grid.size()));
@@ -50,7 +52,8 @@ PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
       }
       for (const bool is_out : {true, false}) {
         const int column = is_out ? i : i + 1;
-        if (!grid.is_inside(column, j)) continue;
+        const bool is_inlet = column == 0 && contact.is_starved();
+        if (!grid.is_inside(column, j) && !is_inlet) continue;
         const Eigen::Index node = is_out ? here : next;
         const double sign = is_out ? 1 : -1;
         balance.surplus[node] += sign * flow;
@@ -87,7 +90,27 @@ PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
         slopes.by_pressure[of_next] += factor * driven.by_pressure[1];
       }
     }
+  if (!contact.is_starved()) return balance;
+  for (int j = 0; j + 1 < ny; ++j) {
+    balance.surplus[grid.node(0, j)] -= contact.inlet_film + missing[grid.node(0, j)];
+    for (int i = 1; i + 1 < nx; ++i)
+      balance.surplus[grid.node(i, j)] += missing[grid.node(i - 1, j)] - missing[grid.node(i, j)];
+  }
   return balance;
+}
+
+Eigen::VectorXd missing_in(const PlaneGrid& grid, const Eigen::VectorXd& pressure,
+                           const PlaneBalance& balance_of_full_gap, Eigen::VectorXd missing) {
+  for (int j = 0; j + 1 < grid.count_y(); ++j) {
+    double before = 0;
+    for (int i = 0; i + 1 < grid.count_x(); ++i) {
+      const Eigen::Index node = grid.node(i, j);
+      if (!(pressure[node] > 0))
+        missing[node] = std::fmax(balance_of_full_gap.surplus[node] + before, 0);
+      before = missing[node];
+    }
+  }
+  return missing;
 }
 
 }  // namespace tribo::ehl

@@ -26,9 +26,16 @@ struct PlaneBalance {
 
 // Second order. The film that is dragged between two nodes is extrapolated from the two nodes
 // before, so that films do not waver where pressure drives nothing (reynolds.hpp). `slopes` stay
-// empty if they are not asked for.
+// empty if they are not asked for. At the end of a starved contact's inlet the balance is of what
+// leaves the node and H_oil. `missing`, of starved contacts: what each node lacks of the liquid
+// that a full gap would drag to the next one.
 PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
                         const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
-                        bool with_slopes = true);
+                        const Eigen::VectorXd& missing, bool with_slopes = true);
+
+// What is missing in a gap: where there is pressure as it is, elsewhere so much that no surplus is
+// left.
+Eigen::VectorXd missing_in(const PlaneGrid& grid, const Eigen::VectorXd& pressure,
+                           const PlaneBalance& balance_of_full_gap, Eigen::VectorXd missing);
 
 }  // namespace tribo::ehl

@@ -47,6 +47,17 @@ double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
   return part;
 }
 
+// Whether the liquid of a starved contact reaches an end of the grid ahead or beside the contact.
+bool is_wet_at_ends(const PointContact& contact, const PointFilm& film) {
+  if (!contact.is_starved()) return false;
+  const PlaneGrid& grid = film.grid;
+  for (int j = 0; j + 1 < grid.count_y(); ++j)
+    if (film.pressure[grid.node(1, j)] > 0) return true;
+  for (int i = 0; i + 1 < grid.count_x(); ++i)
+    if (film.pressure[grid.node(i, grid.count_y() - 2)] > 0) return true;
+  return false;
+}
+
 // The films by the grids that follow from one coarsest grid.
 SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const PointOptions& options,
                                 const Watch& watch) {
@@ -69,11 +80,27 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   };
 
   PointFilm film = solve_from_nothing(contact, grid, watch);
+  for (double longer = 1.25; film.outcome == Outcome::solved && is_wet_at_ends(contact, film) &&
+                             longer < 4 && 16 * grid.size() <= options.greatest_nodes;
+       longer *= 1.25) {
+    grid = grid_for(contact, cells, longer);
+    film = solve_on(contact, grid, film, watch);
+  }
   if (failed(film)) return solved;
-  const PointFilm longer = solve_on(contact, grid_for(contact, cells, 1.5), film, watch);
-  if (failed(longer)) return solved;
-  const FilmFeatures larger = features_of(longer);
+  if (is_wet_at_ends(contact, film)) {
+    solved.reason = text(
+        "the meniscus is not on the grid of %d by %d cells: so thick a layer of liquid all but "
+        "floods the contact",
+        grid.count_x() - 1, grid.beside);
+    return solved;
+  }
   std::vector<FilmFeatures> grids{features_of(film)};
+  FilmFeatures larger = grids.front();  // a starved contact's meniscus is on the grid
+  if (!contact.is_starved()) {
+    const PointFilm longer = solve_on(contact, grid_for(contact, cells, 1.5), film, watch);
+    if (failed(longer)) return solved;
+    larger = features_of(longer);
+  }
   double domain_part = 0;  // of worst_of()
   const auto is_met = [&] {
     return solved.minimum.value > 0 && std::isfinite(solved.at_greatest_pressure.error) &&
@@ -116,13 +143,27 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
 
 }  // namespace
 
+// The length over which a layer of liquid may wet the gap ahead, over reach_of(): the gap of dry
+// bodies over the film there is four times as thick as the layer; the meniscus was found where it
+// is one to three times as thick.
+double wet_length(const PointContact& contact) {
+  const double film = expected_film(contact);
+  const auto gap = [&](double x) {
+    return film + ((x * x - 2) * std::acos(1 / x) + std::sqrt(x * x - 1)) / pi<double>();
+  };
+  double x = 1;
+  while (x < 1000 && gap(x) < 4 * contact.inlet_film) x *= 1.05;
+  return x / reach_of(contact);
+}
+
 PlaneGrid grid_for(const PointContact& contact, int cells, double longer) {
   const double reach = reach_of(contact), k = numbers_of(contact).ellipticity;
   // Heavily loaded contacts have short inlets; under lighter loads the error from the ends falls
   // with the third power of the length.
   const double light = 20 / contact.load_number;
-  const double ahead =
+  double ahead =
       light < 1 ? 1.3 + 3.2 * std::pow(light, 0.27) : std::fmin(12, 4.5 * std::pow(light, 0.4));
+  if (contact.is_starved()) ahead = wet_length(contact);
   const double side = std::fmax(2 * ahead / 3, 1.5);
   const double spread = -k / std::tan(FarInlet(contact).break_angle());
   const double behind = std::fmax(1.4, 1.1 * spread * side);
@@ -157,6 +198,17 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
   const auto leaves_three_grids = [&](int cells) {
     return 16 * grid_for(contact, cells).size() <= options.greatest_nodes;
   };
+  if (contact.is_starved()) {
+    const double layer = contact.inlet_film / expected_film(contact);
+    if (!(layer >= least_layer && layer <= greatest_layer)) {
+      solved.reason = text(
+          "the layer of liquid at the inlet is %.3g times as thick as the flooded film is expected "
+          "to be, and layers from %g to %g times that are solved: a thicker one all but floods the "
+          "contact, and of a thinner one the film is all but the layer",
+          layer, least_layer, greatest_layer);
+      return solved;
+    }
+  }
   if (!(width < 1e4) || !leaves_three_grids(rounded_up(width))) {
     solved.reason = text("an error needs three grids, and %d nodes at most leave fewer at M = %.3g",
                          static_cast<int>(options.greatest_nodes), m);

@@ -32,6 +32,9 @@ struct SolvedPoint {
 
 // The solver was tried from the first to the second number, and refuses contacts below the first.
 inline constexpr double least_point_load_number = 1, greatest_tried_point_load_number = 5000;
+// Layers of liquid that are solved, over expected_film() of the flooded contact: a thicker one all
+// but floods the contact, and of a thinner one the film is all but the layer.
+inline constexpr double least_layer = 0.05, greatest_layer = 6;
 
 // The nodes for a contact, with `cells` cells on the length that pressure reaches. `longer`: its
 // length over that which solve_point_film() takes.

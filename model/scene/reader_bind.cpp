@@ -510,8 +510,10 @@ class SceneBinder {
       else
         refuse_beside(path, first, "exactly one of " + names_in("supply"));
     }
-    if (is_of_solved_film() && !first.empty())
-      problems_.warning(first, {.what = "not used: the solved film is that of a flooded inlet"});
+    const bool is_line = use_ == SceneUse::line_film || is_given("bodies.length");
+    if (is_of_solved_film() && is_line && !first.empty())
+      problems_.warning(first,
+                        {.what = "not used: the solved film of a line is that of a flooded inlet"});
     if (first.empty() && has_section("supply") && !supply_explained_)
       problems_.error("supply", {Fault::other, "", "empty",
                                  "exactly one of " + names_in("supply") +

@@ -36,6 +36,7 @@ void take_options(const FilmArguments& arguments, Scene& scene) {
   if (!arguments.settings.viscosity.empty())
     scene.friction.viscosity =
         arguments.settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus;
+  if (arguments.settings.is_flooded) scene.supply = {};
 }
 
 // Says why a scene cannot be solved with these arguments; empty if it can.
@@ -49,6 +50,9 @@ std::string fault_of(const Scene& scene) {
         "lubricant.viscosity: {} is not allowed with --viscosity roelands; allowed: a number above "
         "{}, in Pa·s",
         scene.lubricant.viscosity, least_roelands_viscosity);
+  if (scene.supply.kind == SupplyKind::inlet_film_ratio && scene.surface.is_smooth())
+    return "supply.inlet_film_ratio: it is a ratio to σ_s, and without summits the bodies are "
+           "smooth; allowed: inlet_film or inlet_flow, or the summits in a table surface";
   return {};
 }
 
@@ -143,7 +147,10 @@ int solve_films(const FilmArguments& arguments, OutputStream& output) {
 }
 
 constexpr const char* film_footer =
-    R"(The contact is smooth and its inlet flooded, the liquid steady, isothermal and Newtonian. A scene
+    R"(The contact is smooth, the liquid steady, isothermal and Newtonian, and the inlet flooded, unless the
+scene of a circle or an ellipse has a [supply]: then a layer of oil of thickness h_oil meets the contact, and the gap
+is filled where the oil reaches. Its flooded film is solved too, and each closure of starvation stands beside the ratio of
+the two; oil that flows back into the track behind the contact is not modelled. A scene
 needs its load, bodies, speed, lubricant.viscosity and lubricant.pressure_viscosity, and
 friction.viscosity is taken where it is barus or roelands; the other fields may be absent and are not used.
 
@@ -190,6 +197,8 @@ void add_settings(CLI::App& app, FilmSettings& settings) {
   app.add_option("--density", settings.density,
                  "incompressible or dowson_higginson (default: incompressible)")
       ->check(CLI::IsMember({"incompressible", "dowson_higginson"}));
+  app.add_flag("--flooded", settings.is_flooded,
+               "take the inlet as flooded, whatever [supply] says; the inlet of a line always is");
   add_number_option(
       app, "--tolerance", [&settings](double tolerance) { settings.tolerance = tolerance; },
       [](double tolerance) { return tolerance >= 1e-6 && tolerance <= 1e-2; },

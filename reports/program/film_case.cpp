@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "ehl/solved_point.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
+#include "tribo/starvation.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -33,6 +36,7 @@ ehl::FilmConditions conditions_of(const Scene& scene, double speed, const FilmSe
         settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus;
   if (settings.density == "dowson_higginson")
     conditions.density_law = ehl::FilmDensity::dowson_higginson;
+  if (settings.is_flooded) conditions.inlet_film = std::numeric_limits<double>::infinity();
   return conditions;
 }
 
@@ -128,8 +132,11 @@ void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved,
   }
 }
 
-// The laws of point contacts. No text at hand tells their liquid.
-void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c) {
+// The laws of point contacts, of which no text at hand tells the liquid, beside the films of a
+// flooded contact.
+void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
+                        const ehl::SolvedPoint& flooded) {
+  const double unit = ehl::scale_of(c).film;
   for (const NamedFilmLaw& named : named_film_laws) {
     if (named.law->is_of_lines) continue;
     const bool has_film = c.pressure_viscosity > 0 || named.law->material_exponent.p == 0;
@@ -140,12 +147,38 @@ void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c) {
                                   c.effective_modulus, c.radius, film.ellipticity)
                  : unknown.value;
     const bool is_minimum = named.word.ends_with("_minimum");
-    const double solved = is_minimum ? film.minimum.value : film.central.value;
+    const double solved = unit * (is_minimum ? flooded.minimum.value : flooded.central.value);
     film.formulas.push_back(
         {named.word,
          stands_for(is_minimum ? ehl::FilmQuantity::minimum : ehl::FilmQuantity::central),
          ehl::name(ehl::FitLiquid::unknown), length, unknown.value, length / solved - 1});
   }
+}
+
+// Sets the flooded film of a starved contact beside its own, and each closure's ratio of the two.
+void set_closures(FilmCase& film, const ehl::SolvedPoint& flooded, const Scene& scene,
+                  double unit) {
+  film.flooded_central = times(flooded.central, unit);
+  const double ratio = film.central.value / film.flooded_central.value;
+  film.film_ratio = {
+      ratio, ratio * (film.central.error / film.central.value + flooded.central.relative_error())};
+  const double flooded_over_inlet = film.flooded_central.value / film.inlet_film;
+  const auto by = [&](StarvationClosure closure, double exponent) {
+    return starvation_ratio(closure, flooded_over_inlet, exponent);
+  };
+  for (std::size_t i = 0; i < starvation_closure_words.size(); ++i) {
+    const double found = by(static_cast<StarvationClosure>(i), scene.closures.damiens_exponent);
+    film.closures.push_back({starvation_closure_words[i], found, found / ratio - 1});
+  }
+  const auto off = [&](double log_exponent) {
+    return by(StarvationClosure::damiens, std::exp(log_exponent)) - ratio;
+  };
+  const double least = -4, greatest = 5;  // of ln γ
+  if (!(off(least) < 0 && off(greatest) > 0)) return;
+  std::uintmax_t steps = 100;
+  const auto root = boost::math::tools::toms748_solve(
+      off, least, greatest, boost::math::tools::eps_tolerance<double>(40), steps);
+  film.damiens_exponent = std::exp(root.first);
 }
 
 void set_profile(FilmCase& film, const ehl::PointFilm& point, const ehl::FilmScale& scale) {
@@ -193,7 +226,9 @@ FilmCase given_case(const Scene& scene, const ehl::FilmConditions& conditions,
   film.peak_pressure = scale.peak_pressure;
   film.ellipticity = conditions.is_line() ? unknown.value : scale.ellipticity;
   film.tolerance = settings.tolerance > 0 ? settings.tolerance : conditions.is_line() ? 1e-4 : 1e-3;
-  film.spike_pressure = film.spike_place = unknown;
+  film.inlet_film = conditions.is_starved() ? conditions.inlet_film : unknown.value;
+  film.flooded_central = film.film_ratio = film.spike_pressure = film.spike_place = unknown;
+  film.damiens_exponent = unknown.value;
   return film;
 }
 
@@ -227,13 +262,25 @@ void solve_line(FilmCase& film, const ehl::FilmConditions& conditions, const ehl
   set_profile(film, solved.film, scale);
 }
 
-void solve_point(FilmCase& film, const ehl::FilmConditions& conditions, const ehl::Watch& watch) {
+void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditions,
+                 const ehl::Watch& watch) {
   const ehl::FilmScale scale = ehl::scale_of(conditions);
   const ehl::PointContact contact = ehl::point_contact_of(conditions);
-  const ehl::SolvedPoint solved =
-      ehl::solve_point_film(contact, {.tolerance = film.tolerance}, watch);
+  const ehl::PointOptions options{.tolerance = film.tolerance};
+  const ehl::SolvedPoint solved = ehl::solve_point_film(contact, options, watch);
   set_films(film, contact, solved, scale.film);
-  set_point_formulas(film, conditions);
+  if (!conditions.is_starved()) {
+    set_point_formulas(film, conditions, solved);
+  } else if (film.is_solved) {
+    conditions.inlet_film = std::numeric_limits<double>::infinity();
+    const ehl::SolvedPoint flooded =
+        ehl::solve_point_film(ehl::point_contact_of(conditions), options, watch);
+    film.steps += flooded.steps;
+    set_point_formulas(film, conditions, flooded);
+    if (flooded.outcome == ehl::Outcome::solved) set_closures(film, flooded, scene, scale.film);
+    if (!flooded.reason.empty())
+      film.reason += (film.reason.empty() ? "" : "; ") + ("the flooded film: " + flooded.reason);
+  }
   if (!film.is_solved) return;
   film.no_spike = "not given for circles and ellipses, whose grids do not resolve it";
   film.cells = solved.film.grid.count_x() - 1;
@@ -251,7 +298,7 @@ FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settin
   if (conditions.is_line())
     solve_line(film, conditions, step_watch);
   else
-    solve_point(film, conditions, step_watch);
+    solve_point(film, scene, conditions, step_watch);
   return film;
 }
 

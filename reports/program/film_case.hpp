@@ -21,6 +21,7 @@ struct FilmSettings {
   // Relative, of the three films; 0: 1e-4 of a line, 1e-3 of a circle or an ellipse, whose least
   // film may be off by three times as much.
   double tolerance = 0;
+  bool is_flooded = false;  // the inlet, whatever supply the scene has
 };
 
 // A number and its absolute error; both NaN where there is no number.
@@ -39,6 +40,14 @@ struct FormulaFilm {
   double deviation, this_liquid_deviation;
 };
 
+// The film behind a starved inlet over the flooded film, by a closure of scenes from the solved
+// flooded film.
+struct ClosureRatio {
+  std::string_view closure;  // as closures.starvation has it
+  double film_ratio;
+  double deviation;  // from the solved ratio, over it
+};
+
 struct ProfilePoint {
   double x;         // m, along the direction of entrainment from the middle of the contact
   double pressure;  // Pa
@@ -54,18 +63,24 @@ struct FilmCase {
   double ellipticity;                               // Hertz': a_y/a_x; NaN of a line
   double tolerance;                                 // that was taken
   Measured central, minimum, at_greatest_pressure;  // m
-  Measured spike_pressure, spike_place;             // Pa, m
-  std::string no_spike;  // why the spike lacks its pressure, or both numbers
+  double inlet_film;         // h_oil, m; this and the next two NaN of a flooded contact
+  Measured flooded_central;  // the central film with a flooded inlet, m
+  Measured film_ratio;       // central film over flooded central film
+  double damiens_exponent;   // the γ by which Damiens' closure gives film_ratio; NaN: no γ does
+  Measured spike_pressure, spike_place;  // Pa, m
+  std::string no_spike;                  // why the spike lacks its pressure, or both numbers
   bool is_solved = false;
   // Why it is not solved, or which error was reached in place of the tolerance; else empty.
   std::string reason;
   // Cells of the finest grid; of a plane grid along x, and as many across as the second number; 0
   // of a line. Steps of Newton's method in all.
   int grids = 0, cells = 0, cells_across = 0, steps = 0;
-  std::vector<FormulaFilm> formulas;
-  std::vector<ProfilePoint> profile;  // nodes of the finest grid along the middle, y = 0
+  std::vector<FormulaFilm> formulas;   // of flooded contacts, beside flooded films
+  std::vector<ClosureRatio> closures;  // of a starved contact
+  std::vector<ProfilePoint> profile;   // nodes of the finest grid along the middle, y = 0
 
   bool is_line() const { return std::isnan(ellipticity); }
+  bool is_starved() const { return !std::isnan(inlet_film); }
 };
 
 // Names of all formulas: those of lines, then those of circles and ellipses. A FilmCase has those

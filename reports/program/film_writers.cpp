@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "page/texts.hpp"
 #include "protocol/answers.hpp"
 #include "table.hpp"
+#include "tribo/starvation.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -24,15 +26,19 @@ using nlohmann::ordered_json;
 struct Quantity {
   std::string_view name, words, unit;
   Measured FilmCase::*value;
-  bool is_of_spike;
+  enum : std::uint8_t { of_film, of_supply, of_spike } kind;
 };
 constexpr auto quantities = std::to_array<Quantity>({
-    {"central_film", "central film", "m", &FilmCase::central, false},
-    {"minimum_film", "minimum film", "m", &FilmCase::minimum, false},
+    {"central_film", "central film", "m", &FilmCase::central, Quantity::of_film},
+    {"minimum_film", "minimum film", "m", &FilmCase::minimum, Quantity::of_film},
     {"film_at_greatest_pressure", "film at the greatest pressure", "m",
-     &FilmCase::at_greatest_pressure, false},
-    {"spike_pressure", "pressure of the spike", "Pa", &FilmCase::spike_pressure, true},
-    {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, true},
+     &FilmCase::at_greatest_pressure, Quantity::of_film},
+    {"flooded_central_film", "central film, flooded inlet", "m", &FilmCase::flooded_central,
+     Quantity::of_supply},
+    {"film_ratio", "central film over that one", "-", &FilmCase::film_ratio, Quantity::of_supply},
+    {"spike_pressure", "pressure of the spike", "Pa", &FilmCase::spike_pressure,
+     Quantity::of_spike},
+    {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, Quantity::of_spike},
 });
 
 // A number of the contact that is given: M, L or one of Hertz' numbers; NaN where the contact has
@@ -47,6 +53,7 @@ constexpr auto given = std::to_array<Given>({
     {"half_width", "half-width by Hertz, b", "m", &FilmCase::half_width},
     {"ellipticity", "ellipticity by Hertz, a_y/a_x", "-", &FilmCase::ellipticity},
     {"peak_pressure", "peak pressure by Hertz", "Pa", &FilmCase::peak_pressure},
+    {"inlet_film", "layer of oil at the inlet", "m", &FilmCase::inlet_film},
 });
 
 constexpr std::size_t signed_width = number_width + 1, deviation_width = 11;
@@ -74,8 +81,11 @@ void append_csv_heads(Text& to) {
   for (const Quantity& one : quantities) append(to, fmt::format(",{0},{0}_error", one.name));
   for (const std::string_view name : film_formula_names())
     append(to, fmt::format(",{0},{0}_deviation_percent,{0}_this_liquid_deviation_percent", name));
+  for (const std::string_view name : starvation_closure_words)
+    append(to, fmt::format(",{0}_film_ratio,{0}_deviation_percent", name));
   append(to,
-         ",viscosity,density,tolerance,grids,cells,cells_across,newton_steps,no_spike,reason\n");
+         ",damiens_exponent,viscosity,density,tolerance,grids,cells,cells_across,newton_steps,no_"
+         "spike,reason\n");
 }
 
 void append_csv_number(Text& to, double value) {
@@ -101,6 +111,15 @@ void append_csv(Text& to, const FilmCase& film) {
     append_csv_number(to, 100 * formula->deviation);
     append_csv_number(to, 100 * formula->this_liquid_deviation);
   }
+  for (std::size_t i = 0; i < starvation_closure_words.size(); ++i) {
+    if (film.closures.empty()) {
+      append(to, ",,");
+      continue;
+    }
+    append_csv_number(to, film.closures[i].film_ratio);
+    append_csv_number(to, 100 * film.closures[i].deviation);
+  }
+  append_csv_number(to, film.damiens_exponent);
   append(to, fmt::format(",{},{}", film.viscosity, film.density));
   append_csv_number(to, film.tolerance);
   append(to, fmt::format(",{},{},{},{},{},{}\n", film.grids, film.cells,
@@ -140,6 +159,18 @@ void append_formulas(Text& to, const FilmCase& film) {
                 std::string(formula.fitted_to)});
 }
 
+void append_closures(Text& to, const FilmCase& film) {
+  const std::vector<ColumnHead> heads{{"closure", "", 24},
+                                      {"film ratio", "[-]", number_width},
+                                      {"deviation", "[%]", deviation_width}};
+  to.push_back('\n');
+  append_heads(to, heads);
+  for (const ClosureRatio& one : film.closures)
+    append_row(to, heads,
+               {std::string(one.closure), readable(one.film_ratio),
+                fmt::format("{:+.2f}", 100 * one.deviation)});
+}
+
 // Tells what the numbers mean for an oil, whose film is that which the formulas of such an oil were
 // held to.
 std::string note_on_oil(const FilmCase& film) {
@@ -170,8 +201,10 @@ void append_notes(Text& to, const FilmCase& film) {
   if (!film.no_spike.empty()) note("pressure of the spike: " + film.no_spike);
   if (!film.reason.empty()) note(film.reason);
   note(fmt::format(
-      "solved for smooth bodies, a flooded inlet and a steady, isothermal, Newtonian, "
+      "solved for smooth bodies, {} and a steady, isothermal, Newtonian, "
       "{} liquid whose viscosity follows {}",
+      film.is_starved() ? "a layer of oil at the inlet, which the gap conserves,"
+                        : "a flooded inlet",
       film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
       film.viscosity == "barus" ? "Barus" : "Roelands"));
   note(
@@ -182,6 +215,13 @@ void append_notes(Text& to, const FilmCase& film) {
           : "this liquid: the formula against the film above; deviation, from the film of the "
             "liquid that the formula was fitted to, is not known, because no text at hand names "
             "it");
+  if (film.is_starved())
+    note(
+        "formulas are of flooded contacts, and stand beside the flooded film; a closure makes the "
+        "starved film from the solved flooded one");
+  if (std::isfinite(film.damiens_exponent))
+    note(fmt::format("Damiens' closure gives the solved film ratio with the exponent {:.3g}",
+                     film.damiens_exponent));
   if (!film.is_line())
     note("the minimum film lies in the constriction beside the middle or behind it");
   note(fmt::format(
@@ -221,11 +261,12 @@ void append_table(Text& to, const FilmCase& film, bool with_profile) {
     const Measured& measured = film.*one.value;
     if (std::isfinite(measured.value))
       add(one.words, with_digits(measured), fmt::format("± {:.1e}", measured.error), one.unit,
-          one.is_of_spike
+          one.kind != Quantity::of_film
               ? ""
               : fmt::format(", ± {:.1g} %", 100 * measured.error / std::abs(measured.value)));
   }
-  append_formulas(to, film);
+  if (!film.formulas.empty()) append_formulas(to, film);
+  if (!film.closures.empty()) append_closures(to, film);
   append_notes(to, film);
   if (with_profile && film.is_solved) append_profile(to, film);
 }
@@ -235,17 +276,21 @@ void append_table(Text& to, const FilmCase& film, bool with_profile) {
 // Numbers that are not finite are written as null.
 ordered_json film_json(const FilmCase& film, bool with_profile) {
   ordered_json json{{"id", film.id}, {"speed", film.speed}};
-  for (const Given& one : given) json[std::string(one.name)] = film.*one.value;
+  for (const Given& one : given)
+    if (film.is_starved() || one.name != "inlet_film")
+      json[std::string(one.name)] = film.*one.value;
   ordered_json undefined = ordered_json::object();
   for (const Quantity& one : quantities) {
     const std::string name(one.name);
     const Measured& measured = film.*one.value;
+    if (one.kind == Quantity::of_supply && !film.is_starved()) continue;
     if (std::isfinite(measured.value)) {
       json[name] = {{"value", measured.value}, {"error", measured.error}};
       continue;
     }
     json[name] = nullptr;
-    undefined[name] = one.is_of_spike && film.is_solved ? film.no_spike : film.reason;
+    undefined[name] =
+        one.kind == Quantity::of_spike && film.is_solved ? film.no_spike : film.reason;
   }
   json["formulas"] = ordered_json::array();
   for (const FormulaFilm& one : film.formulas)
@@ -255,10 +300,20 @@ ordered_json film_json(const FilmCase& film, bool with_profile) {
                                 {"deviation_percent", 100 * one.deviation},
                                 {"this_liquid_deviation_percent", 100 * one.this_liquid_deviation},
                                 {"fitted_to", one.fitted_to}});
-  json["assumptions"] = {{"viscosity", film.viscosity}, {"density", film.density},
-                         {"bodies", "smooth"},          {"inlet", "flooded"},
-                         {"temperature", "isothermal"}, {"liquid", "newtonian"},
-                         {"motion", "steady"}};
+  if (film.is_starved()) {
+    ordered_json closures = ordered_json::array();
+    for (const ClosureRatio& one : film.closures)
+      closures.push_back({{"name", one.closure},
+                          {"film_ratio", one.film_ratio},
+                          {"deviation_percent", 100 * one.deviation}});
+    json["closures"] = std::move(closures);
+    json["damiens_exponent"] = film.damiens_exponent;
+  }
+  json["assumptions"] = {
+      {"viscosity", film.viscosity}, {"density", film.density},
+      {"bodies", "smooth"},          {"inlet", film.is_starved() ? "starved" : "flooded"},
+      {"temperature", "isothermal"}, {"liquid", "newtonian"},
+      {"motion", "steady"}};
   json["tolerance"] = film.tolerance;
   json["grids"] = film.grids;
   json["cells"] = film.cells;

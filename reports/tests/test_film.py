@@ -306,6 +306,46 @@ class Points(FilmTest):
         formula, = (one["film"] for one in found["formulas"] if one["name"] == "hamrock_dowson_minimum")
         self.assertIn(f"formula says {1e9*formula:.1f} nm", readme)
 
+    def starved(self, layer, **supply):
+        """M = 20, L = 10, whose flooded central film has the film number 4.8587."""
+        ball = self.point(20, 10)
+        return ball | {"supply": supply or {"inlet_film": layer*4.8587/film_number(1)}}
+
+    def test_a_layer_of_oil_starves_a_circle(self):
+        flooded = self.film(self.point(20, 10), "--tolerance", "1e-2")
+        self.assertNotIn("film_ratio", flooded)
+        found = self.film(self.starved(1), "--tolerance", "1e-2")
+        self.assertEqual((flooded["assumptions"]["inlet"], found["assumptions"]["inlet"]), ("flooded", "starved"))
+        self.assertEqual(found["flooded_central_film"], flooded["central_film"])
+        self.assertEqual(found["formulas"], flooded["formulas"])
+        # By this solver on four grids.
+        ratio, layer = found["film_ratio"], found["inlet_film"]/flooded["central_film"]["value"]
+        self.assertAlmostEqual(ratio["value"], 0.7702, delta=ratio["error"] + 1e-3)
+        self.assertAlmostEqual(ratio["value"], found["central_film"]["value"]/flooded["central_film"]["value"], delta=1e-12)
+        self.assertAlmostEqual(layer, 1, delta=1e-3)
+        gamma = found["damiens_exponent"]
+        self.assertAlmostEqual(layer/(1 + layer**gamma)**(1/gamma), ratio["value"], delta=1e-9)
+        closures = {one["name"]: one for one in found["closures"]}
+        self.assertEqual(list(closures), ["flooded_inlet", "starved_inlet", "printed_exponents", "damiens"])
+        self.assertAlmostEqual(closures["damiens"]["film_ratio"], layer/(1 + layer**3)**(1/3), delta=1e-12)
+        for one in closures.values():
+            self.assertAlmostEqual(one["deviation_percent"], 100*(one["film_ratio"]/ratio["value"] - 1), delta=1e-9)
+        self.assertEqual(self.film(self.starved(1), "--flooded", "--tolerance", "1e-2"), flooded)
+
+    def test_supplies_of_one_layer_are_one_film(self):
+        one = self.film(self.starved(0.6), "--tolerance", "1e-2")
+        layer = one["inlet_film"]
+        flow = self.film(self.starved(0, inlet_flow=layer*one["speed"]), "--tolerance", "1e-2")
+        self.assertAlmostEqual(flow["central_film"]["value"], one["central_film"]["value"], delta=1e-9*layer)
+        refused = self.write(self.starved(0, inlet_film_ratio=4))
+        self.assert_film_refused("supply.inlet_film_ratio: it is a ratio to σ_s", refused)
+
+    def test_a_layer_that_floods_the_contact_is_not_solved(self):
+        result = run("film", self.write(self.starved(50)), "--tolerance", "1e-2")
+        self.assertEqual(result.code, 1)
+        self.assertIn("a thicker one all but floods the contact", result.err)
+        self.assertIn("not solved", result.out)
+
     def test_rows_of_both_kinds_stand_in_one_csv(self):
         paths = [self.write(line(10, 5), "line.toml"), self.write(self.point(20, 5), "ball.toml")]
         rows = list(csv.DictReader(run("film", *paths, "--tolerance", "1e-2", "--format", "csv").out.splitlines()))
@@ -350,7 +390,7 @@ class Scenes(FilmTest):
         result = run("film", self.write(line(10, 5, supply={"inlet_flow": 1e-8})))
         self.assertEqual((result.code, len(result.error_lines)), (0, 1))
         self.assertIn("warning", result.err)
-        self.assertIn("supply.inlet_flow: not used: the solved film is that of a flooded inlet", result.err)
+        self.assertIn("supply.inlet_flow: not used: the solved film of a line is that of a flooded inlet", result.err)
 
     def test_a_bad_scene_leaves_the_others(self):
         bad = self.write(line(10, 5, load=-1), "bad.toml")

@@ -138,7 +138,7 @@ TEST(FarInlet, MeetsTheBalanceAtSecondOrder) {
             film[grid.node(i, j)] = parabola(contact, x, y, 0);
             pressure[grid.node(i, j)] = inlet.pressure(x, y, film[grid.node(i, j)]);
           }
-        const ehl::PlaneBalance balance = ehl::balance_of(contact, grid, pressure, film, false);
+        const ehl::PlaneBalance balance = ehl::balance_of(contact, grid, pressure, film, {}, false);
         for (int j = 1; j + 1 < grid.count_y(); ++j)
           for (int i = 2; i + 1 < grid.count_x(); ++i)
             errors[level] =
@@ -156,31 +156,37 @@ TEST(PlaneBalance, SlopesAreItsDerivatives) {
   const ehl::PlaneGrid grid{3, 3, 3, 0.2, 0.3};
   const auto places = [&](int i, int j) -> std::array<Eigen::Index, 6> {
     return {i < 2 ? -1 : grid.node(i - 2, j),
-            grid.node(i - 1, j),
+            i < 1 ? -1 : grid.node(i - 1, j),
             grid.node(i, j),
             grid.node(i + 1, j),
             j == 0 ? -1 : grid.node(i, j - 1),
             grid.node(i, j + 1)};
   };
+  const VectorXd missing = VectorXd::Constant(grid.size(), 0.01);
   for (const ehl::LineContact& line : three_liquids(20, 3)) {
-    const ehl::PointContact contact{20, 3, 1, line.fluid};
+    // The end of a starved contact's inlet has a balance too.
+    const bool is_starved = line.fluid.roelands_pressure == 0;
+    const ehl::PointContact contact{20, 3, 1, line.fluid, is_starved ? 0.2 : INFINITY};
     VectorXd pressure(grid.size()), film(grid.size());
     for (Eigen::Index n = 0; n < grid.size(); ++n) {
       pressure[n] = sampler.uniform(0.3, 0.8);
       film[n] = sampler.log_uniform(0.05, 0.5);
     }
-    const ehl::PlaneBalance balance = ehl::balance_of(contact, grid, pressure, film, true);
+    const ehl::PlaneBalance balance = ehl::balance_of(contact, grid, pressure, film, missing, true);
     const auto check = [&](VectorXd& values, auto member, const char* name) {
       for (Eigen::Index n = 0; n < grid.size(); ++n) {
         const double here = values[n], step = 1e-5 * here;
         values[n] = here + step;
-        const VectorXd above = ehl::balance_of(contact, grid, pressure, film, false).surplus;
+        const VectorXd above =
+            ehl::balance_of(contact, grid, pressure, film, missing, false).surplus;
         values[n] = here - step;
-        const VectorXd below = ehl::balance_of(contact, grid, pressure, film, false).surplus;
+        const VectorXd below =
+            ehl::balance_of(contact, grid, pressure, film, missing, false).surplus;
         values[n] = here;
         for (int j = 0; j < grid.count_y(); ++j)
           for (int i = 0; i < grid.count_x(); ++i) {
-            if (!grid.is_inside(i, j)) continue;
+            const bool is_inlet = contact.is_starved() && i == 0 && j + 1 < grid.count_y();
+            if (!grid.is_inside(i, j) && !is_inlet) continue;
             const auto& slopes = balance.slopes[static_cast<std::size_t>(grid.node(i, j))].*member;
             double got = 0, scale = 0;
             for (std::size_t k = 0; k < 6; ++k) {
@@ -204,6 +210,7 @@ TEST(PointConditions, GiveTheNumbersOfTheModel) {
     ehl::FilmConditions c = random_conditions(sampler);
     c.load *= 1e-3;
     c.radius_ratio = sampler.log_uniform(0.2, 10);
+    c.inlet_film = sampler.log_uniform(1e-9, 1e-3);
     const ehl::PointContact contact = ehl::point_contact_of(c);
     const auto known = moes_numbers(similarity_numbers(c.speed, c.viscosity, c.pressure_viscosity,
                                                        c.load, c.effective_modulus, c.radius),
@@ -218,6 +225,8 @@ TEST(PointConditions, GiveTheNumbersOfTheModel) {
     const double unit = c.radius * std::sqrt(2 * scale.speed_number) * numbers.film_number;
     EXPECT_TRUE(is_within(scale.film, unit, 1e-12 * unit));
     EXPECT_TRUE(is_within(scale.ellipticity, numbers.ellipticity, 1e-13 * numbers.ellipticity));
+    const double layer = c.inlet_film / unit;
+    EXPECT_TRUE(is_within(contact.inlet_film, layer, 1e-12 * layer));
   }
   // A circle by its closed forms.
   const ehl::PointNumbers circle = ehl::numbers_of(ehl::barus_point(20, 10));
@@ -262,7 +271,7 @@ TEST(SolvedPoint, CarriesTheLoadAndBalancesTheFlowWithoutTension) {
   double load = ehl::FarInlet(contact).load_outside(grid, solved.film.separation);
   EXPECT_TRUE(is_within(load / (2 * pi / 3), 0.04, 0.02));  // so much lies outside of the grid
   const ehl::PlaneBalance balance =
-      ehl::balance_of(contact, grid, solved.film.pressure, solved.film.film, false);
+      ehl::balance_of(contact, grid, solved.film.pressure, solved.film.film, {}, false);
   for (int j = 0; j < grid.count_y(); ++j)
     for (int i = 0; i < grid.count_x(); ++i) {
       const Eigen::Index n = grid.node(i, j);
