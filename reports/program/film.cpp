@@ -58,10 +58,19 @@ std::string fault_of(const Scene& scene) {
 
 // The good scenes, at the speeds that are asked for.
 LoadedScenes scenes_of(const FilmArguments& arguments) {
-  return load_scenes(arguments.scenes.paths, SceneUse::film, [&arguments](Scene& scene) {
+  bool has_supply = false;
+  LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::film, [&](Scene& scene) {
+    has_supply |=
+        scene.supply.kind != SupplyKind::flooded && scene.bodies.shape() != ContactShape::line;
     take_options(arguments, scene);
     return fault_of(scene);
   });
+  if (arguments.settings.is_flooded && !has_supply) {
+    complain(
+        "--flooded leaves out the [supply] of circles and ellipses, and no scene here has one");
+    loaded.scenes.clear();
+  }
+  return loaded;
 }
 
 class FilmRun {

@@ -331,6 +331,7 @@ class Points(FilmTest):
         for one in closures.values():
             self.assertAlmostEqual(one["deviation_percent"], 100*(one["film_ratio"]/ratio["value"] - 1), delta=1e-9)
         self.assertEqual(self.film(self.starved(1), "--flooded", "--tolerance", "1e-2"), flooded)
+        self.assert_film_refused("no scene here has one", self.write(self.point(20, 10)), "--flooded")
 
     def test_supplies_of_one_layer_are_one_film(self):
         one = self.film(self.starved(0.6), "--tolerance", "1e-2")

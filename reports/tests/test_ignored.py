@@ -64,7 +64,7 @@ VALUES = {
     "--strict": [], "--explain": [], "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
     "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--for": ["gitlab"],
     "--out": ["DIR/other"],
-    "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
+    "--estimate": [], "--flooded": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--case": ["1"], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
     "--seconds": ["0.3"], "--function": ["hertz_line"], "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--modulus": ["E'"], "--ellipticity": ["radii"], "--tool": ["perf"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
     "--start-timeout": ["0.01", "--case-timeout", "0.01"], "--timeout": ["0.01"], "--require": ["operating_point"],
