@@ -63,11 +63,11 @@ std::string row(const Contact& c) {
   if (films.outcome == tribo::ehl::Outcome::solved) {
     const double unit = tribo::ehl::numbers_of(contact).film_number;
     text += fields(films.central, unit) + fields(films.minimum, unit) +
-            fields(films.at_greatest_pressure, unit);
+            fields(films.at_greatest_pressure, unit) + fmt::format(",{}", films.film.grid.size());
   } else {
-    text += ",,,,,,";
+    text += ",,,,,,,";
   }
-  return text + fmt::format(",{},{:.2g},{}", films.film.grid.size(), seconds, note);
+  return text + fmt::format(",{:.2g},{}", seconds, note);
 }
 
 // `missing`: the rows that are not made yet, by their first columns.
@@ -102,9 +102,9 @@ std::vector<std::string> rows_of(const std::filesystem::path& file) {
   return tribo::reference::committed_rows(file, "radius_ratio");
 }
 
-// Adds up to `most` rows that the file lacks, small M first. Each is in the file once it is solved,
-// so that the next run goes on.
-int add_rows(const std::filesystem::path& file, int most) {
+// Adds the rows that the file lacks, small M first. Each is in the file once it is solved, so that
+// the next run goes on.
+int add_rows(const std::filesystem::path& file) {
   std::map<std::string, std::string> known;
   for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
   std::vector<Contact> missing;
@@ -112,7 +112,6 @@ int add_rows(const std::filesystem::path& file, int most) {
     if (!known.contains(c.key())) missing.push_back(c);
   std::ranges::stable_sort(missing, {}, &Contact::load_number);
   for (const Contact& c : missing) {
-    if (most-- == 0) break;
     const std::string made = known[c.key()] = row(c);
     std::cerr << fmt::format("{} of {}: {}\n", known.size(), contacts().size(), made);
     std::string rows, still_missing;
@@ -158,15 +157,13 @@ int check_sample(const std::filesystem::path& file, std::uint64_t seed, int coun
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Adds the rows that the table of solved point films lacks; all rows take about an hour of "
-      "one "
-      "core, and a run that was stopped is taken up again"};
+      "Adds the rows that the table of solved point films lacks: all in an hour of one core; a run "
+      "that was stopped is taken up again"};
   app.footer("Example:\n  generate_point_films reference/ehl/point_films.csv --sample 4 --seed 42");
   std::string file;
-  int sample = 0, most = -1;
+  int sample = 0;
   std::uint64_t seed = 1;
   app.add_option("file", file, "where the table is, or goes")->required();
-  app.add_option("--rows", most, "add this many rows at most");
   app.add_option("--sample", sample, "make this many cheap rows again and compare them");
   app.add_option("--seed", seed, "of the sample");
   try {
@@ -174,5 +171,5 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return sample > 0 ? check_sample(file, seed, sample) : add_rows(file, most);
+  return sample > 0 ? check_sample(file, seed, sample) : add_rows(file);
 }

@@ -42,7 +42,7 @@ map_top = 1 - 112.0/tall; map_bottom = map_top - high_box/tall
 set tmargin at screen map_top
 set bmargin at screen map_bottom
 do for [i = 1:2] {
-  map_left = (i == 1 ? 84.0 : 540.0)/960 + (310 - wide_box)/2/960
+  map_left = (i == 1 ? 100.0 : 556.0)/960 + (300 - wide_box)/2/960
   set lmargin at screen map_left
   set rmargin at screen map_left + wide_box/960
   set label 2 heads[i] at screen map_left + wide_box/2/960, screen map_top + 14.0/tall center font small

@@ -15,10 +15,10 @@ from numbers_text import rounded
 NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginson_minimum": "Dowson–Higginson",
          "dowson_toyoda_central": "Dowson–Toyoda", "pan_hamrock_minimum": "Pan–Hamrock",
          "pan_hamrock_central": "Pan–Hamrock", "hamrock_dowson_central": "Hamrock–Dowson",
-         "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft bodies",
-         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft bodies"}
+         "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft",
+         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft"}
 HEIGHT = 840
-MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 310, 560, 128  # greatest, and what stands above and below a map, in points
+MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # greatest, and what stands above and below a map, in points
 MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # the greatest of a map's colours, in central films and in Hertz' peaks
 MAP_PRESSED = 0.06  # part of the greatest pressure that a map shows at least
 LABEL_GAP = 0.06  # part of the film's axis between two labels
@@ -38,6 +38,7 @@ def spread(labels, low, high, gap):
     """Labels at places as near to their own as possible without overlap: [(place, label)]."""
     placed = []  # clusters: [mean place, labels]
     for place, label in sorted(labels, key=lambda pair: pair[0]):
+        place = min(max(place, low), high)
         placed.append([place, [(place, label)]])
         while len(placed) > 1 and placed[-1][0] - placed[-2][0] < gap*(len(placed[-1][1]) + len(placed[-2][1]))/2:
             members = placed[-2][1] + placed.pop()[1]
@@ -188,7 +189,7 @@ def drawn(contact, data):
     liquid = f"{LAWS[conditions['viscosity']]}, {LAWS[conditions['density']]}"
     text = (f"M = {rounded(contact['load_number'], 3)}, L = {rounded(contact['material_number'], 3)}; "
             f"Hertz: {'half-width' if is_line else 'semi-axis'} {rounded(1e6*contact['half_width'], 3)} µm, {pressure_text(contact['peak_pressure'])}; {liquid}")
-    beside = "" if is_line else f"; least film {rounded(1e9*contact['minimum_film']['value'], 3)} nm beside the middle"
+    beside = "" if is_line else f"; least film {rounded(1e9*contact['minimum_film']['value'], 3)} nm"
     room = 40 if is_line else 20
     title = contact["id"] if len(contact["id"]) <= room else contact["id"][:room] + "…"
     return {"script": "film.gp", "data": data, "name": "film", "height": HEIGHT if is_line else HEIGHT + MAP_ROOM + round(Maps(contact).high),
