@@ -34,6 +34,9 @@ double point_memory(Eigen::Index nodes) {
   return 2300 * count * std::pow(count / 20'000, 0.115);
 }
 
-double point_seconds(Eigen::Index nodes) { return 70e-6 * static_cast<double>(nodes); }
+double point_seconds(const PointContact& contact, Eigen::Index nodes) {
+  const double l = contact.material_number / 9;
+  return 30e-6 * static_cast<double>(nodes) * std::pow(contact.load_number, 0.2) * (1 + l * l);
+}
 
 }  // namespace tribo::ehl

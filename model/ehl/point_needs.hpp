@@ -22,7 +22,7 @@ PointNeeds needs_of(const PointContact& contact, const PointOptions& options = {
 // measured: nearly all is the factors of the preconditioner, a node's share of which grows a little
 // with the grid.
 double point_memory(Eigen::Index nodes);
-// Seconds of one core, as measured on one of 2020; from 0.5 to 3 times that.
-double point_seconds(Eigen::Index nodes);
+// Seconds of one core, within a factor of some 2.5 where the table of point films was made.
+double point_seconds(const PointContact& contact, Eigen::Index nodes);
 
 }  // namespace tribo::ehl

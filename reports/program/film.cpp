@@ -151,12 +151,15 @@ class FilmRun {
 int estimate_films(const FilmArguments& arguments, const LoadedScenes& loaded,
                    OutputStream& output) {
   Text& to = output.text();
+  const auto span = [](const std::string& from, const std::string& up_to) {
+    return from == up_to ? from : from + " to " + up_to;
+  };
   FilmNeeds::Grids least{}, most{};
   std::size_t count = 0;
   for (const Scene& scene : loaded.scenes)
     for (std::size_t i = 0; i < scene.speeds.size(); ++i) {
       const FilmNeeds needs = needs_of_film(scene, scene.speeds[i], arguments.settings);
-      append(to, fmt::format("{} at {} m/s: M = {}, L = {}, {}, {}, to {}: ", scene.id,
+      append(to, fmt::format("{} at {} m/s: M = {}, L = {}, {}, {}, to {}: ", printable(scene.id),
                              readable(scene.speeds[i]), readable(needs.load_number),
                              readable(needs.material_number), needs.viscosity, needs.density,
                              readable(needs.tolerance)));
@@ -164,17 +167,16 @@ int estimate_films(const FilmArguments& arguments, const LoadedScenes& loaded,
         append(to, "refused: " + needs.reason + "\n");
         continue;
       }
-      append(to, fmt::format("{} to {} grids, the finest of {} to {} nodes\n", needs.least.count,
-                             needs.most.count, needs.least.nodes, needs.most.nodes));
+      append(to, fmt::format(
+                     "{} grids, the finest of {} nodes\n",
+                     span(fmt::to_string(needs.least.count), fmt::to_string(needs.most.count)),
+                     span(fmt::to_string(needs.least.nodes), fmt::to_string(needs.most.nodes))));
       ++count;
       for (const auto& [sum, one] : {std::pair{&least, &needs.least}, {&most, &needs.most}}) {
         sum->seconds += one->seconds;
         sum->memory = std::max(sum->memory, one->memory);
       }
     }
-  const auto span = [](const std::string& from, const std::string& up_to) {
-    return from == up_to ? from : from + " to " + up_to;
-  };
   append(to, fmt::format("contacts {}\n", count));
   append(to, fmt::format("time   {} on 1 thread, roughly\n",
                          span(sweep::time_text(least.seconds), sweep::time_text(most.seconds))));

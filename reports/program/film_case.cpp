@@ -291,7 +291,7 @@ FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& se
   const ehl::PointNeeds needs = ehl::needs_of(contact, {.tolerance = given.tolerance});
   const auto on = [&](int grids) {
     const Eigen::Index nodes = needs.finest(grids).size();
-    return FilmNeeds::Grids{grids, static_cast<double>(nodes), ehl::point_seconds(nodes),
+    return FilmNeeds::Grids{grids, static_cast<double>(nodes), ehl::point_seconds(contact, nodes),
                             program + ehl::point_memory(nodes)};
   };
   return {given.viscosity,         given.density, given.tolerance,       contact.load_number,
