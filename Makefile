@@ -181,21 +181,23 @@ profile: gate-program ## run callgrind on the inner loop: build/profile/callgrin
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
 ##@ Numbers made anew
-references: ## make the tables of reference/exact and reference/ehl anew; four or five minutes
+references: ## make the tables of reference/exact and reference/ehl anew, and rows that point_films.csv lacks (all: an hour); four or five minutes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_references generate_line_films
+	cmake --build --preset release --target generate_references generate_line_films generate_point_films
 	build/release/reference/generators/generate_references reference/exact
 	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_between.csv --between
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_compressible.csv --compressible
+	build/release/reference/generators/generate_point_films reference/ehl/point_films.csv
 
 references-check: ## make SAMPLE rows of each table again (default 8), and compare them
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_references generate_line_films
+	cmake --build --preset release --target generate_references generate_line_films generate_point_films
 	build/release/reference/generators/generate_references reference/exact --sample $(or $(SAMPLE),8) --seed 1
 	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv --sample $(or $(SAMPLE),8) --seed 1
+	build/release/reference/generators/generate_point_films reference/ehl/point_films.csv --sample 4 --seed 1
 
 pieces: ## make the polynomials of the moment kernels anew, with their proven error; two or three minutes
 	@.ci/deps build references

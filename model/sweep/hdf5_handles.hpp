@@ -4,6 +4,8 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -104,6 +106,22 @@ Handle string_type();
 Handle make_group(hid_t parent, const std::string& name);
 Handle make_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, hid_t creation);
 void without_times(hid_t creation);
+
+// Stores numbers as a dataset in chunks of whole rows of some 1 MB, since HDF5 has checksums of
+// chunks alone.
+template <class T>
+Handle write_array(hid_t group, const std::string& name, const std::vector<T>& values,
+                   std::vector<hsize_t> extents) {
+  const Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr));
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
+  const hsize_t row = std::max<hsize_t>(values.size() / extents.front(), 1) * sizeof(T);
+  extents.front() = std::clamp<hsize_t>((std::size_t{1} << 20) / row, 1, extents.front());
+  checked(H5Pset_chunk(creation, static_cast<int>(extents.size()), extents.data()));
+  checked(H5Pset_fletcher32(creation));
+  Handle dataset = make_dataset(group, name, file_type(T()), space, creation);
+  checked(H5Dwrite(dataset, memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  return dataset;
+}
 
 void write_attribute(hid_t object, const char* name, std::string_view text);
 void write_attribute(hid_t object, const char* name, std::span<const std::string> texts);

@@ -15,6 +15,7 @@
 
 #include "sweep/chunk_solver.hpp"
 #include "sweep/disk.hpp"
+#include "sweep/needs_text.hpp"
 #include "sweep/on_threads.hpp"
 #include "sweep/part.hpp"
 #include "sweep/parts_in_hand.hpp"
@@ -388,15 +389,6 @@ std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& 
            " on the disk for the result and its parts, and there are " + bytes_text(disk) +
            " free; allowed: fewer cases, keep = \"summaries\", or another disk";
   return {};
-}
-
-std::string bytes_text(double bytes) {
-  std::array<char, 32> text{};
-  const double unit = bytes < 1e6 ? 1e3 : bytes < 1e9 ? 1e6 : 1e9;
-  const char* const name = bytes < 1e6 ? "kB" : bytes < 1e9 ? "MB" : "GB";
-  std::snprintf(text.data(), text.size(), bytes / unit < 999.5 ? "%.3g %s" : "%.0f %s",
-                bytes / unit, name);
-  return text.data();
 }
 
 }  // namespace tribo::sweep

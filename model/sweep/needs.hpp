@@ -28,7 +28,4 @@ Needs most_needs(const SweepPlan& plan, int threads);
 std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result,
                          double there);
 
-// "23.4 MB".
-std::string bytes_text(double bytes);
-
 }  // namespace tribo::sweep

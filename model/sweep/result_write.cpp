@@ -21,6 +21,7 @@ namespace {
 
 using hdf5::checked;
 using hdf5::Handle;
+using hdf5::write_array;
 using hdf5::write_attribute;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -41,21 +42,6 @@ std::uint32_t fletcher32(std::span<const std::byte> bytes) {
     second = folded(second);
   }
   return folded(second) << 16 | folded(first);
-}
-
-// Stores a dataset in chunks of whole rows of some 1 MB, since HDF5 has checksums of chunks alone.
-template <class T>
-Handle write_array(hid_t group, const std::string& name, const std::vector<T>& values,
-                   std::vector<hsize_t> extents) {
-  const Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr));
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
-  const hsize_t row = std::max<hsize_t>(values.size() / extents.front(), 1) * sizeof(T);
-  extents.front() = std::clamp<hsize_t>((std::size_t{1} << 20) / row, 1, extents.front());
-  checked(H5Pset_chunk(creation, static_cast<int>(extents.size()), extents.data()));
-  checked(H5Pset_fletcher32(creation));
-  Handle dataset = hdf5::make_dataset(group, name, hdf5::file_type(T()), space, creation);
-  checked(H5Dwrite(dataset, hdf5::memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  return dataset;
 }
 
 // The group at a path below another one; groups on the way are made where they are not there yet.

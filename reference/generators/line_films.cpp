@@ -7,12 +7,12 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "ehl/film_conditions.hpp"
 #include "ehl/solved_film.hpp"
+#include "generators/film_table.hpp"
 #include "generators/line_collocation.hpp"
 #include "generators/table_file.hpp"
 #include "tribo/friction.hpp"
@@ -21,6 +21,8 @@ namespace {
 
 using tribo::ehl::Estimate;
 using tribo::ehl::SolvedFilm;
+using tribo::reference::fields;
+using tribo::reference::write_whole;
 
 constexpr double load_numbers[] = {1, 2, 5, 10, 20, 50, 100, 200};
 constexpr double material_numbers[] = {0, 1, 2.5, 5, 10, 15, 20};
@@ -40,10 +42,6 @@ std::vector<Contact> contacts() {
   for (const double m : load_numbers)
     for (const double l : material_numbers) all.push_back({m, l});
   return all;
-}
-
-std::string fields(const Estimate& e, double unit) {
-  return fmt::format(",{:.9g},{:.2g}", e.value * unit, e.error * unit);
 }
 
 // The greatest difference of the second method's films, as a part of the sum of both errors; empty
@@ -135,8 +133,6 @@ std::string header(const std::string& quantity, const std::string& liquid, const
       quantity, liquid, more, tribo::reference::dated(rows));
 }
 constexpr const char* barus_liquid = "Barus, incompressible";
-
-using tribo::reference::write_whole;
 
 int make_table(const std::filesystem::path& file) {
   const std::string rows = tribo::reference::joined(rows_of(contacts(), true));
@@ -265,32 +261,15 @@ int make_compressible(const std::filesystem::path& file) {
   return 0;
 }
 
-std::vector<double> numbers_of(const std::string& line) {
-  std::vector<double> values;
-  std::istringstream in(line);
-  for (std::string field;
-       static_cast<int>(values.size()) < numbers && std::getline(in, field, ',');)
-    values.push_back(field.empty() ? std::nan("") : std::stod(field));
-  return values;
-}
-
-// Bytes depend on how a machine and a compiler round; numbers agree within their errors.
-bool is_same(const std::string& committed, const std::string& again) {
-  const std::vector<double> a = numbers_of(committed), b = numbers_of(again);
-  if (a.size() != numbers || b.size() != numbers || a[0] != b[0] || a[1] != b[1]) return false;
-  for (std::size_t i = 2; i < numbers; i += 2) {
-    if (std::isnan(a[i]) != std::isnan(b[i])) return false;
-    if (std::fabs(a[i] - b[i]) > a[i + 1] + b[i + 1]) return false;
-  }
-  return true;
-}
-
 int check_sample(const std::filesystem::path& file, std::uint64_t seed, int count) {
   const std::vector<Contact> all = contacts();
   const auto again = [&](const std::vector<std::size_t>& places) {
     std::vector<Contact> some;
     for (const std::size_t place : places) some.push_back(all[place]);
     return rows_of(some, false);
+  };
+  const auto is_same = [](const std::string& committed, const std::string& made) {
+    return tribo::reference::is_within_errors(committed, made, 2, numbers);
   };
   const int different = tribo::reference::different_rows(
       file.string(), tribo::reference::committed_rows(file, "load_number"), all.size(), seed, count,

@@ -2,20 +2,26 @@
 // tribocheck film: contacts solved, and each formula's film beside the solved one.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
 #include "film_case.hpp"
+#include "film_command.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 #include "scene_arguments.hpp"
 #include "stop_signal.hpp"
+#include "sweep/needs_text.hpp"
+#include "sweep/output_file.hpp"
 #include "table.hpp"
 #include "tribo/friction.hpp"
 
@@ -26,9 +32,12 @@ struct FilmArguments {
   SceneArguments scenes;
   FilmSettings settings;
   double speed = 0;  // 0: the scene's
-  bool with_profile = false;
-  std::string picture;
+  bool with_profile = false, estimate = false;
+  std::string picture, fields;
+  WriteFields write_fields = nullptr;
 };
+
+bool is_csv(const std::string& name) { return std::filesystem::path(name).extension() == ".csv"; }
 
 // Puts the options into a scene, in place of its own speeds and its law of viscosity.
 void take_options(const FilmArguments& arguments, Scene& scene) {
@@ -75,11 +84,15 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
 
 class FilmRun {
  public:
+  // Claims the file of the fields, so that a place where it cannot be is told before the solve.
+  // Throws sweep::RunRefused where something else is there.
   FilmRun(const FilmArguments& arguments, std::size_t total, OutputStream& output)
       : arguments_(arguments),
         total_(total),
         output_(output),
-        writer_(arguments.scenes.format, arguments.with_profile, output.text()) {}
+        writer_(arguments.scenes.format, arguments.with_profile, output.text()) {
+    if (!arguments.fields.empty()) fields_.emplace(sweep::output_behind_links(arguments.fields));
+  }
 
   // Solves and shows a film. Returns false where it was stopped.
   bool solve(const Scene& scene, double speed) {
@@ -120,9 +133,22 @@ class FilmRun {
   void add(const FilmCase& film) {
     writer_.add(film);
     output_.flush();
-    if (!arguments_.picture.empty() && film.is_solved)
-      all_solved_ =
-          draw_picture("film_picture.py", film_json(film, true).dump(), arguments_.picture);
+    if (!film.is_solved) return;
+    if (fields_) write_fields(film);
+    if (!arguments_.picture.empty() &&
+        !draw_picture("film_picture.py", film_picture_json(film).dump(), arguments_.picture))
+      all_solved_ = false;
+  }
+
+  void write_fields(const FilmCase& film) {
+    try {
+      arguments_.write_fields(film, fields_->open_path(), is_csv(arguments_.fields));
+      fields_->keep({.any = true, .only = {}});
+      complain("wrote " + arguments_.fields);
+    } catch (const std::runtime_error& error) {
+      complain("cannot write " + arguments_.fields + ": " + error.what());
+      all_solved_ = false;
+    }
   }
 
   const FilmArguments& arguments_;
@@ -130,29 +156,83 @@ class FilmRun {
   bool all_solved_ = true;
   OutputStream& output_;
   FilmWriter writer_;
+  std::optional<sweep::PartFile> fields_;
   StepLine line_{std::chrono::milliseconds(500), std::chrono::milliseconds(100)};
 };
+
+// Tells what all contacts will take, and solves none.
+int estimate_films(const FilmArguments& arguments, const LoadedScenes& loaded,
+                   OutputStream& output) {
+  Text& to = output.text();
+  const auto span = [](const std::string& from, const std::string& up_to) {
+    return from == up_to ? from : from + " to " + up_to;
+  };
+  FilmNeeds::Grids least{}, most{};
+  std::size_t count = 0;
+  for (const Scene& scene : loaded.scenes)
+    for (std::size_t i = 0; i < scene.speeds.size(); ++i) {
+      const FilmNeeds needs = needs_of_film(scene, scene.speeds[i], arguments.settings);
+      append(to, fmt::format("{} at {} m/s: M = {}, L = {}, {}, {}, to {}: ", printable(scene.id),
+                             readable(scene.speeds[i]), readable(needs.load_number),
+                             readable(needs.material_number), needs.viscosity, needs.density,
+                             readable(needs.tolerance)));
+      if (!needs.reason.empty()) {
+        append(to, "refused: " + needs.reason + "\n");
+        continue;
+      }
+      append(to, fmt::format(
+                     "{} grids, the finest of {} nodes\n",
+                     span(fmt::to_string(needs.least.count), fmt::to_string(needs.most.count)),
+                     span(fmt::to_string(needs.least.nodes), fmt::to_string(needs.most.nodes))));
+      ++count;
+      for (const auto& [sum, one] : {std::pair{&least, &needs.least}, {&most, &needs.most}}) {
+        sum->seconds += one->seconds;
+        sum->memory = std::max(sum->memory, one->memory);
+      }
+    }
+  append(to, fmt::format("contacts {}\n", count));
+  append(to, fmt::format("time   {} on 1 thread, roughly\n",
+                         span(sweep::time_text(least.seconds), sweep::time_text(most.seconds))));
+  append(to, fmt::format("memory {}\n",
+                         span(sweep::bytes_text(least.memory), sweep::bytes_text(most.memory))));
+  output.flush();
+  return loaded.exit_code(arguments.scenes);
+}
 
 int solve_films(const FilmArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = scenes_of(arguments);
   if (loaded.scenes.empty()) return exit_bad;
+  if (arguments.estimate) return estimate_films(arguments, loaded, output);
   if (!loaded.all_good && arguments.with_profile)
     return fail(exit_bad,
                 "--profile takes no file, and prints nothing where a scene is bad; it writes to "
                 "stdout, as in `--profile --format csv > profiles.csv`");
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
-  if (!arguments.picture.empty() && total > 1)
-    return fail(exit_bad, fmt::format("--picture draws one contact, and this would be {}; allowed: "
-                                      "one scene, and one speed, as by --speed",
-                                      total));
+  if (total > 1)
+    for (const auto& [file, words] :
+         {std::pair{&arguments.picture, "--picture draws"}, {&arguments.fields, "--fields writes"}})
+      if (!file->empty())
+        return fail(exit_bad,
+                    fmt::format("{} one contact, and this would be {}; allowed: one scene, "
+                                "and one speed, as by --speed",
+                                words, total));
+  if (!arguments.fields.empty() && is_of_line(loaded.scenes.front()))
+    return fail(exit_bad,
+                fmt::format("--fields writes pressure and film over a circle or an ellipse, and {} "
+                            "is a line contact; allowed: --profile",
+                            printable(loaded.scenes.front().id)));
   watch_for_stop();
-  FilmRun run(arguments, total, output);
-  bool goes_on = true;
-  for (const Scene& scene : loaded.scenes)
-    for (std::size_t i = 0; i < scene.speeds.size() && goes_on; ++i)
-      goes_on = run.solve(scene, scene.speeds[i]);
-  return run.finish(loaded);
+  try {
+    FilmRun run(arguments, total, output);
+    bool goes_on = true;
+    for (const Scene& scene : loaded.scenes)
+      for (std::size_t i = 0; i < scene.speeds.size() && goes_on; ++i)
+        goes_on = run.solve(scene, scene.speeds[i]);
+    return run.finish(loaded);
+  } catch (const sweep::RunRefused& refused) {
+    return fail(exit_bad, refused.what());
+  }
 }
 
 constexpr const char* film_footer =
@@ -175,8 +255,8 @@ that of the finest grid; the films are extrapolated from all grids, and so are n
 
 Bodies may meet along a line, at a circle or at an ellipse. Films of circles and ellipses are solved on plane
 grids, to 0.1 % (the minimum film to 0.3 %) unless --tolerance asks for another error. At M up to 200 this takes
-3 to 30 seconds, at M = 5000 minutes and 1 GB; with `--tolerance 1e-2` it takes a fraction. Their profile and picture are
-those of the middle, y = 0. A circle's bodies.ellipticity is not used: the axes follow from the radii.
+3 to 30 seconds, at M = 5000 minutes and 1 GB; with `--tolerance 1e-2` it takes a fraction. Their profile is
+that of the middle, y = 0; --picture draws it below film and pressure over the whole contact, and --fields writes these. A circle's bodies.ellipticity is not used: the axes follow from the radii.
 
 With lubricant.pressure_viscosity = 0 the liquid's viscosity is constant; formulas without a film for
 such a liquid are empty. Where Roelands' z is outside 0.2 to 1.2, a
@@ -193,7 +273,9 @@ Example:
   tribocheck film reference/scenes/roller.toml
   tribocheck film reference/scenes/roller.toml --format csv > films.csv
   tribocheck film reference/scenes/ball_on_flat.toml --speed 1
+  tribocheck film reference/scenes/ball_on_flat.toml --speed 1 --picture ball.png --fields ball.h5
   tribocheck film reference/scenes/gear_flank.toml --speed 2 --density dowson_higginson
+  tribocheck film reference/scenes/ball_on_flat.toml --estimate
   tribocheck film reference/scenes/roller.toml --speed 0.5 --picture roller.png
   tribocheck film reference/scenes/roller.toml --profile --format csv > profiles.csv)";
 
@@ -218,7 +300,9 @@ void add_settings(CLI::App& app, FilmSettings& settings) {
 
 }  // namespace
 
-Command add_film(CLI::App& program) {
+Command add_film(CLI::App& program) { return film_command(program, nullptr); }
+
+Command film_command(CLI::App& program, WriteFields write) {
   CLI::App* app = program.add_subcommand(
       "film", "contacts solved: film and pressure, and each formula's error");
   app->footer(footer_with_scenes(film_footer));
@@ -231,7 +315,29 @@ Command add_film(CLI::App& program) {
       "print pressure and film at each node of the grid too, from the first of the inlet on, "
       "far in front of the contact; in CSV in place of the films");
   add_picture_option(*app, arguments->picture, "pressure and film of one contact");
-  return {app, [arguments](OutputStream& output) { return solve_films(*arguments, output); }};
+  app->add_flag("--estimate", arguments->estimate,
+                "print grids, time and memory that the films will take, and solve none");
+  arguments->write_fields = write;
+  app->add_option(
+         "--fields", arguments->fields,
+         "write x, y, p(x, y) and h(x, y) of one circle or ellipse, as on the finest grid, "
+         "in SI units: a file .h5 (HDF5) or .csv")
+      ->check([](const std::string& name) {
+        return is_csv(name) || std::filesystem::path(name).extension() == ".h5"
+                   ? std::string()
+                   : name + " is not allowed; allowed: a name that ends in .h5 or .csv";
+      });
+  return {app,
+          [arguments](OutputStream& output) {
+            arguments->settings.with_fields =
+                !arguments->picture.empty() || !arguments->fields.empty();
+            return solve_films(*arguments, output);
+          },
+          [arguments]() -> std::vector<Ignored> {
+            return {{{"--format", "--profile", "--picture", "--fields"},
+                     arguments->estimate,
+                     "with --estimate, which solves nothing"}};
+          }};
 }
 
 }  // namespace tribo::cli

@@ -12,6 +12,7 @@
 
 #include "ehl/film_conditions.hpp"
 #include "ehl/line_formulas.hpp"
+#include "ehl/point_needs.hpp"
 #include "ehl/solved_film.hpp"
 #include "ehl/solved_point.hpp"
 #include "tribo/film_thickness.hpp"
@@ -190,6 +191,20 @@ void set_profile(FilmCase& film, const ehl::PointFilm& point, const ehl::FilmSca
   }
 }
 
+void set_fields(FilmCase& film, const ehl::PointFilm& point, const ehl::FilmScale& scale) {
+  const auto times = [](const Eigen::VectorXd& values, double unit) {
+    std::vector<double> all(static_cast<std::size_t>(values.size()));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = unit * values[static_cast<Eigen::Index>(i)];
+    return all;
+  };
+  const ehl::PlaneGrid& grid = point.grid;
+  for (int i = 0; i < grid.count_x(); ++i) film.fields.x.push_back(grid.x(i) * scale.half_width);
+  for (int j = 0; j < grid.count_y(); ++j) film.fields.y.push_back(grid.y(j) * scale.half_width);
+  film.fields.pressure = times(point.pressure, scale.peak_pressure);
+  film.fields.film = times(point.film, scale.film);
+}
+
 void set_profile(FilmCase& film, const ehl::LineFilm& line, const ehl::FilmScale& scale) {
   film.profile.reserve(line.x.size());
   for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -245,12 +260,16 @@ void set_films(FilmCase& film, const Contact& contact, const Solved& solved, dou
   film.at_greatest_pressure = times(solved.at_greatest_pressure, unit);
 }
 
+ehl::SolveOptions line_options(double tolerance) {
+  return {.tolerance = tolerance,
+          .greatest_cells = tolerance < 1e-5 ? 32768 : 8192,
+          .at_edge = at_edge};
+}
+
 void solve_line(FilmCase& film, const ehl::FilmConditions& conditions, const ehl::Watch& watch) {
   const ehl::FilmScale scale = ehl::scale_of(conditions);
   const ehl::LineContact contact = ehl::contact_of(conditions);
-  const ehl::SolveOptions options{.tolerance = film.tolerance,
-                                  .greatest_cells = film.tolerance < 1e-5 ? 32768 : 8192,
-                                  .at_edge = at_edge};
+  const ehl::SolveOptions options = line_options(film.tolerance);
   const ehl::SolvedFilm solved = ehl::solve_line_film(contact, options, watch);
   set_films(film, contact, solved, scale.film);
   ehl::SolveOptions of_fits = options;
@@ -263,7 +282,7 @@ void solve_line(FilmCase& film, const ehl::FilmConditions& conditions, const ehl
 }
 
 void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditions,
-                 const ehl::Watch& watch) {
+                 bool with_fields, const ehl::Watch& watch) {
   const ehl::FilmScale scale = ehl::scale_of(conditions);
   const ehl::PointContact contact = ehl::point_contact_of(conditions);
   const ehl::PointOptions options{.tolerance = film.tolerance};
@@ -286,9 +305,46 @@ void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditi
   film.cells = solved.film.grid.count_x() - 1;
   film.cells_across = 2 * solved.film.grid.beside;
   set_profile(film, solved.film, scale);
+  if (with_fields) set_fields(film, solved.film, scale);
 }
 
 }  // namespace
+
+FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& settings) {
+  const ehl::FilmConditions conditions = conditions_of(scene, speed, settings);
+  const FilmCase given = given_case(scene, conditions, settings);
+  constexpr double program = 12e6;  // bytes, without any contact
+  if (conditions.is_line()) {
+    const ehl::LineContact contact = ehl::contact_of(conditions);
+    // As measured, with the liquid that formulas were fitted to, which is solved as well.
+    const auto on = [](int grids) {
+      const double nodes = std::ldexp(64, grids - 1) + 1;
+      return FilmNeeds::Grids{grids, nodes, 1e-4 * nodes * std::fmax(1, nodes / 1000),
+                              program + 7000 * nodes};
+    };
+    const int most =
+        1 + static_cast<int>(std::log2(line_options(given.tolerance).greatest_cells / 64));
+    return {given.viscosity,
+            given.density,
+            given.tolerance,
+            contact.load_number,
+            contact.material_number,
+            {},
+            on(3),
+            on(most)};
+  }
+  const ehl::PointContact contact = ehl::point_contact_of(conditions);
+  const ehl::PointNeeds needs = ehl::needs_of(contact, {.tolerance = given.tolerance});
+  const auto on = [&](int grids) {
+    const Eigen::Index nodes = needs.finest(grids).size();
+    return FilmNeeds::Grids{grids, static_cast<double>(nodes), ehl::point_seconds(contact, nodes),
+                            program + ehl::point_memory(nodes)};
+  };
+  return {given.viscosity,         given.density, given.tolerance,       contact.load_number,
+          contact.material_number, needs.reason,  on(needs.least_grids), on(needs.most_grids)};
+}
+
+bool is_of_line(const Scene& scene) { return ehl::conditions_of(scene, 1).is_line(); }
 
 FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
                     const FilmWatch& watch) {
@@ -298,7 +354,7 @@ FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settin
   if (conditions.is_line())
     solve_line(film, conditions, step_watch);
   else
-    solve_point(film, scene, conditions, step_watch);
+    solve_point(film, scene, conditions, settings.with_fields, step_watch);
   return film;
 }
 

@@ -21,7 +21,8 @@ struct FilmSettings {
   // Relative, of the three films; 0: 1e-4 of a line, 1e-3 of a circle or an ellipse, whose least
   // film may be off by three times as much.
   double tolerance = 0;
-  bool is_flooded = false;  // the inlet, whatever supply the scene has
+  bool with_fields = false;  // keep the fields of a circle or an ellipse
+  bool is_flooded = false;   // the inlet, whatever supply the scene has
 };
 
 // A number and its absolute error; both NaN where there is no number.
@@ -54,6 +55,14 @@ struct ProfilePoint {
   double film;      // m
 };
 
+// Nodes of the finest grid of a circle or an ellipse, which is symmetric: those with y ≥ 0.
+// Pressure and film at x[i] and y[j] stand at j·x.size() + i.
+struct FilmFields {
+  std::vector<double> x, y;      // m
+  std::vector<double> pressure;  // Pa
+  std::vector<double> film;      // m
+};
+
 struct FilmCase {
   std::string id;
   std::string_view viscosity, density;              // laws of this contact's liquid
@@ -78,6 +87,7 @@ struct FilmCase {
   std::vector<FormulaFilm> formulas;   // of flooded contacts, beside flooded films
   std::vector<ClosureRatio> closures;  // of a starved contact
   std::vector<ProfilePoint> profile;   // nodes of the finest grid along the middle, y = 0
+  FilmFields fields;                   // empty unless they are asked for
 
   bool is_line() const { return std::isnan(ellipticity); }
   bool is_starved() const { return !std::isnan(inlet_film); }
@@ -86,6 +96,23 @@ struct FilmCase {
 // Names of all formulas: those of lines, then those of circles and ellipses. A FilmCase has those
 // of its contact, in this order.
 std::vector<std::string_view> film_formula_names();
+
+// What a contact will take, from the fewest grids that give an error to the most that are tried.
+struct FilmNeeds {
+  std::string_view viscosity, density;  // laws of the liquid
+  double tolerance, load_number, material_number;
+  std::string reason;  // why it is refused before it is solved; else empty
+  struct Grids {
+    int count;       // each halves the cells of the one before
+    double nodes;    // of the finest
+    double seconds;  // of one core, roughly
+    double memory;   // bytes, at most at any time
+  } least, most;
+};
+FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& settings);
+
+// Whether a scene that was read with SceneUse::film is a line contact.
+bool is_of_line(const Scene& scene);
 
 // Called before every step of Newton's method; the work stops where it returns false.
 using FilmWatch = std::function<bool(int cells, int step)>;
@@ -109,7 +136,7 @@ class FilmWriter {
   std::string_view before_;  // the next film
 };
 
-// One film as the JSON has it.
-nlohmann::ordered_json film_json(const FilmCase& film, bool with_profile);
+// One film as the JSON has it, with its profile and its fields, for its picture.
+nlohmann::ordered_json film_picture_json(const FilmCase& film);
 
 }  // namespace tribo::cli

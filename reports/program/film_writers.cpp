@@ -271,9 +271,7 @@ void append_table(Text& to, const FilmCase& film, bool with_profile) {
   if (with_profile && film.is_solved) append_profile(to, film);
 }
 
-}  // namespace
-
-// Numbers that are not finite are written as null.
+// One film as the JSON has it. Numbers that are not finite are written as null.
 ordered_json film_json(const FilmCase& film, bool with_profile) {
   ordered_json json{{"id", film.id}, {"speed", film.speed}};
   for (const Given& one : given)
@@ -322,6 +320,18 @@ ordered_json film_json(const FilmCase& film, bool with_profile) {
   if (!film.reason.empty()) json["reason"] = film.reason;
   if (!undefined.empty()) json["undefined"] = std::move(undefined);
   if (with_profile && film.is_solved) json["profile"] = profile_json(film);
+  return json;
+}
+
+}  // namespace
+
+ordered_json film_picture_json(const FilmCase& film) {
+  ordered_json json = film_json(film, true);
+  if (!film.fields.x.empty())
+    json["fields"] = {{"x", film.fields.x},
+                      {"y", film.fields.y},
+                      {"pressure", film.fields.pressure},
+                      {"film", film.fields.film}};
   return json;
 }
 

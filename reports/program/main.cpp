@@ -2,9 +2,11 @@
 // tribocheck: the model from the command line.
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,7 +19,16 @@ namespace {
 
 // Sweeps need HDF5 and MPI, which bring some forty libraries. Loading these takes as long as the
 // start of any other command. Sweeps are therefore a program of their own, which takes this one's
-// place.
+// place; the fields of a film are written by HDF5 too.
+bool needs_sweep_program(std::span<char* const> arguments) {
+  if (arguments.size() < 2) return false;
+  const std::string_view command = arguments[1];
+  return command == "sweep" ||
+         (command == "film" && std::ranges::any_of(arguments, [](std::string_view argument) {
+            return argument == "--fields" || argument.starts_with("--fields=");
+          }));
+}
+
 Command name_sweep(CLI::App& program) {
   return {program.add_subcommand("sweep", sweep_description), {}};
 }
@@ -42,7 +53,7 @@ constexpr std::array<AddCommand, 15> commands{
 
 int main(int count, char** arguments) {
   using namespace tribo::cli;
-  if (count > 1 && arguments[1] == std::string_view("sweep"))
+  if (needs_sweep_program({arguments, static_cast<std::size_t>(count)}))
     return become_sweep_program(arguments);
   return run_program(commands, count, arguments);
 }

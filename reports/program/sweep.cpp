@@ -24,6 +24,7 @@
 #include "sweep/case_limits.hpp"
 #include "sweep/case_scene.hpp"
 #include "sweep/needs.hpp"
+#include "sweep/needs_text.hpp"
 #include "sweep/on_threads.hpp"
 #include "sweep/part.hpp"
 #include "sweep/plan_reader.hpp"
@@ -102,13 +103,6 @@ sweep::Shard shard_of(const std::string& text) {
 
 // --- Estimating time, memory and files, from the plan and a few chunks computed for that.
 
-std::string time_text(double seconds) {
-  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 6000) return fmt::format("{:.2g} min", seconds / 60);
-  if (seconds < 2e5) return fmt::format("{:.2g} h", seconds / 3600);
-  return fmt::format("{:.3g} days", seconds / 86400);
-}
-
 void append_estimate(Text& to, const sweep::SweepPlan& plan, int threads) {
   const sweep::Needs needs = sweep::needs_of(plan, threads);
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
@@ -121,7 +115,7 @@ void append_estimate(Text& to, const sweep::SweepPlan& plan, int threads) {
   const int count = thread_count(threads);
   append(to, fmt::format("points {:.4g}, chunks {}\n", static_cast<double>(plan.points()),
                          plan.chunks()));
-  append(to, fmt::format("time   {} on {} {}\n", time_text(needs.seconds), count,
+  append(to, fmt::format("time   {} on {} {}\n", sweep::time_text(needs.seconds), count,
                          count == 1 ? "thread" : "threads"));
   append(to, fmt::format("memory {}\n", sweep::bytes_text(needs.memory)));
   append(to, fmt::format("file   {}, and parts of {} until it is done\n",

@@ -13,6 +13,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as xml
 
+import h5py
 import page_pictures
 import svg_plots
 from program import ENVIRONMENT, PROGRAM, ProgramTest, read_terminal, run, scene, start, strict_json, toml
@@ -359,15 +360,79 @@ class Points(FilmTest):
         found, = self.films(self.point(0.9, 0), code=1)
         self.assertIn("M = 0.9 is below 1: the load is too small to flatten the bodies", found["reason"])
 
-    def test_the_picture_shows_the_middle_and_the_nearest_laws(self):
+    def test_the_picture_shows_both_fields_the_middle_and_the_nearest_laws(self):
         path, picture = self.write(self.point(20, 8)), self.folder.path("ball.svg")
         result = run("film", path, "--tolerance", "1e-2", "--picture", picture)
         self.assertEqual(result.code, 0, result.err)
         with open(picture, encoding="utf-8") as file:
             text = file.read()
-        self.assertRegex(text, r"point contact at 1 m/s, its middle; least film [0-9.]+ µm beside it")
+        self.assertEqual(list(svg_plots.looks(picture)), [])
+        self.assertRegex(text, r"point contact at 1 m/s; least film [0-9.]+ nm<")
+        for words in ("film thickness h (nm), × where least", "pressure p (GPa)", "at y = 0"):
+            self.assertIn(words, text)
+        self.assertEqual(text.count("<image"), 2)
         self.assertEqual(text.count("Hamrock–Dowson"), 2)
-        self.assertNotIn("soft bodies", text)
+        self.assertNotIn(", soft", text)
+
+
+    def fields(self, tree, name):
+        """What --fields wrote, as {(x, y): (p, h)}, and the film itself."""
+        target = self.folder.path(name)
+        result = run("film", self.write(tree), "--tolerance", "1e-2", "--fields", target, "--format", "json", "--profile")
+        self.assertEqual((result.code, result.err), (0, f"tribocheck: wrote {target}\n"))
+        found, = result.json()["films"]
+        if name.endswith(".csv"):
+            with open(target, encoding="utf-8") as file:
+                self.assertEqual(file.readline(), "x [m],y [m],pressure [Pa],film [m]\n")
+                rows = [tuple(map(float, line.split(","))) for line in file]
+            return {row[:2]: row[2:] for row in rows}, found
+        with h5py.File(target) as file:
+            self.assertEqual({one: file[one].attrs["unit"] for one in file}, {"x": "m", "y": "m", "pressure": "Pa", "film": "m"})
+            for number in ("speed", "load_number", "material_number", "half_width", "ellipticity", "peak_pressure"):
+                self.assertEqual(file.attrs[number], found[number])
+            return {(x, y): (p, h) for y, *rows in zip(file["y"], file["pressure"], file["film"])
+                    for x, p, h in zip(file["x"], *rows)}, found
+
+    def test_fields_are_those_of_the_whole_contact_and_the_same_in_both_formats(self):
+        tree = self.point(20, 5, 2)
+        fields, found = self.fields(tree, "ball.csv")
+        self.assertEqual(fields, self.fields(tree, "ball.h5")[0])
+        self.assertEqual(len(fields), (found["cells"] + 1)*(found["cells_across"] + 1))
+        middle = found["profile"]
+        self.assertEqual([fields[x, 0] for x in middle["x"]], list(zip(middle["pressure"], middle["film"])))
+        for (x, y), values in fields.items():
+            self.assertEqual(values, fields[x, -y])
+        xs, ys = (sorted({place[i] for place in fields}) for i in (0, 1))
+        carried = sum(p for p, _ in fields.values())*(xs[1] - xs[0])*(ys[1] - ys[0])
+        self.assertTrue(0.9*tree["load"] < carried < tree["load"], carried/tree["load"])  # some is carried outside of the grid
+        self.assertAlmostEqual(min(h for _, h in fields.values())/found["minimum_film"]["value"], 1, delta=2e-2)
+
+    def test_fields_are_refused_before_the_film_is_solved(self):
+        ball, csv_file = self.write(self.point(20, 5)), self.folder.path("a.csv")
+        self.assert_film_refused("is a line contact; allowed: --profile", self.write(line(10, 5), "line.toml"), "--fields", csv_file)
+        self.assert_film_refused("--fields writes one contact, and this would be 2", ball, ball, "--fields", csv_file)
+        self.assert_film_refused("allowed: a name that ends in .h5 or .csv", ball, "--fields", self.folder.path("a.txt"))
+        lost = run("film", ball, "--fields", self.folder.path("none/a.h5"))
+        self.assertEqual((lost.code, lost.out, len(lost.error_lines)), (1, "", 1))
+        self.assertIn("cannot write", lost.err)
+        os.mkdir(csv_file)
+        self.assert_film_refused("is a directory", ball, "--fields", csv_file)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["a.csv", "line.toml", "scene.toml"])
+
+    def test_an_estimate_holds_the_grid_that_is_solved_and_solves_nothing(self):
+        path = self.write(self.point(20, 5))
+        told = run("film", path, "--tolerance", "1e-2", "--estimate")
+        self.assertEqual((told.code, told.err), (0, ""))
+        head, *lines = told.out.splitlines()
+        grids = re.fullmatch(r"line at 1 m/s: M = 20, L = 5, barus, incompressible, to 0\.01: (\d) to (\d) grids, the finest of (\d+) to (\d+) nodes", head)
+        self.assertRegex("\n".join(lines), r"^contacts 1\ntime   \S+ s to \S+ s on 1 thread, roughly\nmemory \S+ MB to \S+ MB$")
+        found = self.film(self.point(20, 5), "--tolerance", "1e-2")
+        self.assertEqual(int(grids[1]), found["grids"])
+        self.assertEqual(int(grids[3]), (found["cells"] + 1)*(found["cells_across"]//2 + 1))
+        self.assertGreater(int(grids[4]), int(grids[3]))
+        self.assertIn("M = 0.9 is below 1", run("film", self.write(self.point(0.9, 5), "light.toml"), "--estimate").out)
+        several = run("film", self.write(line(10, 5, speed=[0.5, 1]), "line.toml"), path, "--estimate").out
+        self.assertIn("\ncontacts 3\n", several)
 
 
 class Scenes(FilmTest):

@@ -30,7 +30,7 @@ draws = 8192
 
 # Each form: the command, the arguments that make this form of it, and the options that belong to the form itself.
 FORMS = [
-    ("contact", ["SCENE"], ()), ("solve", ["SCENE"], ()), ("solve", ["SCENE", "--about"], {"--about"}), ("solve", ["SCENE", "--explain"], {"--explain"}), ("curve", ["SCENE"], ()), ("curve", ["SCENE", "--data", "DATA"], {"--data"}), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
+    ("contact", ["SCENE"], ()), ("solve", ["SCENE"], ()), ("solve", ["SCENE", "--about"], {"--about"}), ("solve", ["SCENE", "--explain"], {"--explain"}), ("curve", ["SCENE"], ()), ("curve", ["SCENE", "--data", "DATA"], {"--data"}), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}), ("film", ["LINE", "--estimate"], {"--estimate"}),
     ("onset", ["SCENE"], ()), ("onset", ["SCENE", "--criterion", "film_maximum"], {"--criterion"}),
     ("onset", ["SCENE", "--criterion", "film_departure"], {"--criterion"}),
     ("stream", [], ()), ("plugin-host", ["PLUGIN"], ()),
@@ -62,7 +62,7 @@ FORMS = [
 VALUES = {
     "--format": ["json"], "--about": [], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--strict": [], "--explain": [], "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
-    "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--for": ["gitlab"],
+    "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--fields": ["DIR/fields.csv"], "--language": ["c"], "--for": ["gitlab"],
     "--out": ["DIR/other"],
     "--estimate": [], "--flooded": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--case": ["1"], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],

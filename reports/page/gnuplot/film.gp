@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# Pressure and film across a line contact, in two panels over one axis.
+# Pressure and film across a line contact, or along the middle of an ellipse below its maps, in two panels over one axis.
 # Blocks: 0 the ends of the axes, a note on the spike or a blank, and the unit of pressure; 1 the profile; 2 Hertz' pressure; 3 the formulas' films.
 load scripts."sweep.gp"
 stats data index 0 using (left = column(1), right = column(2), pressure_top = column(3), \
   film_top = column(4), spike_x = column(5), spike_pressure = column(6), note = strcol(7), unit = strcol(8), 0) nooutput
 solved = 0x0072B2
 formula(is_minimum) = int(is_minimum) ? 0xD55E00 : 0x009E73
-set multiplot
+stats data nooutput name "all"
+is_point = all_blocks > 4
+if (is_point) { load scripts."film_fields.gp" } else { set multiplot }
+low_part = 840.0/tall  # of the picture: the panels
 set lmargin at screen 0.10
 set rmargin at screen 0.69
 key_left = 0.705
@@ -15,7 +18,9 @@ set xrange [left:right]
 set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set border 3 linewidth 0.8
 
-set bmargin at screen 0.535
+set tmargin at screen low_part - 78.0/tall
+set bmargin at screen 0.535*low_part
+unset xlabel
 set format x ""
 set yrange [0:pressure_top]
 set ylabel "pressure p (".unit.")" offset y_words
@@ -27,10 +32,10 @@ plot \
 
 unset title
 unset label
-set tmargin at screen 0.505
+set tmargin at screen 0.505*low_part
 set bmargin at screen 80.0/tall
 set format x "%g"
-set xlabel "x, along the direction of entrainment (µm)" offset 0, x_words
+set xlabel "x, along the direction of entrainment (µm)".(is_point ? ", at y = 0" : "") offset 0, x_words
 set yrange [0:film_top]
 set ylabel "film thickness h (µm)" offset y_words
 # Formulas' names stand outside the plot, each joined to its level.

@@ -1,19 +1,26 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The picture of one solved contact, a line or the middle of an ellipse: its pressure beside Hertz', and its film beside the formulas'.
+"""The picture of one solved contact: its pressure beside Hertz', and its film beside the formulas'; of an ellipse both over the whole
+contact, and below along its middle.
 
 `tribocheck film --picture` calls this. DATA is one film of what `tribocheck film --profile --format json`
-prints. Prints what was drawn, as JSON.
+prints, with its fields if it is an ellipse. Prints what was drawn, as JSON.
 """
+import bisect
+import math
+
 import drawing
 from numbers_text import rounded
 
 NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginson_minimum": "Dowson–Higginson",
          "dowson_toyoda_central": "Dowson–Toyoda", "pan_hamrock_minimum": "Pan–Hamrock",
          "pan_hamrock_central": "Pan–Hamrock", "hamrock_dowson_central": "Hamrock–Dowson",
-         "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft bodies",
-         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft bodies"}
+         "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft",
+         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft"}
 HEIGHT = 840
+MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # greatest, and what stands above and below a map, in points
+MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # the greatest of a map's colours, in central films and in Hertz' peaks
+MAP_PRESSED = 0.06  # part of the greatest pressure that a map shows at least
 LABEL_GAP = 0.06  # part of the film's axis between two labels
 LAWS = {"barus": "Barus", "roelands": "Roelands", "incompressible": "incompressible",
         "dowson_higginson": "compressible (Dowson and Higginson)"}
@@ -31,6 +38,7 @@ def spread(labels, low, high, gap):
     """Labels at places as near to their own as possible without overlap: [(place, label)]."""
     placed = []  # clusters: [mean place, labels]
     for place, label in sorted(labels, key=lambda pair: pair[0]):
+        place = min(max(place, low), high)
         placed.append([place, [(place, label)]])
         while len(placed) > 1 and placed[-1][0] - placed[-2][0] < gap*(len(placed[-1][1]) + len(placed[-2][1]))/2:
             members = placed[-2][1] + placed.pop()[1]
@@ -105,7 +113,71 @@ def blocks(contact):
     formulas = [row(1e6*one["film"], 1e6*place, "1" if one["stands_for"] == "minimum_film" else "0",
                     formula_text(contact, one))
                 for place, one in spread(shown, 0.2*film_top, 0.8*film_top, LABEL_GAP*film_top)]
-    return "\n\n".join([head, "".join(solved), "".join(hertz), "".join(formulas) or row(-1.0, -1.0, "0", " ")])
+    maps = Maps(contact).blocks(unit) if "fields" in contact else []
+    return "\n\n".join([head, "".join(solved), "".join(hertz), "".join(formulas) or row(-1.0, -1.0, "0", " "), *maps])
+
+
+def nice(step):
+    """The nearest of 1, 2 and 5 times a power of ten that is not below."""
+    power = 10**math.floor(math.log10(step))
+    return next(one*power for one in (1, 2, 5, 10) if one*power >= step*(1 - 1e-9))
+
+
+class Maps:
+    """Film and pressure over an ellipse: the part that is drawn, and its values at even distances, one a point of the picture."""
+
+    def __init__(self, contact):
+        self.contact, fields = contact, contact["fields"]
+        width, tall = contact["half_width"], contact["ellipticity"]*contact["half_width"]
+        self.x, self.y = fields["x"], fields["y"]
+        least = MAP_PRESSED*max(fields["pressure"])
+        pressed = [divmod(i, len(self.x)) for i, p in enumerate(fields["pressure"]) if p > least]
+        self.left = max(min(-1.4*width, 1.06*self.x[min(i for _, i in pressed)]), self.x[0])
+        self.right = min(1.4*width, self.x[-1])
+        self.side = min(max(1.3*tall, 1.06*self.y[max(j for j, _ in pressed)]), self.y[-1])
+        shape = 2*self.side/(self.right - self.left)
+        self.wide = min(MAP_WIDTH, MAP_HEIGHT/shape)
+        self.high = self.wide*shape
+
+    @staticmethod
+    def between(places, low, high, count):
+        """For `count` even places from low to high: the node before each, and its distance from there in parts of a cell."""
+        result = []
+        for k in range(count):
+            place = low + (high - low)*k/(count - 1)
+            i = min(max(bisect.bisect_right(places, place) - 1, 0), len(places) - 2)
+            result.append((i, (place - places[i])/(places[i + 1] - places[i])))
+        return result
+
+    def rows(self, to_film, to_pressure):
+        across, along = round(self.high/2) + 1, round(self.wide) + 1
+        columns, fields, count = self.between(self.x, self.left, self.right, along), self.contact["fields"], len(self.x)
+        half = []
+        for k, (j, up) in enumerate(self.between(self.y, 0, self.side, across)):
+            y, values = 1e6*self.side*k/(across - 1), []
+            for name, unit in (("film", to_film), ("pressure", to_pressure)):
+                below, above = (fields[name][n*count:(n + 1)*count] for n in (j, j + 1))
+                line = [unit*(a + up*(b - a)) for a, b in zip(below, above)]
+                values.append([line[i] + part*(line[i + 1] - line[i]) for i, part in columns])
+            half.append((y, values))
+        places = [1e6*(self.left + (self.right - self.left)*k/(along - 1)) for k in range(along)]
+        lines = [(-y, values) for y, values in reversed(half[1:])] + half
+        return "\n".join("".join(f"{x:.6g}\t{y:.6g}\t{h:.6g}\t{p:.6g}\n" for x, h, p in zip(places, *values)) for y, values in lines)
+
+    def blocks(self, pressure_unit):
+        contact, fields = self.contact, self.contact["fields"]
+        least, most = min(fields["film"]), MAP_FILM*contact["central_film"]["value"]
+        unit, name = (1e9, "nm") if most < 2e-6 else (1e6, "µm")
+        top, cut = max(fields["pressure"]), MAP_PRESSURE*contact["peak_pressure"]
+        width, tall = 1e6*contact["half_width"], 1e6*contact["half_width"]*contact["ellipticity"]
+        place = fields["film"].index(least)
+        at = 1e6*self.x[place % len(self.x)], 1e6*self.y[place//len(self.x)]
+        step, pressure_step = nice((most - least)*unit/12), nice(min(top, cut)/pressure_unit/10)
+        head = row(1e6*self.left, 1e6*self.right, nice(62e6*(self.right - self.left)/self.wide), 1e6*self.side,
+                   self.wide, self.high, least*unit, 2*step*math.ceil(most*unit/(2*step)), step,
+                   2*pressure_step*math.ceil(min(top, cut)/pressure_unit/(2*pressure_step)), pressure_step, str(int(top > cut)), name)
+        ellipse = (row(width*math.cos(math.pi*i/90), tall*math.sin(math.pi*i/90)) for i in range(181))
+        return [head, self.rows(unit, 1/pressure_unit), "".join(ellipse), row(*at) + row(at[0], -at[1])]
 
 
 def pressure_text(pressure):
@@ -117,10 +189,10 @@ def drawn(contact, data):
     liquid = f"{LAWS[conditions['viscosity']]}, {LAWS[conditions['density']]}"
     text = (f"M = {rounded(contact['load_number'], 3)}, L = {rounded(contact['material_number'], 3)}; "
             f"Hertz: {'half-width' if is_line else 'semi-axis'} {rounded(1e6*contact['half_width'], 3)} µm, {pressure_text(contact['peak_pressure'])}; {liquid}")
-    beside = "" if is_line else f", its middle; least film {rounded(1e6*contact['minimum_film']['value'], 3)} µm beside it"
+    beside = "" if is_line else f"; least film {rounded(1e9*contact['minimum_film']['value'], 3)} nm"
     room = 40 if is_line else 20
     title = contact["id"] if len(contact["id"]) <= room else contact["id"][:room] + "…"
-    return {"script": "film.gp", "data": data, "name": "film", "height": HEIGHT,
+    return {"script": "film.gp", "data": data, "name": "film", "height": HEIGHT if is_line else HEIGHT + MAP_ROOM + round(Maps(contact).high),
             "title": drawing.enhanced(f"{title}: {'line' if is_line else 'point'} contact at {contact['speed']:.4g} m/s{beside}"),
             "subtitle": drawing.enhanced(text)}
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of reference/ehl: line_films.csv has every contact; films of both tables are solved
-// again and agree within the errors; and the formulas that are compared with the tables.
+// The tables of reference/ehl: line_films.csv and point_films.csv have every contact; films of all
+// tables are solved again and agree within the errors; and the formulas that are compared with the
+// tables.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,6 +18,7 @@
 #include "ehl/film_conditions.hpp"
 #include "ehl/films.hpp"
 #include "ehl/line_formulas.hpp"
+#include "ehl/solved_point.hpp"
 #include "support/judge.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
@@ -25,17 +31,16 @@ std::vector<ReferenceRow> table() {
   return read_reference_table(TRIBOCHECK_SOURCE_DIR "/reference/ehl/line_films.csv");
 }
 
-// The films of a row come out again within both errors, and within `slack` of its value, as M and L
-// of some rows are rounded.
-void expect_again(const ReferenceRow& row, const ehl::LineContact& contact, double slack) {
-  const ehl::SolvedFilm film = solved(contact);
-  for (const auto& [number, name] :
-       {std::pair{&ehl::SolvedFilm::central, "central"},
-        {&ehl::SolvedFilm::minimum, "minimum"},
-        {&ehl::SolvedFilm::at_greatest_pressure, "at_greatest_pressure"}}) {
+// The films of a row are these, in `unit`, within both errors, and within `slack` of its value, as
+// M and L of some rows are rounded.
+template <class Solved>
+void expect_again(const ReferenceRow& row, const Solved& film, double unit, double slack) {
+  for (const auto& [number, name] : {std::pair{&Solved::central, "central"},
+                                     {&Solved::minimum, "minimum"},
+                                     {&Solved::at_greatest_pressure, "at_greatest_pressure"}}) {
     const ehl::Estimate& e = film.*number;
     const double value = row.number(name);
-    EXPECT_TRUE(is_estimated({contact.film_number(e.value), contact.film_number(e.error)}, value,
+    EXPECT_TRUE(is_estimated({unit * e.value, unit * e.error}, value,
                              row.number(std::string(name) + "_error") + slack * value))
         << name << " at M = " << row.text("load_number");
   }
@@ -69,7 +74,7 @@ TEST(LineFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
     const ReferenceRow& row = rows[random() % rows.size()];
     const ehl::LineContact contact =
         ehl::barus_contact(row.number("load_number"), row.number("material_number"));
-    expect_again(row, contact, 0);
+    expect_again(row, solved(contact), contact.film_number(1), 0);
   }
 }
 
@@ -98,7 +103,159 @@ TEST(CompressibleFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
     for (const auto& [got, name] : {std::pair{contact.load_number, "load_number"},
                                     {contact.material_number, "material_number"}})
       EXPECT_TRUE(is_within(got, row.number(name), 1e-5 * row.number(name))) << name;
-    expect_again(row, contact, 1e-5);  // M and L have six digits
+    expect_again(row, solved(contact), contact.film_number(1), 1e-5);  // M and L have six digits
+  }
+}
+
+std::string point_file() { return TRIBOCHECK_SOURCE_DIR "/reference/ehl/point_films.csv"; }
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct PointKey {
+  double radius_ratio, load_number, material_number;
+
+  auto operator<=>(const PointKey&) const = default;
+  ehl::PointContact contact() const {
+    return ehl::barus_point(load_number, material_number, radius_ratio);
+  }
+};
+
+// The rows by their contacts.
+std::map<PointKey, ReferenceRow> point_table() {
+  std::map<PointKey, ReferenceRow> rows;
+  for (const ReferenceRow& row : read_reference_table(point_file())) {
+    const PointKey key{row.number("radius_ratio"), row.number("load_number"),
+                       row.number("material_number")};
+    EXPECT_TRUE(rows.emplace(key, row).second);
+    EXPECT_EQ(row.text("supply"), "");
+  }
+  return rows;
+}
+
+TEST(PointFilmTable, HasEveryContactToItsErrorOrSaysWhyNot) {
+  const std::map<PointKey, ReferenceRow> rows = point_table();
+  const std::string text = text_of(point_file());
+  const std::size_t place = text.find("# missing: ");
+  ASSERT_NE(place, std::string::npos);
+  const std::string missing = text.substr(place, text.find('\n', place) - place) + " ";
+  std::vector<PointKey> plan;
+  for (const double m : {5., 10., 20., 50., 100., 200., 500., 1000., 2000.})
+    for (const double l : {0., 2.5, 5., 10., 15.}) plan.push_back({1, m, l});
+  for (const double ratio : {0.25, 0.5, 2., 4., 8.})
+    for (const double m : {20., 200.})
+      for (const double l : {5., 10.}) plan.push_back({ratio, m, l});
+  std::size_t present = 0;
+  for (const PointKey& key : plan) {
+    const std::string name =
+        fmt::format("{},,{},{}", key.radius_ratio, key.load_number, key.material_number);
+    const auto found = rows.find(key);
+    EXPECT_NE(found != rows.end(), missing.find(" " + name + " ") != std::string::npos) << name;
+    if (found == rows.end()) continue;
+    ++present;
+    const ReferenceRow& row = found->second;
+    const std::string& note = row.text("note");
+    EXPECT_GT(row.number("seconds"), 0) << name;
+    if (row.text("central").empty()) {
+      EXPECT_TRUE(note.starts_with("no film was found")) << name << ": " << note;
+      continue;
+    }
+    EXPECT_LT(row.number("minimum"), row.number("central")) << name;
+    // Of the contract; the errors in the table have two digits.
+    const double allowed = key.load_number > 200 ? 3e-3 : 1e-3;
+    double worst = 0;
+    for (const auto& [film, share] : {std::pair{std::string("central"), 1.},
+                                      {std::string("minimum"), 3.},
+                                      {std::string("at_greatest_pressure"), 1.}})
+      worst = std::fmax(worst, row.number(film + "_error") / (share * allowed * row.number(film)));
+    if (note.empty()) {
+      EXPECT_LE(worst, 1.05) << name;
+    } else {
+      EXPECT_GE(worst, 0.95) << name << ": " << note;
+    }
+  }
+  EXPECT_EQ(present, rows.size());
+}
+
+// Moes' film numbers of circles fall with the load where it flattens the bodies, the least film
+// from the start, and rise with the viscosity under pressure; films of ellipses rise with their
+// length across the motion.
+TEST(PointFilmTable, FilmsFallWithTheLoadAndRiseWithTheViscosityUnderPressure) {
+  const std::map<PointKey, ReferenceRow> rows = point_table();
+  int compared = 0;
+  for (const auto& [key, row] : rows)
+    for (const auto& [other, beside] : rows) {
+      const bool is_more_load = key.material_number == other.material_number &&
+                                key.radius_ratio == 1 && other.radius_ratio == 1 &&
+                                key.load_number < other.load_number;
+      const bool is_more_viscous = key.load_number == other.load_number &&
+                                   key.radius_ratio == other.radius_ratio &&
+                                   key.material_number > other.material_number;
+      if (!(is_more_load || is_more_viscous)) continue;
+      for (const char* film : {"central", "minimum"}) {
+        if (row.text(film).empty() || beside.text(film).empty()) continue;
+        if (is_more_load && key.load_number < 20 && std::string(film) == "central") continue;
+        ++compared;
+        EXPECT_GT(row.number(film), beside.number(film))
+            << film << " of M = " << key.load_number << ", L = " << key.material_number
+            << " and of M = " << other.load_number << ", L = " << other.material_number;
+      }
+    }
+  EXPECT_GT(compared, 200);
+}
+
+TEST(PointFilmTable, SeededCheapRowsComeOutAgainWithinBothErrors) {
+  std::mt19937_64 random(20261127);
+  std::vector<std::pair<PointKey, ReferenceRow>> cheap;
+  for (const auto& [key, row] : point_table())
+    if (!row.text("central").empty() && row.number("seconds") < 2) cheap.emplace_back(key, row);
+  ASSERT_GT(cheap.size(), 3U);
+  for (int i = 0; i < 2; ++i) {
+    const auto& [key, row] = cheap[random() % cheap.size()];
+    const ehl::SolvedPoint film = ehl::solve_point_film(key.contact());
+    ASSERT_EQ(film.outcome, ehl::Outcome::solved) << film.reason;
+    expect_again(row, film, ehl::numbers_of(key.contact()).film_number, 0);
+  }
+}
+
+// The range of a law's deviations from the table, in words of %.
+std::string range_of(const FilmLaw& law, const char* film, bool (*is_taken)(const PointKey&)) {
+  constexpr double speed_number = 1e-11;  // U, on which the laws depend a little at given M and L
+  const double root = std::sqrt(2 * speed_number);
+  double least = INFINITY, most = -INFINITY;
+  for (const auto& [key, row] : point_table()) {
+    if (row.text(film).empty() || !(key.material_number > 0) || !is_taken(key)) continue;
+    // In units of η₀ = E* = R_x = 1.
+    const double length =
+        film_thickness(law, 2 * speed_number, 1., key.material_number / (2 * std::sqrt(root)),
+                       2 * key.load_number * root * std::sqrt(root), 1., 1.,
+                       ehl::numbers_of(key.contact()).ellipticity);
+    const double off = 100 * (length / (row.number(film) * root) - 1);
+    least = std::fmin(least, off);
+    most = std::fmax(most, off);
+  }
+  const auto signed_text = [](double off) {
+    return (off < 0 ? "−" : "+") + fmt::format("{:.0f}", std::abs(off));
+  };
+  return signed_text(least) + " to " + signed_text(most) + " %";
+}
+
+TEST(PointFilmTable, HamrockAndDowsonsLawsAreOffByWhatTheReadmeSays) {
+  const std::string readme = text_of(TRIBOCHECK_SOURCE_DIR "/model/README.md");
+  for (const auto& [words, is_taken] :
+       {std::pair{
+            "circles, M up to 10",
+            +[](const PointKey& key) { return key.radius_ratio == 1 && key.load_number <= 10; }},
+        {"circles, M from 20 on",
+         +[](const PointKey& key) { return key.radius_ratio == 1 && key.load_number >= 20; }},
+        {"ellipses across the motion", +[](const PointKey& key) { return key.radius_ratio > 1; }},
+        {"ellipses along it", +[](const PointKey& key) { return key.radius_ratio < 1; }}}) {
+    const std::string row = fmt::format("| {} | {} | {} |", words,
+                                        range_of(hamrock_dowson_central_law, "central", is_taken),
+                                        range_of(hamrock_dowson_minimum_law, "minimum", is_taken));
+    EXPECT_NE(readme.find(row), std::string::npos) << row;
   }
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ehl/point_needs.hpp"
+
+#include <cmath>
+
+namespace tribo::ehl {
+
+PlaneGrid PointNeeds::finest(int grids) const {
+  PlaneGrid grid = coarsest;
+  for (int i = 1; i < grids; ++i) grid = grid.finer();
+  return grid;
+}
+
+PointNeeds needs_of(const PointContact& contact, const PointOptions& options) {
+  PointNeeds needs;
+  // The solver itself says which grid it begins with, or why it does not begin.
+  int first_cells = 0;
+  const SolvedPoint begun = solve_point_film(contact, options, [&](const Step& step) {
+    first_cells = step.cells;
+    return false;
+  });
+  if (begun.outcome != Outcome::stopped) {
+    needs.reason = begun.reason;
+    return needs;
+  }
+  int cells = 1;  // on the length that pressure reaches
+  while ((needs.coarsest = grid_for(contact, cells)).count_x() - 1 < first_cells) ++cells;
+  while (needs.finest(needs.most_grids + 1).size() <= options.greatest_nodes) ++needs.most_grids;
+  return needs;
+}
+
+double point_memory(Eigen::Index nodes) {
+  const auto count = static_cast<double>(nodes);
+  return 2300 * count * std::pow(count / 20'000, 0.115);
+}
+
+double point_seconds(const PointContact& contact, Eigen::Index nodes) {
+  const double l = contact.material_number / 9;
+  // A starved film takes more steps, and its flooded film is solved beside it.
+  const double films = contact.is_starved() ? 4 : 1;
+  return films * 30e-6 * static_cast<double>(nodes) * std::pow(contact.load_number, 0.2) * (1 + l * l);
+}
+
+}  // namespace tribo::ehl

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What solving a point contact will take, told before it is solved.
+#pragma once
+
+#include <string>
+
+#include "ehl/solved_point.hpp"
+
+namespace tribo::ehl {
+
+struct PointNeeds {
+  std::string reason;  // why solve_point_film() refuses the contact; else empty
+  // An error needs three grids at least; the tolerance may ask for the others.
+  int least_grids = 3, most_grids = 3;
+  PlaneGrid coarsest{};
+
+  PlaneGrid finest(int grids) const;  // of so many grids
+};
+PointNeeds needs_of(const PointContact& contact, const PointOptions& options = {});
+
+// Memory in bytes, at its greatest, that a solution takes whose finest grid has so many nodes. As
+// measured: nearly all is the factors of the preconditioner, a node's share of which grows a little
+// with the grid.
+double point_memory(Eigen::Index nodes);
+// Seconds of one core, within a factor of some 2.5 where the table of point films was made.
+double point_seconds(const PointContact& contact, Eigen::Index nodes);
+
+}  // namespace tribo::ehl

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the tables of solved films: numbers, each before its error.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "ehl/solved_film.hpp"
+#include "generators/table_file.hpp"
+
+namespace tribo::reference {
+
+// The number and its error, in `unit`, each after a comma.
+inline std::string fields(const ehl::Estimate& e, double unit) {
+  return fmt::format(",{:.9g},{:.2g}", e.value * unit, e.error * unit);
+}
+
+// The first `count` fields of a row; NaN where a field is empty.
+inline std::vector<double> numbers_of(const std::string& row, std::size_t count) {
+  std::vector<double> values;
+  std::istringstream in(row);
+  for (std::string field; values.size() < count && std::getline(in, field, ',');)
+    values.push_back(field.empty() ? std::nan("") : std::stod(field));
+  return values;
+}
+
+// Whether two rows begin with the same `keys` numbers, and agree in those that follow, up to
+// `count`, each within both errors. Bytes depend on how a machine and a compiler round.
+inline bool is_within_errors(const std::string& one, const std::string& other, std::size_t keys,
+                             std::size_t count) {
+  const std::vector<double> a = numbers_of(one, count), b = numbers_of(other, count);
+  if (a.size() != count || b.size() != count) return false;
+  for (std::size_t i = 0; i < count; i += i < keys ? 1 : 2) {
+    if (std::isnan(a[i]) != std::isnan(b[i])) return false;
+    if (std::fabs(a[i] - b[i]) > (i < keys ? 0 : a[i + 1] + b[i + 1])) return false;
+  }
+  return true;
+}
+
+}  // namespace tribo::reference

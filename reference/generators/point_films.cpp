@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes reference/ehl/point_films.csv row by row, or makes a seeded sample of its cheap rows again
+// and compares them within the errors that both state.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ehl/solved_point.hpp"
+#include "generators/film_table.hpp"
+
+namespace {
+
+using tribo::ehl::SolvedPoint;
+using tribo::reference::fields;
+
+constexpr const char* columns =
+    "radius_ratio,supply,load_number,material_number,central,central_error,minimum,minimum_error,"
+    "at_greatest_pressure,at_greatest_pressure_error,nodes,seconds,note\n";
+constexpr std::size_t keys = 4, numbers = 10;  // columns that name a row, and that are made again
+constexpr double cheap_seconds = 6;            // of a row that a sample may take
+
+struct Contact {
+  double radius_ratio, load_number, material_number;
+
+  // The first columns of its row; the inlet is flooded.
+  std::string key() const {
+    return fmt::format("{},,{},{}", radius_ratio, load_number, material_number);
+  }
+};
+
+// In the order of the rows.
+std::vector<Contact> contacts() {
+  std::vector<Contact> all;
+  for (const double m : {5., 10., 20., 50., 100., 200., 500., 1000., 2000.})
+    for (const double l : {0., 2.5, 5., 10., 15.}) all.push_back({1, m, l});
+  for (const double ratio : {0.25, 0.5, 2., 4., 8.})
+    for (const double m : {20., 200.})
+      for (const double l : {5., 10.}) all.push_back({ratio, m, l});
+  return all;
+}
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+std::string row(const Contact& c) {
+  const tribo::ehl::PointContact contact =
+      tribo::ehl::barus_point(c.load_number, c.material_number, c.radius_ratio);
+  const double start = processor_seconds();
+  const SolvedPoint films =
+      tribo::ehl::solve_point_film(contact, {.tolerance = c.load_number > 200 ? 3e-3 : 1e-3});
+  const double seconds = processor_seconds() - start;
+  std::string note = films.reason, text = c.key();
+  for (std::size_t comma; (comma = note.find(',')) != std::string::npos;) note[comma] = ';';
+  if (films.outcome == tribo::ehl::Outcome::solved) {
+    const double unit = tribo::ehl::numbers_of(contact).film_number;
+    text += fields(films.central, unit) + fields(films.minimum, unit) +
+            fields(films.at_greatest_pressure, unit) + fmt::format(",{}", films.film.grid.size());
+  } else {
+    text += ",,,,,,,";
+  }
+  return text + fmt::format(",{:.2g},{}", seconds, note);
+}
+
+// `missing`: the rows that are not made yet, by their first columns.
+std::string header(const std::string& rows, const std::string& missing) {
+  return "# quantity: films of smooth circular and elliptical contacts, solved\n"
+         "# definition: central, minimum and at_greatest_pressure are (h/R_x)(2U)^(-1/2) at x = y "
+         "= 0, where h is least, and where p is greatest; load_number M = W(2U)^(-3/4) with W = "
+         "F/(2E*R_x^2), material_number L = G(2U)^(1/4); radius_ratio R_y/R_x, x is the direction "
+         "of entrainment; supply: h_oil over the flooded film, empty where the inlet is flooded\n"
+         "# equations: steady Reynolds equation, elastic half-spaces, load balance, p >= 0 where "
+         "the film breaks\n"
+         "# assumptions: isothermal, Newtonian, Barus, incompressible, smooth, fully flooded\n"
+         "# units: none; each ..._error is absolute, in the unit of its number\n"
+         "# generator: reference/generators/point_films.cpp, model/ehl\n"
+         "# method: second order in space; Richardson's value of three or more grids, each of half "
+         "the cells' size; one more grid is larger\n"
+         "# error: shares of what Richardson's value and the value itself changed by, and what a "
+         "larger grid would change; up to 1e-3 (minimum 3e-3) of the film at M <= 200, 3e-3 (1e-2) "
+         "beyond, else note tells\n"
+         "# nodes: of the finest grid, a half plane; seconds: of one core of the machine that made "
+         "the row\n# missing: " +
+         (missing.empty() ? "none" : missing) + "\n" + tribo::reference::dated(rows);
+}
+
+std::string key_of(const std::string& row) {
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < keys; ++i) end = row.find(',', end + (i > 0 ? 1 : 0));
+  return row.substr(0, end);
+}
+
+std::vector<std::string> rows_of(const std::filesystem::path& file) {
+  return tribo::reference::committed_rows(file, "radius_ratio");
+}
+
+// Adds the rows that the file lacks, small M first. Each is in the file once it is solved, so that
+// the next run goes on.
+int add_rows(const std::filesystem::path& file) {
+  std::map<std::string, std::string> known;
+  for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
+  std::vector<Contact> missing;
+  for (const Contact& c : contacts())
+    if (!known.contains(c.key())) missing.push_back(c);
+  std::ranges::stable_sort(missing, {}, &Contact::load_number);
+  for (const Contact& c : missing) {
+    const std::string made = known[c.key()] = row(c);
+    std::cerr << fmt::format("{} of {}: {}\n", known.size(), contacts().size(), made);
+    std::string rows, still_missing;
+    for (const Contact& one : contacts())
+      if (const auto found = known.find(one.key()); found != known.end())
+        rows += found->second + "\n";
+      else
+        still_missing += (still_missing.empty() ? "" : " ") + one.key();
+    tribo::reference::write_whole(file, header(rows, still_missing) + columns + rows);
+  }
+  return 0;
+}
+
+int check_sample(const std::filesystem::path& file, std::uint64_t seed, int count) {
+  std::vector<std::string> cheap;
+  std::vector<Contact> contacts_of_cheap;
+  const std::vector<Contact> all = contacts();
+  for (const std::string& one : rows_of(file)) {
+    const auto c = std::ranges::find(all, key_of(one), &Contact::key);
+    if (c == all.end()) {
+      std::cout << fmt::format("{}: the generator does not make the row {}\n", file.string(), one);
+      return 1;
+    }
+    // After the numbers and the nodes.
+    if (!(tribo::reference::numbers_of(one, numbers + 2).back() <= cheap_seconds)) continue;
+    cheap.push_back(one);
+    contacts_of_cheap.push_back(*c);
+  }
+  const auto again = [&](const std::vector<std::size_t>& places) {
+    std::vector<std::string> made;
+    for (const std::size_t place : places) made.push_back(row(contacts_of_cheap[place]));
+    return made;
+  };
+  const auto is_same = [](const std::string& committed, const std::string& made) {
+    return tribo::reference::is_within_errors(committed, made, keys, numbers);
+  };
+  const int different = tribo::reference::different_rows(file.string() + ", cheap rows", cheap,
+                                                         cheap.size(), seed, count, again, is_same);
+  return different == 0 && !cheap.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Adds the rows that the table of solved point films lacks: all in an hour of one core; a run "
+      "that was stopped is taken up again"};
+  app.footer("Example:\n  generate_point_films reference/ehl/point_films.csv --sample 4 --seed 42");
+  std::string file;
+  int sample = 0;
+  std::uint64_t seed = 1;
+  app.add_option("file", file, "where the table is, or goes")->required();
+  app.add_option("--sample", sample, "make this many cheap rows again and compare them");
+  app.add_option("--seed", seed, "of the sample");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return sample > 0 ? check_sample(file, seed, sample) : add_rows(file);
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command `film`, which both programs have: the one that is linked with HDF5 writes fields.
+#pragma once
+
+#include <string>
+
+#include "command.hpp"
+#include "film_case.hpp"
+
+namespace tribo::cli {
+
+// Writes the fields of a case to an open file, as HDF5 or as CSV.
+using WriteFields = void (*)(const FilmCase& film, const std::string& path, bool is_csv);
+
+// `write`: null in the program that leaves the option --fields to the other.
+Command film_command(CLI::App& program, WriteFields write);
+Command add_film_with_fields(CLI::App& program);
+
+}  // namespace tribo::cli

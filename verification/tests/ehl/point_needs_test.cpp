@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is told of a point contact before it is solved, against what its solution takes.
+#include "ehl/point_needs.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "support/judge.hpp"
+
+namespace tribo::verification {
+namespace {
+
+// Bytes, of this process, at most at any time until now.
+double greatest_memory() {
+  rusage used{};
+  EXPECT_EQ(getrusage(RUSAGE_SELF, &used), 0);
+  return 1024 * static_cast<double>(used.ru_maxrss);
+}
+
+TEST(PointNeeds, AreTheGridsAndTheMemoryThatTheSolutionTakes) {
+  const ehl::PointContact contact = ehl::barus_point(100, 5);
+  const ehl::PointNeeds needs = ehl::needs_of(contact);
+  const double before = greatest_memory();
+  const ehl::SolvedPoint solved = ehl::solve_point_film(contact, {.tolerance = 1e-2});
+  const double taken = greatest_memory() - before;
+  ASSERT_EQ(solved.outcome, ehl::Outcome::solved) << solved.reason;
+  EXPECT_TRUE(needs.reason.empty());
+  EXPECT_EQ(solved.grids, needs.least_grids);
+  const ehl::PlaneGrid finest = needs.finest(needs.least_grids);
+  EXPECT_EQ(solved.film.grid.count_x(), finest.count_x());
+  EXPECT_EQ(solved.film.grid.count_y(), finest.count_y());
+  const double told = ehl::point_memory(finest.size());
+  EXPECT_TRUE(is_within(taken, told, 0.2 * told)) << taken << " bytes";
+}
+
+TEST(PointNeeds, MostGridsAreThoseThatTheNodesLeave) {
+  const ehl::PointOptions options;
+  for (const double load : {5., 100., 2000.}) {
+    const ehl::PointNeeds needs = ehl::needs_of(ehl::barus_point(load, 5));
+    EXPECT_LE(needs.finest(needs.most_grids).size(), options.greatest_nodes) << load;
+    EXPECT_GT(needs.finest(needs.most_grids + 1).size(), options.greatest_nodes) << load;
+  }
+  EXPECT_LT(ehl::needs_of(ehl::barus_point(5, 5)).most_grids,
+            ehl::needs_of(ehl::barus_point(5, 5), {.greatest_nodes = 2'000'000}).most_grids);
+}
+
+TEST(PointNeeds, SayWhyAContactIsRefused) {
+  EXPECT_NE(ehl::needs_of(ehl::barus_point(0.99, 0)).reason.find("M = 0.99 is below 1"),
+            std::string::npos);
+  EXPECT_NE(ehl::needs_of(ehl::barus_point(20, 5), {.greatest_nodes = 4000})
+                .reason.find("an error needs three grids"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace tribo::verification
