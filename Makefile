@@ -15,7 +15,7 @@ report: ## solve the paper's scenes, draw its figures: reports/out/index.html; s
 	build/release/tribocheck report \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*' 2>/dev/null)"
 
-test: ## build, run all tests, hold what ran to the manifest of checks; some 9 minutes the first time
+test: ## build, run all tests, hold what ran to the manifest of checks; some 20 minutes the first time
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release
@@ -46,7 +46,7 @@ help: ## print this list
 	  /^[a-z-]+:.*## / { printf "  %-17s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 ##@ What is right
-test-elsewhere: ## run the built tests as on a core without AVX-512, and on one without AVX2 and FMA; some 15 minutes
+test-elsewhere: ## run the built tests as on a machine without AVX-512, and on one without AVX2 and FMA; some 15 minutes
 	.ci/test-elsewhere
 
 test-slow: build ## run ten million lines, a billion points, 300 kills, 150 tries, 200 pairs, 200 attacks, 500 forged results, each write failing, the scripts of CI in a clean root; some 40 minutes

@@ -45,10 +45,10 @@ def sweep(changes=None, **settings):
 # Parts of few chunks, so that short sweeps have several parts: SHORT sweeps of ten chunks have three.
 ENVIRONMENT["TRIBOCHECK_PART_CHUNKS"] = "4"
 
-# Some tenths of a second of work, in many chunks.
+# Some tenths of a second of work, in many chunks; sanitizers take as long over fewer.
 LONG = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
               "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
-             onset='["film_maximum", "film_departure"]', draws=150000, sensitivity="true")
+             onset='["film_maximum", "film_departure"]', draws=30000 if SANITIZED else 150000, sensitivity="true")
 
 # A chunk of this sweep takes minutes, and the whole sweep days.
 DAYS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',

@@ -457,7 +457,7 @@ class Failures(unittest.TestCase):
     def test_file_that_cannot_replace_a_folder(self):
         out = self.path / "out"
         (out / "data/marks.tsv").mkdir(parents=True)
-        done = report("--out", out)
+        done = report("--out", out, "--section", "comparison")
         self.assert_refused(done, "cannot write", "marks.tsv", code=1)
         self.assertEqual([name for name in files_below(out) if "/." in name], [])
 

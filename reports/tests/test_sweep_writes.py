@@ -8,9 +8,11 @@ import subprocess
 import unittest
 
 from program import ENVIRONMENT, PROGRAM
-from sweeps import UNIFORM, SweepTest, preloadable, sweep
+from sweeps import SANITIZED, UNIFORM, SweepTest, preloadable, sweep
 
 LARGER = bool(os.environ.get("TRIBOCHECK_FAILED_WRITES"))
+# Of the writes, all of which the program does in the same few lines, and of the calls from which on all fail.
+EACH_WRITE, EACH_FULL_DISK = (1, 1) if LARGER else (20, 50) if SANITIZED else (5, 17)
 SMALL = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]", "outputs": '["film", "regime"]'},
               onset='["film_maximum"]', draws=2000)
 WITH_SENSITIVITY = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
@@ -53,7 +55,7 @@ class FailingWrites(SweepTest):
     def check_each_call(self, ways, whole):
         """ways: commands that make the same calls, each with what is done after a failure, without failing calls. Each call
         that is no write fails alone, and each fifth write; in larger sweeps each write. Each seventeenth call fails with all
-        that follow it, as on a full disk; in larger sweeps each call. The ways take turns; in larger sweeps each fails all calls."""
+        that follow it, as on a full disk; in larger sweeps each call; with sanitizers fewer. The ways take turns; in larger sweeps each fails all calls."""
         out = "out.h5"
         seen = set()
         for command, _ in ways:
@@ -67,8 +69,8 @@ class FailingWrites(SweepTest):
         others = [call for call, kind in enumerate(kinds, 1) if kind == "o"]
         self.assertGreater(min(len(writes), len(others)), 5)
         tries = failures = 0
-        failing = [(False, call) for call in others + writes[:: 1 if LARGER else 5]]
-        failing += [(True, call) for call in range(1, len(kinds) + 1, 1 if LARGER else 17)]
+        failing = [(False, call) for call in others + writes[::EACH_WRITE]]
+        failing += [(True, call) for call in range(1, len(kinds) + 1, EACH_FULL_DISK)]
         for on, call in failing:
             for command, recover in ways if LARGER else [ways[tries % len(ways)]]:
                 tries += 1

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -D BUILD_DIR=… -D VERSION=… -D SOURCE_DIR=… -P this
-# A folder of its own for each run: .ci/test-elsewhere has two at a time. A failure leaves it to be looked at.
+# A folder of its own for each run: two may run at a time. A failure leaves it to be looked at.
 execute_process(COMMAND mktemp --directory --tmpdir tribocheck-install-XXXXXX
   OUTPUT_VARIABLE scratch OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 set(prefix ${scratch}/prefix)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A folder for a test's files, and texts of files. The folder belongs to this process alone,
-// because the same tests run side by side (.ci/test-elsewhere), and is removed after the test.
+// because the same tests may run side by side, and is removed after the test.
 #pragma once
 
 #include <cstdlib>
