@@ -12,7 +12,8 @@ NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginso
          "dowson_toyoda_central": "Dowson–Toyoda", "pan_hamrock_minimum": "Pan–Hamrock",
          "pan_hamrock_central": "Pan–Hamrock", "hamrock_dowson_central": "Hamrock–Dowson",
          "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft bodies",
-         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft bodies"}
+         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft bodies",
+         "nijenbanning_venner_moes": "Nijenbanning–Venner–Moes"}
 HEIGHT = 840
 LABEL_GAP = 0.06  # part of the film's axis between two labels
 LAWS = {"barus": "Barus", "roelands": "Roelands", "incompressible": "incompressible",
