@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -58,6 +60,11 @@ std::string allowed_text(const Parameter& parameter) {
   for (const std::string_view word : parameter.words)
     text += (text.empty() ? "" : ", ") + std::string(word);
   return text.empty() ? std::string(text_of(parameter.range)) : text;
+}
+
+std::string default_text(const Parameter& parameter) {
+  if (parameter.words.empty()) return fmt::format("{}", *parameter.default_value);
+  return std::string(parameter.words[static_cast<std::size_t>(*parameter.default_value)]);
 }
 
 bool is_physical(const Function& function, const Arguments& arguments) {

@@ -53,6 +53,8 @@ struct Parameter {
 std::optional<double> place_of(std::string_view word, const Parameter& parameter);
 // "a number above 0", or the words
 std::string allowed_text(const Parameter& parameter);
+// The default, which has to be there: a number, or the word without quotes.
+std::string default_text(const Parameter& parameter);
 
 struct Result {
   std::string_view name;  // "value" where it is the only one

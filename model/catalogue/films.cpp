@@ -5,6 +5,7 @@
 #include "tribo/film_regimes.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/moes_line.hpp"
+#include "tribo/nijenbanning_venner_moes.hpp"
 #include "tribo/similarity_numbers.hpp"
 #include "tribo/thermal_reduction.hpp"
 
@@ -92,6 +93,43 @@ constexpr std::array moes_combinations{
                 .greatest = 100,
                 .value = [](const Arguments& x) { return moes_of_line(x).material; },
                 .parameter = "pressure_viscosity"}};
+
+constexpr std::array ellipse_parameters{
+    speed,
+    viscosity,
+    pressure_viscosity,
+    load,
+    effective_modulus,
+    radius_x,
+    radius_y,
+    Parameter{
+        .name = "exponent", .meaning = "x of s", .words = moes_exponent_words, .default_value = 0},
+    Parameter{.name = "bracket",
+              .meaning = "the exponent within the first bracket",
+              .words = moes_bracket_words,
+              .default_value = 0}};
+MoesNumbers<double> moes_of_point(const Arguments& x) {
+  return moes_numbers(groups_of_point(x), false);
+}
+constexpr std::array ellipse_combinations{
+    Combination{.name = "moes_load",
+                .meaning = "M = W(2U)^(−3/4)",
+                .least = 1e-6,
+                .greatest = 1e7,
+                .value = [](const Arguments& x) { return moes_of_point(x).load; },
+                .parameter = "load"},
+    Combination{.name = "moes_material",
+                .meaning = "L = G(2U)^(1/4)",
+                .least = 1e-4,
+                .greatest = 100,
+                .value = [](const Arguments& x) { return moes_of_point(x).material; },
+                .parameter = "pressure_viscosity"},
+    Combination{.name = "radius_ratio",
+                .meaning = "R_x/R_y",
+                .least = 1e-4,
+                .greatest = 1e4,
+                .value = [](const Arguments& x) { return x[5] / x[6]; },
+                .parameter = "radius_x"}};
 
 constexpr std::array regime_parameters{
     Parameter{.name = "regime", .meaning = "bodies and liquid", .words = film_regime_words},
@@ -288,6 +326,36 @@ constexpr std::array entries{
         .contract = moes_line_contract,
         .example = steel_line,
         .combinations = moes_combinations},
+    Function{
+        .name = "nijenbanning_venner_moes",
+        .meaning = "film thickness of the flooded point contact, from rigid to elastic",
+        .equation =
+            "H = {[RI^(3/2) + (EI^(−4) + H00^(−4))^(−3/8)]^(2s/3) + [RP^(−8) + "
+            "EP^(−8)]^(−s/8)}^(1/s), "
+            "s = 1.5(1 + e^(−1.2x)), x = EI/RI (ei_over_ri) or EI/EP (ei_over_ep); with "
+            "three_halves_of_s the first bracket is [RI^(3s/2) + (EI^(−4) + "
+            "H00^(−4))^(−3s/8)]^(2/(3s)); RI = 145(1 + 0.796D^(14/15))^(−15/7)D^(−1)M^(−2), EI = "
+            "3.18Q^(−14/25)D^(−1/15)M^(−2/15), RP = 1.29(1 + 0.691D)^(−2/3)L^(2/3), EP = "
+            "1.48Q^(−7/20)D^(−1/24)M^(−1/12)L^(3/4), Q = 1 + 0.006 ln D + 0.63D^(4/7), H00 = "
+            "1.8/D, "
+            "D = R_x/R_y; M = W(2U)^(−3/4), L = G(2U)^(1/4), H = (h₀/R_x)(2U)^(−1/2), U = "
+            "η₀u/(2E*R_x), G = 2αE*, W = F/(2E*R_x²)",
+        .source =
+            "G. Nijenbanning, C. H. Venner, H. Moes: Film thickness in elastohydrodynamically "
+            "lubricated elliptic contacts. Wear 176 (1994) 217; the print is not at hand, and "
+            "public transcriptions differ in x and in the first bracket: all readings are "
+            "kept, and solved films are nearest to the default",
+        .parameters = ellipse_parameters,
+        .results = central_results,
+        .value =
+            [](const Arguments& x, Results& y) {
+              y[0] = tribo::nijenbanning_venner_moes(x[0], x[1], x[2], x[3], x[4], x[5], x[6],
+                                                     enum_at<MoesExponent>(x[7]),
+                                                     enum_at<MoesBracket>(x[8]));
+            },
+        .contract = nijenbanning_venner_moes_contract,
+        .example = {0.05, 0.0202, 2e-8, 50, 107.9e9, 9.5e-3, 19e-3, 0, 0},
+        .combinations = ellipse_combinations},
     Function{.name = "regime_film",
              .meaning = "dimensionless minimum film of a flooded point contact, by its regime",
              .equation =

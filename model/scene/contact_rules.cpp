@@ -78,21 +78,29 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
        joined(fitting, " or ") + (is_line ? "; `tribocheck film` tells how far off each is" : "")});
 }
 
-// Refuses a viscosity that does not rise with pressure for a law whose film would be 0.
+// Refuses a viscosity that does not rise with pressure for a law whose film would be 0, or whose
+// law of the least film has none; and an ellipse that is given by its k for a law that takes radii.
 void check_rise(const Scene& scene, Problems& problems) {
   const FilmLaw& law = film_law(scene.closures.film);
+  if (scene.closures.film == FilmFormula::nijenbanning_venner_moes &&
+      scene.bodies.shape() == ContactShape::circle && scene.bodies.ellipticity != 1)
+    problems.error("bodies.ellipticity",
+                   {Fault::together, number_text(scene.bodies.ellipticity),
+                    " with closures.film = \"nijenbanning_venner_moes\", which takes radii",
+                    "1, or radius_x and radius_y in place of reduced_radius and ellipticity"});
   if (scene.lubricant.pressure_viscosity > 0 || law.material_exponent.p == 0) return;
   std::vector<std::string_view> fitting;
   for (std::size_t i = 0; i < film_formula_words.size(); ++i)
     if (film_law(static_cast<FilmFormula>(i)).material_exponent.p == 0)
       fitting.push_back(film_formula_words[i]);
-  problems.error(
-      "lubricant.pressure_viscosity",
-      {Fault::together, "0",
-       " with closures.film = \"" + std::string(film_word(scene)) + "\", whose film would be 0",
-       "a number above 0, in 1/Pa, or " + (law.is_of_lines
-                                               ? "the command `tribocheck film`"
-                                               : "closures.film = " + joined(fitting, " or "))});
+  problems.error("lubricant.pressure_viscosity",
+                 {Fault::together, "0",
+                  " with closures.film = \"" + std::string(film_word(scene)) +
+                      (law.has_fixed_exponents() ? "\", whose film would be 0"
+                                                 : "\", whose minimum_film would be 0"),
+                  "a number above 0, in 1/Pa, or " +
+                      (law.is_of_lines ? "the command `tribocheck film`"
+                                       : "closures.film = " + joined(fitting, " or "))});
 }
 
 void check_profile(const Scene& scene, Problems& problems) {

@@ -309,15 +309,14 @@ std::string advice_on_viscosity(const State&) {
 
 std::string advice_on_law(const State& state) {
   constexpr std::array of_points{
-      std::string_view("the contact is isoviscous_rigid, and scenes have no law of rigid bodies"),
-      std::string_view("the contact is piezoviscous_rigid, and scenes have no law of rigid bodies"),
+      std::string_view("the contact is isoviscous_rigid: take nijenbanning_venner_moes"),
+      std::string_view("the contact is piezoviscous_rigid: take nijenbanning_venner_moes"),
       std::string_view("the contact is isoviscous_elastic: take hamrock_dowson_soft_central"),
       std::string_view("the contact is piezoviscous_elastic: take hamrock_dowson_central")};
   constexpr std::array of_lines{
-      std::string_view("the contact is isoviscous_rigid: `tribocheck film` solves it"),
-      std::string_view("the contact is piezoviscous_rigid: `tribocheck film` solves it"),
-      std::string_view("the contact is isoviscous_elastic: `tribocheck film` solves it"),
-      std::string_view()};
+      std::string_view("the contact is isoviscous_rigid: take moes_line"),
+      std::string_view("the contact is piezoviscous_rigid: take moes_line"),
+      std::string_view("the contact is isoviscous_elastic: take moes_line"), std::string_view()};
   const auto regime = static_cast<std::size_t>(regime_of_film(state).regime);
   return std::string(state.shape == ContactShape::line ? of_lines[regime] : of_points[regime]);
 }
@@ -452,7 +451,10 @@ constexpr Row rows[] = {
      "the maps of regimes: Hamrock (1991) of points, Moes (1992) of lines; next to a border both "
      "films are alike, and formulas scatter by as much",
      [](const State& state) {
-       if (state.solves_film() || !(state.speeds.low > 0)) return not_assumed;
+       // A law without fixed exponents is one of all regimes.
+       if (state.solves_film() || !(state.speeds.low > 0) ||
+           !film_law(state.scene.closures.film).has_fixed_exponents())
+         return not_assumed;
        return regime_of_film(state).factor;
      },
      "film", advice_on_law},

@@ -161,8 +161,8 @@ void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> sc
   engine().prepare(words, scenes.data(), contacts.data(), scenes.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     SurfaceNumbers<double>& surface = contacts[i].surface;
-    // The kernels have no heated inlet.
-    if (words.thermal != ThermalInlet::none)
+    // The kernels have no heated inlet, and no law without fixed exponents.
+    if (words.thermal != ThermalInlet::none || !words.film->has_fixed_exponents())
       surface.film_at_unit_speed = std::numeric_limits<double>::quiet_NaN();
     if (std::isnan(surface.film_at_unit_speed))
       set_numbers(wide_contact(words, scenes[i]), contacts[i]);
@@ -220,6 +220,20 @@ double MixedContact<double>::speed_at(double flooded_film_parameter) const {
                                 inverse(film().speed_exponent));
 }
 
+double MixedContact<double>::speed_at(const LoadShares<double>& shares) const {
+  if (film().has_fixed_exponents())
+    return speed_at(sharing().flooded_film_parameter(shares.film_parameter, shares.fluid));
+  return narrow(in<Wide>().speed_at(widened({0, shares}).shares));
+}
+
+FilmExponents<double> MixedContact<double>::film_exponents(
+    const FloodedFilm<double>& flooded) const {
+  if (film().has_fixed_exponents())
+    return {ratio<double>(film().speed_exponent), ratio<double>(film().sharing_exponent)};
+  const FilmExponents<Wide> exponents = in<Wide>().film_exponents(widened(flooded));
+  return {narrow(exponents.speed), narrow(exponents.sharing)};
+}
+
 FloodedFilm<double> MixedContact<double>::flooded(double speed) const {
   if (!is_within_engine(speed)) return {speed, narrow(in<Wide>().flooded(Wide(speed)).shares)};
   return {speed, sharing().solve(flooded_film_parameter(speed))};
@@ -253,7 +267,7 @@ WalkPoint<double> StribeckWalk<double>::at(double log_speed) const {
   point.inlet = contact_.inlet(point.flooded);
   const LoadShares<double>& shares = point.flooded.shares;
   point.film_slope = detail::film_slope(
-      contact_.film(), shares,
+      contact_.film_exponents(point.flooded), shares,
       shares.asperity > 0 ? contact_.sharing().asperity_share_slope(shares.film_parameter) : 0.0);
   point.rate = 1;
   return point;

@@ -151,7 +151,9 @@ HWY_INLINE V decimal_power(D d, V x, const Exponent& exponent) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V decimal_powers(D d, V x, const Fraction& a, V y, const Fraction& b, V z,
                             const Fraction& c) {
-  constexpr int q = 1000;  // a multiple of all three denominators
+  constexpr int q = 1000;  // a multiple of all three denominators, but for those of Ertel's law
+  if (q % a.q != 0 || q % b.q != 0 || q % c.q != 0)
+    return hn::Mul(hn::Mul(decimal_power(d, x, a), decimal_power(d, y, b)), decimal_power(d, z, c));
   V n = hn::Zero(d), part = hn::Zero(d);
   auto is_ordinary = hn::Eq(n, n);
   const auto add = [&](V base, const Fraction& exponent) HWY_ATTR {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films by formulas that are no rows of numbers, and the reduction of a film by heat.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -40,6 +41,62 @@ Ball moes_film_by_logarithms(const Balls& x) {
   const Ball isoviscous = sum(fraction(7, 3), ln_ri, ln_ei);
   const Ball piezoviscous = sum(-fraction(7, 2), ln_rp, ln_ep);
   const Ball total = exp(s * isoviscous) + exp(s * piezoviscous);
+  const Ball film =
+      zero_between([&](const Ball& h) { return exp(s * log(h)) - total; }, Ball(1e-40), Ball(1e40));
+  return film * x[5] * exp(ln_2u / 2);
+}
+
+// H of M, L and D by reading: 0 or 1 for x and for the first bracket (a public transcription has
+// each), and h.
+struct MoesReading {
+  std::size_t exponent, bracket;
+};
+Ball ellipse_film(MoesReading reading, const Balls& x) {
+  const Ball &speed = x[0], &viscosity = x[1], &alpha = x[2], &load = x[3], &modulus = x[4],
+             &radius = x[5];
+  const Ball e2 = 2 * modulus, two_u = viscosity * speed / (modulus * radius), d = radius / x[6];
+  const Ball m = load / (e2 * radius * radius) / pow(two_u, fraction(3, 4));
+  const Ball l = alpha * e2 * pow(two_u, fraction(1, 4));
+  const Ball q = 1 + fraction(6, 1000) * log(d) + fraction(63, 100) * pow(d, fraction(4, 7));
+  const Ball ri =
+      145 * pow(1 + fraction(796, 1000) * pow(d, fraction(14, 15)), -fraction(15, 7)) / (d * m * m);
+  const Ball ei = fraction(318, 100) * pow(q, -fraction(14, 25)) * pow(d, -fraction(1, 15)) *
+                  pow(m, -fraction(2, 15));
+  const Ball rp = fraction(129, 100) * pow(1 + fraction(691, 1000) * d, -fraction(2, 3)) *
+                  pow(l, fraction(2, 3));
+  const Ball ep = fraction(148, 100) * pow(q, -fraction(7, 20)) * pow(d, -fraction(1, 24)) *
+                  pow(m, -fraction(1, 12)) * pow(l, fraction(3, 4));
+  const Ball h00 = fraction(18, 10) / d;
+  const Ball s =
+      fraction(3, 2) * (1 + exp(-fraction(6, 5) * ei / (reading.exponent == 0 ? ri : ep)));
+  const Ball limited = pow(ei, Ball(-4)) + pow(h00, Ball(-4));
+  const Ball first = reading.bracket == 0
+                         ? pow(pow(ri, fraction(3, 2)) + pow(limited, -fraction(3, 8)), 2 * s / 3)
+                         : pow(pow(ri, 3 * s / 2) + pow(limited, -3 * s / 8), 2 / (3 * s));
+  const Ball second = pow(pow(rp, Ball(-8)) + pow(ep, Ball(-8)), -s / 8);
+  return radius * sqrt(two_u) * pow(first + second, 1 / s);
+}
+// The same by logarithms of the inputs, the last equation by bisection on h.
+Ball ellipse_film_by_logarithms(MoesReading reading, const Balls& x) {
+  const Ball ln_2u = log(x[0]) + log(x[1]) - log(x[4]) - log(x[5]), ln_d = log(x[5]) - log(x[6]);
+  const Ball ln_m = log(x[3]) - log(Ball(2)) - log(x[4]) - 2 * log(x[5]) - 3 * ln_2u / 4;
+  const Ball ln_l = log(Ball(2)) + log(x[2]) + log(x[4]) + ln_2u / 4;
+  const Ball ln_q = log1p(fraction(6, 1000) * ln_d + fraction(63, 100) * exp(4 * ln_d / 7));
+  const Ball ln_ri =
+      log(Ball(145)) - ln_d - 2 * ln_m - 15 * log1p(fraction(796, 1000) * exp(14 * ln_d / 15)) / 7;
+  const Ball ln_ei = log(fraction(318, 100)) - 14 * ln_q / 25 - ln_d / 15 - 2 * ln_m / 15;
+  const Ball ln_rp =
+      log(fraction(129, 100)) + 2 * (ln_l - log1p(fraction(691, 1000) * exp(ln_d))) / 3;
+  const Ball ln_ep = log(fraction(148, 100)) - 7 * ln_q / 20 - ln_d / 24 - ln_m / 12 + 3 * ln_l / 4;
+  const Ball rise = exp(ln_ei - (reading.exponent == 0 ? ln_ri : ln_ep));
+  const Ball s = fraction(3, 2) + fraction(3, 2) * exp(-6 * rise / 5);
+  const auto sum = [](const Ball& p, const Ball& a, const Ball& b) {  // ln of the p-norm
+    return log(exp(p * a) + exp(p * b)) / p;
+  };
+  const Ball limited = sum(Ball(-4), ln_ei, log(fraction(18, 10)) - ln_d);
+  const Ball first = reading.bracket == 0 ? s * sum(fraction(3, 2), ln_ri, limited)
+                                          : sum(3 * s / 2, ln_ri, limited);
+  const Ball total = exp(first) + exp(s * sum(Ball(-8), ln_rp, ln_ep));
   const Ball film =
       zero_between([&](const Ball& h) { return exp(s * log(h)) - total; }, Ball(1e-40), Ball(1e40));
   return film * x[5] * exp(ln_2u / 2);
@@ -165,6 +222,83 @@ Table moes_lines() {
   return table;
 }
 
+constexpr std::array moes_exponents{"ei_over_ri", "ei_over_ep"};
+constexpr std::array moes_brackets{"three_halves", "three_halves_of_s"};
+
+Table ellipse_films() {
+  Table table{
+      {"nijenbanning_venner_moes",
+       "H = {[RI^(3/2) + (EI^(-4) + H00^(-4))^(-3/8)]^(2s/3) + [RP^(-8) + EP^(-8)]^(-s/8)}^(1/s), "
+       "and its other readings",
+       "m",
+       "speed [1e-6, 100] m/s, viscosity [1e-4, 100] Pa s, pressure_viscosity [1e-9, 1e-7] 1/Pa, "
+       "load [1e-3, 1e6] N, modulus [1e5, 1e12] Pa, radii [1e-6, 10] m, ratio [1e-4, 1e4]",
+       "powers of M, L and D", "logarithms of the inputs; bisection on the last equation",
+       "exponent,bracket,speed,viscosity,pressure_viscosity,load,effective_modulus,radius_x,"
+       "radius_y"},
+      "fn"};
+  const auto add = [&table](const Numbers& x, MoesReading reading, const char* region) {
+    table.add(
+        {moes_exponents[reading.exponent], moes_brackets[reading.bracket]}, x,
+        [=](const Balls& of) { return ellipse_film(reading, of); },
+        [=](const Balls& of) { return ellipse_film_by_logarithms(reading, of); }, region);
+  };
+  constexpr std::array<MoesReading, 4> readings{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+  Sampler sampler(1524);
+  for (std::size_t i = 0; i < 96; ++i) {
+    const bool usual = i < 72;
+    const auto pick = [&](double low, double high, double lowest, double highest) {
+      return usual ? sampler.log_uniform(low, high) : sampler.log_uniform(lowest, highest);
+    };
+    const double speed = pick(1e-4, 30, 1e-6, 100), viscosity = pick(1e-3, 1, 1e-4, 100);
+    const double alpha = pick(5e-9, 4e-8, 1e-9, 1e-7);
+    // One case in three has nearly rigid bodies, one soft ones.
+    const double load = i % 3 == 1 ? pick(1e-2, 1, 1e-3, 10) : pick(1, 1e4, 1e-3, 1e6);
+    const double modulus = i % 3 == 2 ? pick(1e6, 1e9, 1e5, 1e9) : pick(1e10, 5e11, 1e9, 1e12);
+    const double radius = pick(1e-3, 0.3, 1e-4, 1);
+    const double across = i % 6 == 0 ? radius : radius * pick(0.1, 100, 1e-3, 1e3);
+    // Half of the cases are of the default.
+    add({speed, viscosity, alpha, load, modulus, radius, across}, readings[i % 2 ? i / 2 % 4 : 0],
+        usual ? "ordinary" : "far");
+  }
+  const Numbers one{0.7, 0.02, 2e-8, 50, 1.1e11, 0.01, 0.02};
+  for (const MoesReading& reading : readings)
+    for (const Numbers& x : steps(one, {2, 0.09, 1.2e-8, 300, 1.6e11, 0.025, 0.04}))
+      add(x, reading, "ordinary");
+  std::vector<Numbers> ends = at_ends(one, {{0, 1e-6, 100},
+                                            {1, 1e-4, 100},
+                                            {2, 1e-9, 1e-7},
+                                            {3, 1e-3, 1e6},
+                                            {4, 1e5, 1e12},
+                                            {5, 1e-6, 1e3},
+                                            {6, 1e-6, 1e3}});
+  // Flat ones across from flat ones, so that R_x/R_y is in its range.
+  for (Numbers& x : ends)
+    if (x[5] > 500 || x[6] > 500)
+      x[3] = 1e4, x[5] = std::max(x[5], 500.), x[6] = std::max(x[6], 500.);
+  for (const Numbers& x : ends)
+    for (const MoesReading& reading : readings) add(x, reading, "end");
+  // M, L and D at their ends; a film shows the least L where D is great.
+  struct Groups {
+    double speed, radius, modulus, m, l, d;
+  };
+  for (const Groups& x : {Groups{50, 1, 1.1e11, 1e-6 / next_to_end, 1, 1},
+                          {1e-3, 0.001, 1.1e11, 1e7 * next_to_end, 1, 1},
+                          {40, 0.01, 1.1e11, 10, 100 * next_to_end, 1},
+                          {3, 0.01, 1e6, 100, 1e-4 / next_to_end, 5e3},
+                          {0.7, 0.01, 1.1e11, 100, 5, 1e-4 / next_to_end},
+                          {0.7, 0.01, 1.1e11, 100, 5, 1e4 * next_to_end}}) {
+    constexpr double viscosity = 0.02;
+    const double modulus = x.modulus;
+    const double two_u = viscosity * x.speed / (modulus * x.radius);
+    const double alpha = x.l / (2 * modulus * std::pow(two_u, 0.25));
+    const double load = x.m * std::pow(two_u, 0.75) * 2 * modulus * x.radius * x.radius;
+    for (const MoesReading& reading : readings)
+      add({x.speed, viscosity, alpha, load, modulus, x.radius, x.radius / x.d}, reading, "end");
+  }
+  return table;
+}
+
 Table regime_films() {
   Table table{{"regime_film", "H = (hmin/R_x)(W/U)^2 of one of five regimes", "dimensionless",
                "g_V and g_E [1, 1e10], radius ratio [0.1, 80], k [0.1, 20]; far: [1e-12, 1e20]",
@@ -274,7 +408,8 @@ Table rolling_reductions() {
 }  // namespace
 
 std::vector<Table> film_formulas() {
-  return {moes_lines(), regime_films(), thermal_reductions(), rolling_reductions()};
+  return {moes_lines(), ellipse_films(), regime_films(), thermal_reductions(),
+          rolling_reductions()};
 }
 
 }  // namespace tribo::reference

@@ -277,17 +277,17 @@ std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegim
                        beyond_of(*law, ellipticity, regime, factor), is_known,
                        law == &asked.contact.film(), function.source});
     }
-    if (function.name == "moes_line" && asked.is_line())
-      films.push_back(
-          {function.name,
-           false,
-           moes_line(speed, scene.viscosity, scene.pressure_viscosity, scene.load / scene.across,
-                     scene.effective_modulus, scene.radius_x),
-           {},
-           true,
-           false,
-           function.source});
   }
+  // The laws without fixed exponents are of all regimes.
+  for (const NamedFilmLaw& named : named_film_laws)
+    if (!named.law->has_fixed_exponents() && named.law->is_of_lines == asked.is_line())
+      films.push_back({named.word,
+                       false,
+                       smooth_film(*named.law, asked.shape(), scene, speed),
+                       {},
+                       true,
+                       named.law == &asked.contact.film(),
+                       catalogue::function_named(named.word)->source});
   return films;
 }
 

@@ -17,6 +17,7 @@
 #include "ehl/solved_point.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
+#include "tribo/moes_film.hpp"
 #include "tribo/starvation.hpp"
 
 namespace tribo::cli {
@@ -140,13 +141,17 @@ void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
   const double unit = ehl::scale_of(c).film;
   for (const NamedFilmLaw& named : named_film_laws) {
     if (named.law->is_of_lines) continue;
-    const bool has_film = c.pressure_viscosity > 0 || named.law->material_exponent.p == 0;
+    double length = unknown.value;
+    if (!named.law->has_fixed_exponents())
+      length = MoesFilm<double>(*named.law, c.viscosity, c.pressure_viscosity, c.load,
+                                c.effective_modulus, c.radius, 1 / c.radius_ratio, 1.)
+                   .at(c.speed, 1.)
+                   .film_parameter;
     // The laws take 1 for k^0: α of a liquid of constant viscosity is not used.
-    const double length =
-        has_film ? film_thickness(*named.law, c.speed, c.viscosity,
-                                  c.pressure_viscosity > 0 ? c.pressure_viscosity : 1., c.load,
-                                  c.effective_modulus, c.radius, film.ellipticity)
-                 : unknown.value;
+    else if (c.pressure_viscosity > 0 || named.law->material_exponent.p == 0)
+      length = film_thickness(*named.law, c.speed, c.viscosity,
+                              c.pressure_viscosity > 0 ? c.pressure_viscosity : 1., c.load,
+                              c.effective_modulus, c.radius, film.ellipticity);
     const bool is_minimum = named.word.ends_with("_minimum");
     const double solved = unit * (is_minimum ? flooded.minimum.value : flooded.central.value);
     film.formulas.push_back(

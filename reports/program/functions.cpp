@@ -79,7 +79,7 @@ void describe(const Function& function, OutputStream& output) {
     text += fmt::format("  {:<24}{:<8}{}\n", parameter.name, unit_text(parameter.unit),
                         parameter.meaning);
     text += fmt::format("  {:<24}{:<8}allowed: {}", "", "", allowed_text(parameter));
-    if (parameter.default_value) text += fmt::format(" (default: {})", *parameter.default_value);
+    if (parameter.default_value) text += fmt::format(" (default: {})", default_text(parameter));
     text += '\n';
     if (parameter.words.empty())
       text += fmt::format("  {:<24}{:<8}of contacts on earth: {}\n", "", "",
@@ -120,7 +120,10 @@ ordered_json json_of(const Function& function) {
     } else {
       one["words"] = parameter.words;
     }
-    if (parameter.default_value) one["default"] = *parameter.default_value;
+    if (parameter.default_value && parameter.words.empty())
+      one["default"] = *parameter.default_value;
+    else if (parameter.default_value)
+      one["default"] = default_text(parameter);
     parameters.push_back(std::move(one));
   }
   ordered_json combinations = ordered_json::array();

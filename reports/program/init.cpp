@@ -146,7 +146,8 @@ data parameters_of(const catalogue::Function& function) {
     // {{#default}}{{value}}{{/default}}: of one that a question may leave out.
     if (parameter.default_value) {
       data defaults(data::type::list);
-      defaults << data("value", fmt::format("{}", *parameter.default_value));
+      const std::string quote = parameter.words.empty() ? "" : "\"";
+      defaults << data("value", quote + catalogue::default_text(parameter) + quote);
       entry.set("default", defaults);
     }
     entry.set("coded", coded.empty() ? catalogue::allowed_text(parameter) : coded);

@@ -292,10 +292,10 @@ class Points(FilmTest):
             values = [one[quantity]["value"] for one in films]
             self.assertEqual(sorted(values), values)
 
-    def test_a_constant_viscosity_has_films_of_soft_bodies_alone(self):
+    def test_a_constant_viscosity_has_films_of_soft_bodies_and_of_all_regimes(self):
         found = self.film(self.point(50, 0), "--tolerance", "1e-2")
         self.assertEqual([one["name"] for one in found["formulas"] if one["film"] is not None],
-                         ["hamrock_dowson_soft_central", "hamrock_dowson_soft_minimum"])
+                         ["hamrock_dowson_soft_central", "hamrock_dowson_soft_minimum", "nijenbanning_venner_moes"])
 
     def test_the_shipped_ball_is_as_the_readme_says(self):
         ball = ROOT / "reference/scenes/ball_on_flat.toml"

@@ -31,6 +31,8 @@ GOOD = {
     "hamrock_dowson_soft_minimum": {"speed": 1, "viscosity": 0.0202, "load": 50, "effective_modulus": 107.9e9,
                                     "radius_x": 9.5e-3, "ellipticity": 1},
     **{law: {**STEEL, "load_per_length": 1e5, "reduced_radius": 9.5e-3} for law in LINES},
+    "nijenbanning_venner_moes": {**STEEL, "load": 50, "radius_x": 9.5e-3, "radius_y": 9.5e-3,
+                                 "exponent": "ei_over_ri", "bracket": "three_halves"},
     "regime_film": {"regime": "viscous_elastic", "viscosity_parameter": 1e6, "elasticity_parameter": 1e4,
                     "radius_ratio": 1, "ellipticity": 1},
     "gupta_thermal_reduction": {"peak_pressure": 1e9, "effective_modulus": 107.9e9, "slide_roll_ratio": 0.1,
@@ -56,8 +58,8 @@ GOOD = {
     "patir_cheng_pressure_flow": {"film_ratio": 2},
     "lambda_ratio": {"minimum_film": 3e-7, "first_roughness": 2e-7, "second_roughness": 1e-7},
 }
-OPTIONAL = {"ellipticity", "radius_ratio", "damiens_exponent"}
-WORDS = {"closure", "asperity", "regime", "adhesion"}
+OPTIONAL = {"ellipticity", "radius_ratio", "damiens_exponent", "exponent", "bracket"}
+WORDS = {"closure", "asperity", "regime", "adhesion", "exponent", "bracket"}
 POISSON = {"first_poisson_ratio", "second_poisson_ratio", "poisson_ratio"}
 ZERO_IS_LEGAL = {"order", "argument", "stiffness", "offset", "pressure", "slide_roll_ratio", "depth",
                  "high_shear_viscosity", "shear_rate", "jkr_radius.load", *POISSON}
@@ -198,6 +200,11 @@ class Values(unittest.TestCase):
                               (86.247, 48.624, 27.822, 165.939, 216.688, 154.850, 178.321, 198.958, 216.155),
                               strict=True):
             self.assertAlmostEqual(value(name, **GOOD[name]) * 1e9, film, delta=0.0005, msg=name)
+        readings = [value("nijenbanning_venner_moes", **GOOD["nijenbanning_venner_moes"] | {
+            "exponent": exponent, "bracket": bracket}) * 1e9
+                    for exponent in ("ei_over_ri", "ei_over_ep") for bracket in ("three_halves", "three_halves_of_s")]
+        for film, reading in zip((171.982, 171.221, 158.148, 157.776), readings, strict=True):
+            self.assertAlmostEqual(film, reading, delta=0.0005)
 
     def test_liquids(self):
         self.assert_close(value("dowson_higginson_density", pressure=1e9), 1.93 / 1.59)
@@ -293,7 +300,8 @@ class Values(unittest.TestCase):
     def test_defaults(self):
         for function, name in [("hamrock_dowson_central", "ellipticity"), ("hamrock_dowson_minimum", "ellipticity"),
                                ("regime_film", "radius_ratio"), ("regime_film", "ellipticity"),
-                               ("starvation_ratio", "damiens_exponent")]:
+                               ("starvation_ratio", "damiens_exponent"),
+                               ("nijenbanning_venner_moes", "exponent"), ("nijenbanning_venner_moes", "bracket")]:
             short = {k: v for k, v in GOOD[function].items() if k != name}
             with_default, without = ask(call(function, GOOD[function]), call(function, short))
             self.assertEqual(with_default, without)

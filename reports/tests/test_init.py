@@ -129,7 +129,7 @@ class Init(ProgramTest):
                     done = subprocess.run(["sh", "-c", line + " --sample 2"], capture_output=True, text=True,
                                           timeout=TIMEOUT, cwd=self.folder.name, env=ENVIRONMENT)
                     self.assertEqual((done.returncode, done.stderr), (1, ""))
-                    self.assertIn("NOTHING: 0 of 98", done.stdout)
+                    self.assertIn("NOTHING: 0 of 99", done.stdout)
 
     def test_an_exception_in_a_cpp_solver_is_of_its_own_case(self):
         path = pathlib.Path(self.folder.path("solver.cpp"))

@@ -160,7 +160,11 @@ std::vector<TestCase> without_defaults(const catalogue::Function& function,
     for (const catalogue::Parameter& parameter : function.parameters) {
       const std::string name(parameter.name);
       if (!parameter.words.empty()) left_out += inputs[name].get<std::string>() + ' ';
-      if (!parameter.default_value || inputs[name] != *parameter.default_value) continue;
+      if (!parameter.default_value) continue;
+      const bool has_default = parameter.words.empty()
+                                   ? inputs[name] == *parameter.default_value
+                                   : inputs[name] == catalogue::default_text(parameter);
+      if (!has_default) continue;
       inputs.erase(name);
       left_out += name + ' ';
     }

@@ -42,7 +42,8 @@ std::vector<std::string> rests_on(const std::string& function) {
               "starvation_ratio"};
     std::vector<std::string> below{"hertz_point",     "hertz_ellipse", "hertz_line",
                                    "gaussian_moment", "load_sharing",  "starvation_ratio"};
-    below.insert(below.end(), film_formula_words.begin(), film_formula_words.end());
+    for (const std::string_view word : film_formula_words)
+      if (is_film_of_points(word)) below.emplace_back(word);
     return below;
   }
   return {};

@@ -165,9 +165,7 @@ void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
   }
   slip_ = slip;
   at_points_ = name_.starts_with("hertz_") ? std::optional(with_contact(slip)) : for_points(slip);
-  const bool is_film = std::find(film_formula_words.begin(), film_formula_words.end(), name_) !=
-                       film_formula_words.end();
-  if (!is_film) return;
+  if (!is_film_of_points(name_)) return;
   at_points_ = with_film({slip});
   with_sharing_ = with_film_and_sharing(slip);
 }

@@ -253,6 +253,13 @@ std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
   return numbers;
 }
 
+bool is_film_of_points(std::string_view function) {
+  return std::any_of(named_film_laws.begin(), named_film_laws.end(), [&](const auto& named) {
+    return named.word == function && named.law->has_fixed_exponents() &&
+           named.law->sharing_exponent.p != 0;
+  });
+}
+
 std::vector<Mistake> read_mistakes(const std::string& path) {
   std::vector<Mistake> all, of_points;
   std::map<std::string, std::vector<Mistake>> of_films;  // by name: one for each film law
@@ -263,8 +270,7 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
       }
       for (const catalogue::Function* const function : functions_of(entry))
         for (Mistake& one : mistakes_of(*function, entry)) {
-          if (std::find(film_formula_words.begin(), film_formula_words.end(), function->name) !=
-              film_formula_words.end())
+          if (is_film_of_points(function->name))
             of_films[one.name].push_back(one);
           else if (std::optional<Mistake> same = for_points(one))
             of_points.push_back(std::move(*same));

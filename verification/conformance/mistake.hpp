@@ -40,6 +40,9 @@ struct Mistake {
 std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
                                     const Question& question);
 
+// Whether the function is the film law of certified operating points.
+bool is_film_of_points(std::string_view function);
+
 // All mistakes of the file, for single functions and for operating points. Throws
 // std::runtime_error with one line: file, entry, what is wrong.
 std::vector<Mistake> read_mistakes(const std::string& path);

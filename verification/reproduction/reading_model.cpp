@@ -162,7 +162,9 @@ double ReadContact::flooded_slope(double film_parameter) const {
   if (sharing_.has_floor() && film_parameter <= sharing_.floor()) return 0;
   const LoadShares<double> shares = sharing_.shares_above_floor(film_parameter - sharing_.floor());
   const double steepness = shares.asperity > 0 ? sharing_.asperity_share_slope(film_parameter) : 0;
-  return detail::film_slope(sharing_.film(), shares, steepness);
+  const FilmLaw& law = sharing_.film();
+  return detail::film_slope(
+      {ratio<double>(law.speed_exponent), ratio<double>(law.sharing_exponent)}, shares, steepness);
 }
 
 double ReadContact::film_slope(double r, const ReadInlet& inlet) const {

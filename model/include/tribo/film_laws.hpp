@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film laws: regressions of the film of a fully flooded, smooth contact (film_thickness.hpp) as
-// rows of numbers.
+// Film laws of a fully flooded, smooth contact: regressions (film_thickness.hpp) as rows of
+// numbers, and the two laws that join limits and have no fixed exponents (moes_film.hpp).
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,15 @@
 
 namespace tribo {
 
-// A row, and what follows from it. Contacts keep the address of their law, which must outlive them:
-// laws are constants.
+enum class FilmForm : std::uint8_t {
+  power,                    // C U^a G^b W^c (1 − m e^{−nk})
+  moes_line,                // moes_line.hpp
+  nijenbanning_venner_moes  // nijenbanning_venner_moes.hpp, the default reading
+};
+
+// A row, and what follows from it. A law that is no power has exponents of a typical elastic
+// contact, from which searches start, and no constant. Contacts keep the address of their law,
+// which must outlive them: laws are constants.
 struct FilmLaw {
   Fraction constant;               // C
   Fraction speed_exponent;         // a, of U
@@ -29,6 +36,7 @@ struct FilmLaw {
   int load_modulus = 2;
   int speed_multiple = 1;
   bool is_of_lines = false;  // else of point contacts
+  FilmForm form = FilmForm::power;
   // The ellipticities that it was fitted to, where its source tells them.
   double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
@@ -38,6 +46,8 @@ struct FilmLaw {
   // The two exponents in the form that the engine takes.
   Exponent speed_power = speed_exponent;
   Exponent sharing_power = sharing_exponent;
+
+  constexpr bool has_fixed_exponents() const { return form == FilmForm::power; }
 };
 
 // Central film (0.67 − 0.53 = 0.14 after load sharing) and minimum film (0.19) of Hamrock and
@@ -108,6 +118,19 @@ inline constexpr FilmLaw ertel_grubin_law{.constant = {195, 100},
                                           .load_exponent = {-1, 11},
                                           .is_of_lines = true};
 
+// Laws without fixed exponents.
+inline constexpr FilmLaw moes_line_law{.constant = {0, 1},
+                                       .speed_exponent = {7, 10},
+                                       .material_exponent = {56, 100},
+                                       .load_exponent = {-1, 10},
+                                       .is_of_lines = true,
+                                       .form = FilmForm::moes_line};
+inline constexpr FilmLaw nijenbanning_venner_moes_law{.constant = {0, 1},
+                                                      .speed_exponent = {7, 10},
+                                                      .material_exponent = {56, 100},
+                                                      .load_exponent = {-1, 10},
+                                                      .form = FilmForm::nijenbanning_venner_moes};
+
 // The laws that scenes name: those of points first, then those of lines. A law has its row above,
 // its value here and its word below; messages, sweeps and the JSON Schema follow.
 enum class FilmFormula : std::uint8_t {
@@ -115,10 +138,13 @@ enum class FilmFormula : std::uint8_t {
   hamrock_dowson_minimum,
   hamrock_dowson_soft_central,
   hamrock_dowson_soft_minimum,
+  nijenbanning_venner_moes,
   dowson_higginson_minimum,
   dowson_toyoda_central,
   pan_hamrock_minimum,
-  pan_hamrock_central
+  pan_hamrock_central,
+  ertel_grubin,
+  moes_line
 };
 struct NamedFilmLaw {
   std::string_view word;
@@ -130,10 +156,13 @@ inline constexpr auto named_film_laws = std::to_array<NamedFilmLaw>({
     {"hamrock_dowson_minimum", &hamrock_dowson_minimum_law},
     {"hamrock_dowson_soft_central", &hamrock_dowson_soft_central_law},
     {"hamrock_dowson_soft_minimum", &hamrock_dowson_soft_minimum_law},
+    {"nijenbanning_venner_moes", &nijenbanning_venner_moes_law},
     {"dowson_higginson_minimum", &dowson_higginson_minimum_law},
     {"dowson_toyoda_central", &dowson_toyoda_central_law},
     {"pan_hamrock_minimum", &pan_hamrock_minimum_law},
     {"pan_hamrock_central", &pan_hamrock_central_law},
+    {"ertel_grubin", &ertel_grubin_law},
+    {"moes_line", &moes_line_law},
 });
 inline constexpr auto film_formula_words = [] {
   std::array<std::string_view, named_film_laws.size()> words;

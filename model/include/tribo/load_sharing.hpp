@@ -8,14 +8,16 @@
 //   A(λ) = (K F_p(λ−δ))^q,                     the load share of the asperities
 //   ln λ − ln λ₀ + e ln(1 − A(λ)) = 0          on {A < 1}: exactly one root λ.
 //
-// e = a − b is the film law's (film_thickness.hpp), 0.14 for the default law. The floor λ_b solves
-// A(λ_b) = 1; it exists where A(0) ≥ 1 and is 0 otherwise. With w = (λ₀/λ)^{1/e}, the load share of
-// the film at the root, q(λ) = A + w − 1 is decreasing and convex (A″ ≥ 0 by Cauchy and Schwarz),
-// and q ≥ 0 at max(λ₀, λ_b). Newton's steps from there rise monotonically to the root: they never
-// fail.
+// e = a − b is the film law's (film_thickness.hpp), 0.14 for the default law; where it is 0, λ is
+// the greater of λ₀ and λ_b. Of laws without fixed exponents λ₀(1−A)^{−e} is the law's own film
+// λ(γ) at γU and G/γ, γ = 1/(1−A) (moes_film.hpp). The floor λ_b solves A(λ_b) = 1; it exists where
+// A(0) ≥ 1 and is 0 otherwise. With w = (λ₀/λ)^{1/e}, the load share of the film at the root, q(λ)
+// = A + w − 1 is decreasing and convex (A″ ≥ 0 by Cauchy and Schwarz), and q ≥ 0 at max(λ₀, λ_b).
+// Newton's steps from there rise monotonically to the root: they never fail.
 #pragma once
 
 #include "tribo/asperity_contact.hpp"
+#include "tribo/bracketed_root.hpp"
 #include "tribo/contact_numbers.hpp"
 #include "tribo/contract.hpp"
 #include "tribo/film_thickness.hpp"
@@ -150,7 +152,48 @@ class LoadSharing {
     if (!is_finite(lambda0)) return {lambda0, 0};
     if (!is_finite(floor_)) return {floor_, 0};
     if (lambda0 == 0 && !has_floor_) return {lambda0, 0};
+    if (film_exponent().p == 0) return {lambda0 < floor_ ? floor_ : lambda0, 0};
     return newton_root(lambda0);
+  }
+
+  // The shares at the film of a law without fixed exponents: the root of ln λ − ln λ(γ), with
+  // film(γ) → {λ(γ), exponents}, exponents.sharing = d ln λ(γ)/d ln γ, and 1/γ = 1 − A(λ). It is
+  // sought in s = ln(λ − λ_b), so that 1 − A keeps its digits next to a floor. There is one root
+  // where λ(γ) rises (moes_film.hpp). Failures as of solve().
+  template <class Film>
+  LoadShares<T> solve_by(const Film& film) const {
+    using std::exp;
+    using std::log;
+    const T lambda0 = film(T(1)).film_parameter;
+    if (!is_finite(lambda0) || !is_finite(floor_)) return at_infinity(lambda0);
+    if (lambda0 == 0) return shares_above_floor(T(0));
+    int iterations = 1;
+    const auto excess = [&](const T& s) {
+      ++iterations;
+      const LoadShares<T> shares = shares_above_floor(T(exp(s)));
+      if (!(shares.fluid > 0)) return T(-1);  // λ(γ) is above any λ
+      return log(T(shares.film_parameter / film(T(1 / shares.fluid)).film_parameter));
+    };
+    if (lambda0 > floor_) {
+      const LoadShares<T> free = shares_above_floor(T(lambda0 - floor_));
+      if (free.fluid == 1) return {lambda0, free.asperity, free.fluid, iterations};
+    }
+    // At λ₀ the excess is below 0, at a film that touches no summit above.
+    T low = log(lambda0 > floor_ ? T(lambda0 - floor_) : floor_);
+    T high = low;
+    for (T width = ratio<T>(1, 16); excess(low) > 0 && iterations < 100; width *= 2) low -= width;
+    for (T width = ratio<T>(1, 16); excess(high) < 0 && iterations < 200; width *= 2) high += width;
+    const T s = low < high ? bracketed_root(excess, low, high, epsilon<T>()) : low;
+    // A step of Newton's brings the derivatives of a type that has them.
+    const T distance = exp(s);
+    const LoadShares<T> near = shares_above_floor(distance);
+    const auto there = film(T(1 / near.fluid));
+    const T slope = 1 - there.sharing_exponent * near.asperity / near.fluid *
+                            asperity_share_slope_above_floor(distance);
+    const T step = log(T(near.film_parameter / there.film_parameter)) / slope;
+    LoadShares<T> shares = shares_above_floor(T(distance - near.film_parameter * step));
+    shares.iterations = iterations;
+    return shares;
   }
 
   // The load shares at the root of a λ₀.
@@ -158,6 +201,10 @@ class LoadSharing {
     if (!is_finite(flooded_film_parameter) || !is_finite(floor_))
       return at_infinity(flooded_film_parameter);
     if (flooded_film_parameter == 0 && !has_floor_) return shares_above_floor(T(0));
+    if (film_exponent().p == 0) {
+      if (!(flooded_film_parameter > floor_)) return {floor_, T(1), T(0), 0};
+      return shares_above_floor(T(flooded_film_parameter - floor_));
+    }
     return shares(flooded_film_parameter, root.film_parameter, root.iterations);
   }
 

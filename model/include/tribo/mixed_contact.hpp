@@ -11,6 +11,7 @@
 #include "tribo/friction.hpp"
 #include "tribo/hertz_contact.hpp"
 #include "tribo/load_sharing.hpp"
+#include "tribo/moes_film.hpp"
 #include "tribo/operating_point.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/starvation.hpp"
@@ -32,6 +33,25 @@ struct InletState {
   T flooded_over_inlet;  // r = h_ff/h_oil; 0 without a supply
   bool collapsed;
 };
+
+namespace detail {
+
+// The film of a scene's contact by a law without fixed exponents, over `height` in m.
+template <class T>
+MoesFilm<T> moes_film(const FilmLaw& law, ContactShape shape, const SceneNumbers<T>& scene,
+                      const T& height) {
+  const bool is_line = shape == ContactShape::line;
+  return {law,
+          scene.viscosity,
+          scene.pressure_viscosity,
+          is_line ? T(scene.load * scene.radius_x / scene.across) : scene.load,
+          scene.effective_modulus,
+          scene.radius_x,
+          shape == ContactShape::ellipse ? T(scene.radius_x / scene.across) : T(1),
+          height};
+}
+
+}  // namespace detail
 
 class MixedContacts;
 
@@ -69,13 +89,16 @@ class MixedContact {
                                      T(scene.offset_planes * scene.summit_plane_offset),
                                      scene.effective_modulus, hertz_.nominal_area, load_)),
         sharing_(asperities_.model, asperities_.stiffness, asperities_.offset, *film_),
+        moes_film_(detail::moes_film(*film_, words.shape, scene, summit_height_sd_)),
         film_parameter_at_unit_speed_(
-            film_thickness(*film_, T(1), lubricant_.viscosity, lubricant_.pressure_viscosity,
-                           words.shape == ContactShape::line
-                               ? T(load_ * scene.radius_x / scene.across)
-                               : load_,
-                           scene.effective_modulus, scene.radius_x, scene.ellipticity) /
-            summit_height_sd_) {}
+            film_->has_fixed_exponents()
+                ? T(film_thickness(
+                        *film_, T(1), lubricant_.viscosity, lubricant_.pressure_viscosity,
+                        words.shape == ContactShape::line ? T(load_ * scene.radius_x / scene.across)
+                                                          : load_,
+                        scene.effective_modulus, scene.radius_x, scene.ellipticity) /
+                    summit_height_sd_)
+                : moes_film_.at(T(1), T(1)).film_parameter) {}
 
   const HertzContact<T>& hertz() const { return hertz_; }
   const AsperityContact<T>& asperities() const { return asperities_; }
@@ -99,19 +122,51 @@ class MixedContact {
   // the speed at which λ₀ is reached by an inlet that is not heated.
   T flooded_film_parameter(const T& speed) const {
     const T isothermal =
-        film_parameter_at_unit_speed_ * decimal_power(speed, film_->speed_exponent);
+        film_->has_fixed_exponents()
+            ? T(film_parameter_at_unit_speed_ * decimal_power(speed, film_->speed_exponent))
+            : moes_film_.at(speed, T(1)).film_parameter;
     if (thermal_ == ThermalInlet::none) return isothermal;
-    return isothermal * gupta_thermal_reduction(hertz_.peak_pressure, effective_modulus_,
-                                                slide_roll_ratio_, temperature_coefficient_,
-                                                lubricant_.viscosity, speed, conductivity_);
+    return isothermal * heat_at(speed);
   }
   T speed_at(const T& flooded_film_parameter) const {
-    return decimal_power(T(flooded_film_parameter / film_parameter_at_unit_speed_),
-                         inverse(film_->speed_exponent));
+    return speed_at(LoadShares<T>{flooded_film_parameter, T(0), T(1), 0});
+  }
+  // The speed of a flooded film with its shares, likewise.
+  T speed_at(const LoadShares<T>& shares) const {
+    using std::exp;
+    using std::log;
+    if (film_->has_fixed_exponents())
+      return decimal_power(T(sharing_.flooded_film_parameter(shares.film_parameter, shares.fluid) /
+                             film_parameter_at_unit_speed_),
+                           inverse(film_->speed_exponent));
+    const T stiffening = 1 / shares.fluid;
+    const auto excess = [&](const T& log_speed) {
+      return log(
+          T(moes_film_.at(exp(log_speed), stiffening).film_parameter / shares.film_parameter));
+    };
+    // The film rises with speed at least as its root (analytic.MoesFilm).
+    const T start = excess(T(0));
+    const T root = bracketed_root(excess, start > 0 ? T(-2 * start - 1) : T(0),
+                                  start > 0 ? T(0) : T(1 - 2 * start), epsilon<T>());
+    const T slope = moes_film_.at(exp(root), stiffening).speed_exponent;
+    return exp(T(root - excess(root) / slope));
+  }
+  // d ln λ₀/d ln u and d ln λ₀/d ln γ at a film; of a heated inlet those without the heat.
+  FilmExponents<T> film_exponents(const FloodedFilm<T>& flooded) const {
+    if (film_->has_fixed_exponents() || !(flooded.shares.fluid > 0))
+      return {ratio<T>(film_->speed_exponent), ratio<T>(film_->sharing_exponent)};
+    const auto at = moes_film_.at(flooded.speed, T(1 / flooded.shares.fluid));
+    return {at.speed_exponent, at.sharing_exponent};
   }
 
   FloodedFilm<T> flooded(const T& speed) const {
-    return {speed, sharing_.solve(flooded_film_parameter(speed))};
+    if (film_->has_fixed_exponents()) return {speed, sharing_.solve(flooded_film_parameter(speed))};
+    const T heat = thermal_ == ThermalInlet::none ? T(1) : heat_at(speed);
+    return {speed, sharing_.solve_by([&](const T& stiffening) {
+              auto at = moes_film_.at(speed, stiffening);
+              at.film_parameter *= heat;
+              return at;
+            })};
   }
 
   InletState<T> inlet(const FloodedFilm<T>& film) const {
@@ -186,6 +241,13 @@ class MixedContact {
   }
 
  private:
+  // The part of λ₀ that the heat of the inlet leaves.
+  T heat_at(const T& speed) const {
+    return gupta_thermal_reduction(hertz_.peak_pressure, effective_modulus_, slide_roll_ratio_,
+                                   temperature_coefficient_, lubricant_.viscosity, speed,
+                                   conductivity_);
+  }
+
   bool is_near_floor(const FloodedFilm<T>& flooded) const {
     return sharing_.has_floor() && flooded.shares.fluid < ratio<T>(1, 4);
   }
@@ -279,6 +341,7 @@ class MixedContact {
   HertzContact<T> hertz_;
   AsperityContact<T> asperities_;
   LoadSharing<T> sharing_;
+  MoesFilm<T> moes_film_;           // of a law without fixed exponents
   T film_parameter_at_unit_speed_;  // λ₀/u^a
 };
 
@@ -307,6 +370,8 @@ class MixedContact<double> {
   double inlet_film_parameter(double speed) const;
   double flooded_film_parameter(double speed) const;
   double speed_at(double flooded_film_parameter) const;
+  double speed_at(const LoadShares<double>& shares) const;
+  FilmExponents<double> film_exponents(const FloodedFilm<double>& flooded) const;
 
   FloodedFilm<double> flooded(double speed) const;
   InletState<double> inlet(const FloodedFilm<double>& film) const;

@@ -119,9 +119,7 @@ Onset<T> onset_at_ratio(OnsetCriterion criterion, const MixedContact<T>& contact
     return no_onset<T>(criterion,
                        "the criterion's film lies below the floor that the asperities hold up");
   const LoadShares<T> shares = sharing.shares_above_floor(T(lambda - sharing.floor()));
-  const T lambda0 = sharing.flooded_film_parameter(shares.film_parameter, shares.fluid);
-  return onset_at(criterion, contact, FloodedFilm<T>{contact.speed_at(lambda0), shares},
-                  film_ratio);
+  return onset_at(criterion, contact, FloodedFilm<T>{contact.speed_at(shares), shares}, film_ratio);
 }
 
 // ln r at a point of the walk, under constant flow: r = h_ff u/q, increasing along the walk.

@@ -3,6 +3,9 @@
 // pressures of the dry, smooth contact, and beside the film of a point its least film, and Λ.
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "tribo/film_thickness.hpp"
 #include "tribo/mixed_contact.hpp"
 
@@ -30,6 +33,8 @@ T load_of_film(ContactShape shape, const detail::SceneNumbers<T>& scene) {
 template <class T>
 T smooth_film(const FilmLaw& law, ContactShape shape, const detail::SceneNumbers<T>& scene,
               const T& speed) {
+  if (!law.has_fixed_exponents())
+    return detail::moes_film(law, shape, scene, T(1)).at(speed, T(1)).film_parameter;
   return film_thickness(law, speed, scene.viscosity, scene.pressure_viscosity,
                         load_of_film(shape, scene), scene.effective_modulus, scene.radius_x,
                         scene.ellipticity);
@@ -51,6 +56,10 @@ class SmoothContact {
     const FilmLaw& law = contact.film();
     const FilmLaw& minimum_law = minimum_film_law(law);
     if (&minimum_law == &law) return;
+    if (!law.has_fixed_exponents()) {
+      of_any_exponents_.emplace(contact.words(), contact.scene_numbers());
+      return;
+    }
     const auto at_unit_speed = [&contact](const FilmLaw& one) {
       return smooth_film(one, contact.words().shape, contact.scene_numbers(), 1.0);
     };
@@ -87,6 +96,11 @@ class SmoothContact {
  private:
   // The least film over the film, of the smooth, flooded contact.
   double part_of_film(double speed) const {
+    if (of_any_exponents_) {
+      const auto& [words, scene] = *of_any_exponents_;
+      return smooth_film(minimum_film_law(*words.film), words.shape, scene, speed) /
+             smooth_film(*words.film, words.shape, scene, speed);
+    }
     return speed_exponent_.p == 0 ? part_at_unit_speed_
                                   : part_at_unit_speed_ * decimal_power(speed, speed_exponent_);
   }
@@ -96,6 +110,8 @@ class SmoothContact {
   bool has_summits_;
   double part_at_unit_speed_ = 1;
   Fraction speed_exponent_{0, 1};  // of that part
+  // Of a law without fixed exponents the part is computed at each speed.
+  std::optional<std::pair<detail::ContactWords, detail::SceneNumbers<double>>> of_any_exponents_;
 };
 
 }  // namespace tribo

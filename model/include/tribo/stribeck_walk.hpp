@@ -28,15 +28,18 @@ struct WalkPoint {
 
 namespace detail {
 
-// d ln λ/d ln u = a/(1 − (a−b) λA′/(1−A)), from λA′/A.
+// d ln λ/d ln u = a/(1 − (a−b) λA′/(1−A)), from λA′/A; 0 on a floor.
 template <class T>
-T film_slope(const FilmLaw& film, const LoadShares<T>& shares, const T& asperity_share_slope) {
-  const T stiffening = -ratio<T>(film.sharing_exponent) * shares.asperity * asperity_share_slope;
-  return ratio<T>(film.speed_exponent) * shares.fluid / (shares.fluid + stiffening);
+T film_slope(const FilmExponents<T>& film, const LoadShares<T>& shares,
+             const T& asperity_share_slope) {
+  if (shares.fluid == 0) return T(0);
+  const T stiffening = -film.sharing * shares.asperity * asperity_share_slope;
+  return film.speed * shares.fluid / (shares.fluid + stiffening);
 }
 
 }  // namespace detail
 
+// Beyond double it takes laws of fixed exponents with a − b > 0.
 template <class T>
 class StribeckWalk {
  public:
@@ -81,7 +84,7 @@ class StribeckWalk {
     }
     const LoadShares<T>& shares = point.flooded.shares;
     point.film_slope = detail::film_slope(
-        film(), shares,
+        contact_.film_exponents(point.flooded), shares,
         shares.asperity > 0 ? sharing_.asperity_share_slope_above_floor(T(exp(log_distance)))
                             : T(0));
     // In the logarithmic approach to the floor both slopes vanish together.
@@ -164,8 +167,7 @@ class StribeckWalk {
       return {contact_.speed_at(film0), {sharing_.floor(), 1 - fluid, fluid, 0}};
     }
     const LoadShares<T> shares = sharing_.shares_above_floor(T(exp(log_distance)));
-    return {contact_.speed_at(sharing_.flooded_film_parameter(shares.film_parameter, shares.fluid)),
-            shares};
+    return {contact_.speed_at(shares), shares};
   }
 
   // Walk by inlet length: t = ln ψ.

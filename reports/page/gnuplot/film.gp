@@ -51,7 +51,7 @@ do for [i = 1:formulas_records] {
   set label texts[i] at screen text_left, first places[i] left font small noenhanced \
     textcolor rgb formula(minima[i])
 }
-set label "Formulas: off the film drawn" at screen text_left, first 0.97*film_top left font small
+set label "Formulas: off the solved film" at screen text_left, first 0.97*film_top left font small
 set label "(off the film of the liquid that each" at screen text_left, first 0.92*film_top left font small
 set label "was fitted to; ? where not known):" at screen text_left, first 0.87*film_top left font small
 set key at screen key_left, first 0.12*film_top left top Left reverse samplen 2 font small

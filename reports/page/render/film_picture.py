@@ -16,7 +16,8 @@ NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginso
          "dowson_toyoda_central": "Dowson–Toyoda", "pan_hamrock_minimum": "Pan–Hamrock",
          "pan_hamrock_central": "Pan–Hamrock", "hamrock_dowson_central": "Hamrock–Dowson",
          "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft",
-         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft"}
+         "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft",
+         "nijenbanning_venner_moes": "Nijenbanning–Venner–Moes"}
 HEIGHT = 840
 MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # greatest, and what stands above and below a map, in points
 MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # the greatest of a map's colours, in central films and in Hertz' peaks
@@ -81,13 +82,14 @@ def row(*cells):
 
 
 def formula_text(contact, formula):
-    """The formula's name and its difference from the drawn film, and in brackets, where it was fitted to another liquid, that
+    """The formula's name and its difference from the solved film, of a starved contact from the flooded one, and in brackets, where it was fitted to another liquid, that
     from the film of that liquid; a ? where that liquid is not known."""
     liquid = contact["assumptions"]
     own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
     known = formula["deviation_percent"]
     of_fit = "" if formula["fitted_to"] == own else " (?)" if known is None else f" ({signed(known)} %)"
-    return f"{NAMES.get(formula['name'], formula['name'])} {signed(formula['this_liquid_deviation_percent'])} %{of_fit}"
+    inlet = ", flooded" if liquid["inlet"] == "starved" else ""
+    return f"{NAMES.get(formula['name'], formula['name'])}{inlet} {signed(formula['this_liquid_deviation_percent'])} %{of_fit}"
 
 
 def drawn_formulas(contact):

@@ -11,6 +11,7 @@
 #include "tribo/liquids.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/moes_line.hpp"
+#include "tribo/nijenbanning_venner_moes.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/rough_faces.hpp"
 #include "tribo/roughness.hpp"
@@ -101,6 +102,7 @@ TEST(Contracts, AreNoWiderThanPromised) {
   same(hertz_line_contract, {1, 0});
   same(film_contract, {20, 0});
   same(moes_line_contract, {20, 0});
+  same(nijenbanning_venner_moes_contract, {60, 0});
   same(gupta_thermal_contract, {8, 4});
   same(density_contract, {2, 0});
   same(barus_contract, {4, 1});

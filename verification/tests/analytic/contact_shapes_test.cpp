@@ -106,6 +106,7 @@ TEST(ContactShapes, LinesOfTwiceTheLengthAndLoadAreTheSameLine) {
 TEST(ContactShapes, FilmsOfEachLawHaveItsExponents) {
   for (Scene scene : scenes_of_all_laws()) {
     const FilmLaw& law = film_law(scene.closures.film);
+    if (!law.has_fixed_exponents()) continue;  // theirs are those of analytic.MoesFilm
     const MixedContact<double> contact(scene);
     const double slope =
         std::log2(contact.flooded_film_parameter(2) / contact.flooded_film_parameter(1));
@@ -205,7 +206,7 @@ TEST(ContactShapes, OnsetsOfEachLawAreThoseOfADenseSweep) {
       EXPECT_TRUE(is_within(point.film / point.film_flooded, 0.95, 1e-12));
       ++found;
     }
-  EXPECT_EQ(found, 16);
+  EXPECT_EQ(found, 22);
 }
 
 TEST(ContactShapes, TwoBodiesAreTheirModulusAndRadii) {

@@ -117,7 +117,7 @@ std::vector<Point> points_of(const KindInfo& asked) {
     point.kind = asked.kind;
     draw(sampler, point);
   }
-  const auto add = [&](std::array<double, 7> x,
+  const auto add = [&](std::array<double, 9> x,
                        StarvationClosure closure = StarvationClosure::flooded_inlet) {
     Point& point = points.emplace_back();
     point.kind = asked.kind;

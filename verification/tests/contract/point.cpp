@@ -18,6 +18,7 @@
 #include "tribo/liquids.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/moes_line.hpp"
+#include "tribo/nijenbanning_venner_moes.hpp"
 #include "tribo/spectral_moments.hpp"
 #include "tribo/thermal_reduction.hpp"
 #include "tribo/two_bodies.hpp"
@@ -243,6 +244,7 @@ const RowTable& row_table() {
         {"half_width", "mean_pressure", "peak_pressure", "peak_shear"}, hertz_line_contract);
     add(Kind::film_law, "film_law", {"value"}, film_contract);
     add(Kind::moes_line, "moes_line", {"value"}, moes_line_contract);
+    add(Kind::moes_point, "nijenbanning_venner_moes", {"value"}, nijenbanning_venner_moes_contract);
     add(Kind::film_regime, "regime_film", {"value"}, film_contract);
     add(Kind::thermal_reduction, "gupta_thermal_reduction", {"value"}, gupta_thermal_contract);
     add(Kind::density, "dowson_higginson_density", {"value"}, density_contract);
@@ -342,6 +344,12 @@ void draw(Sampler& sampler, Point& point) {
     case Kind::film_law:
     case Kind::moes_line:
       draw_film(sampler, point);
+      break;
+    case Kind::moes_point:  // and R_y, and which reading
+      draw_film(sampler, point);
+      point.x[6] = point.x[5] / sampler.log_uniform(1e-4, 1e4);
+      point.x[7] = sampler.pick({0, 1});
+      point.x[8] = sampler.pick({0, 1});
       break;
     case Kind::film_regime:  // g_V, g_E, α, k, and which
       numbers({{1e-12, 1e20}, {1e-12, 1e20}, {0.01, 100}, {0.01, 20}});
@@ -446,6 +454,10 @@ Values<T> values_of(const Point& point) {
                    : film_thickness(*point.film, x(0), x(1), x(2), x(3), x(4), x(5), x(6))}};
     case Kind::moes_line:
       return {{moes_line(x(0), x(1), x(2), x(3), x(4), x(5))}};
+    case Kind::moes_point:
+      return {{nijenbanning_venner_moes(x(0), x(1), x(2), x(3), x(4), x(5), x(6),
+                                        static_cast<MoesExponent>(static_cast<int>(point.x[7])),
+                                        static_cast<MoesBracket>(static_cast<int>(point.x[8])))}};
     case Kind::film_regime:
       return {{regime_film(static_cast<FilmRegime>(static_cast<int>(point.x[4])), x(0), x(1), x(2),
                            x(3))}};

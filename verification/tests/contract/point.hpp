@@ -51,6 +51,7 @@ enum class Kind : std::uint8_t {
   hertz_line,
   film_law,  // all film laws but the central one
   moes_line,
+  moes_point,
   film_regime,
   thermal_reduction,
   density,
@@ -87,6 +88,7 @@ inline constexpr std::array<KindInfo, kind_count> kinds{{
     {Kind::hertz_line, "hertz_line", 400, 400},
     {Kind::film_law, "film_law", 800, 800},
     {Kind::moes_line, "moes_line", 500, 500},
+    {Kind::moes_point, "nijenbanning_venner_moes", 500, 500},
     {Kind::film_regime, "film_regime", 500, 500},
     {Kind::thermal_reduction, "thermal_reduction", 400, 400},
     {Kind::density, "density", 200, 200},
@@ -108,7 +110,7 @@ struct Point {
   Kind kind = Kind::scene;
   Scene scene;                                        // of a scene; other kinds use only its words
   const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing and film_law
-  std::array<double, 7> x{};                          // K, δ, λ₀ | r, γ, departure | d | …
+  std::array<double, 9> x{};                          // K, δ, λ₀ | r, γ, departure | d | …
 };
 
 Point point_at(std::uint64_t seed, std::uint64_t index);

@@ -21,11 +21,14 @@ inline constexpr std::array starvation_closures{
     StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
     StarvationClosure::printed_exponents, StarvationClosure::damiens};
 
-// The laws that scenes of lines, or of points, may name.
+// The laws that scenes of lines, or of points, may name, without those that load sharing does not
+// move by a power: analytic.MoesFilm has those.
 inline std::vector<FilmFormula> film_formulas(bool of_lines) {
   std::vector<FilmFormula> formulas;
   for (std::size_t i = 0; i < named_film_laws.size(); ++i)
-    if (named_film_laws[i].law->is_of_lines == of_lines)
+    if (named_film_laws[i].law->is_of_lines == of_lines &&
+        named_film_laws[i].law->has_fixed_exponents() &&
+        named_film_laws[i].law->sharing_exponent.p != 0)
       formulas.push_back(static_cast<FilmFormula>(i));
   return formulas;
 }

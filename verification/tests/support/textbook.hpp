@@ -144,15 +144,22 @@ inline Ellipse ellipse(double radius_ratio) {
   return {is_exchanged ? 1 / k : k, k == 1 ? M_PI / 2 : integrals(k).second};
 }
 
-// Side leakage and exponents of each film formula, in the order of FilmFormula.
+// Side leakage and exponents of each film formula, in the order of FilmFormula; not of those
+// without.
 struct FilmFit {
   double c, u, g, w, m, n;
 };
-inline constexpr FilmFit film_fits[] = {
-    {2.69, 0.67, 0.53, -0.067, 0.61, 0.73}, {3.63, 0.68, 0.49, -0.073, 1, 0.68},
-    {7.32, 0.64, 0, -0.22, 0.72, 0.28},     {7.43, 0.65, 0, -0.21, 0.85, 0.31},
-    {2.65, 0.7, 0.54, -0.13, 0, 0},         {3.06, 0.69, 0.56, -0.1, 0, 0},
-    {1.714, 0.694, 0.568, -0.128, 0, 0},    {2.922, 0.692, 0.47, -0.166, 0, 0}};
+inline constexpr FilmFit film_fits[] = {{2.69, 0.67, 0.53, -0.067, 0.61, 0.73},
+                                        {3.63, 0.68, 0.49, -0.073, 1, 0.68},
+                                        {7.32, 0.64, 0, -0.22, 0.72, 0.28},
+                                        {7.43, 0.65, 0, -0.21, 0.85, 0.31},
+                                        {},
+                                        {2.65, 0.7, 0.54, -0.13, 0, 0},
+                                        {3.06, 0.69, 0.56, -0.1, 0, 0},
+                                        {1.714, 0.694, 0.568, -0.128, 0, 0},
+                                        {2.922, 0.692, 0.47, -0.166, 0, 0},
+                                        {1.95, 8.0 / 11, 8.0 / 11, -1.0 / 11, 0, 0},
+                                        {}};
 static_assert(std::size(film_fits) == named_film_laws.size());
 
 inline Point solve(const Scene& scene, double u) {

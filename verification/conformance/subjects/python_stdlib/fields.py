@@ -47,6 +47,9 @@ FUNCTIONS |= {name: above_zero(*(one for one in FILM if law[2] or one != "pressu
               for name, law in films.POINTS.items()}
 FUNCTIONS |= {name: above_zero(*FILM[:3], "load_per_length", "effective_modulus", "reduced_radius")
               for name in (*films.LINES, "moes_line")}
+FUNCTIONS["nijenbanning_venner_moes"] = {
+    **above_zero(*FILM[:5], "radius_x", "radius_y"), "exponent": (("ei_over_ri", "ei_over_ep"), "ei_over_ri"),
+    "bracket": (("three_halves", "three_halves_of_s"), "three_halves")}
 FUNCTIONS |= {
     "regime_film": {"regime": (REGIMES, REQUIRED), **above_zero(
         "viscosity_parameter", "elasticity_parameter", "radius_ratio", "ellipticity", radius_ratio=1.0, ellipticity=1.0)},

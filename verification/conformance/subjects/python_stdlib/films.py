@@ -62,6 +62,20 @@ def moes_line(*given):
     return unit * norm(s, isoviscous, piezoviscous)
 
 
+def nijenbanning_venner_moes(speed, viscosity, alpha, load, E, Rx, Ry, exponent, bracket):
+    U, G, W = groups(speed, viscosity, alpha, load / Rx, E, Rx)
+    M, L, D = W / (2 * U) ** 0.75, G * (2 * U) ** 0.25, Rx / Ry
+    Q = 1 + 0.006 * math.log(D) + 0.63 * D ** (4 / 7)
+    rigid = 145 * (1 + 0.796 * D ** (14 / 15)) ** (-15 / 7) / D / M**2
+    elastic = 3.18 * Q**-0.56 * D ** (-1 / 15) * M ** (-2 / 15)
+    rigid_piezoviscous = 1.29 * (L / (1 + 0.691 * D)) ** (2 / 3)
+    elastic_piezoviscous = 1.48 * Q**-0.35 * D ** (-1 / 24) * M ** (-1 / 12) * L**0.75
+    s = 1.5 * (1 + math.exp(-1.2 * elastic / (rigid if exponent == "ei_over_ri" else elastic_piezoviscous)))
+    limited = norm(-4, elastic, 1.8 / D)
+    isoviscous = norm(1.5, rigid, limited) if bracket == "three_halves" else norm(1.5 * s, rigid, limited) ** (1 / s)
+    return Rx * math.sqrt(2 * U) * norm(s, isoviscous, norm(-8, rigid_piezoviscous, elastic_piezoviscous))
+
+
 def viscous_rigid_roelands(g_V, alpha):
     return 141 * g_V**0.375 * -math.expm1(-0.0387 * alpha)
 

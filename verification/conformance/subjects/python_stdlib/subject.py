@@ -67,7 +67,8 @@ def value_of(module, name, *first):
 FUNCTIONS |= {name: value_of(films, "point_film" if law[2] else "soft_film", name) for name, law in films.POINTS.items()}
 FUNCTIONS |= {name: value_of(films, "line_film", name) for name in films.LINES}
 FUNCTIONS |= {name: value_of(module, function) for name, module, function in (
-    ("moes_line", films, "moes_line"), ("regime_film", films, "regime_film"),
+    ("moes_line", films, "moes_line"), ("nijenbanning_venner_moes", films, "nijenbanning_venner_moes"),
+    ("regime_film", films, "regime_film"),
     ("gupta_thermal_reduction", films, "thermal_reduction"), ("dowson_higginson_density", liquids, "density"),
     ("barus_viscosity", liquids, "barus"), ("roelands_viscosity", liquids, "roelands"),
     ("astm_d341_viscosity", liquids, "astm_d341"), ("viscosity_index", liquids, "viscosity_index"),
