@@ -325,7 +325,8 @@ class Points(FilmTest):
         with open(picture, encoding="utf-8") as file:
             text = file.read()
         self.assertRegex(text, r"point contact at 1 m/s, its middle; least film [0-9.]+ µm beside it")
-        self.assertEqual(text.count("Hamrock–Dowson"), 2)
+        for name in ("Hamrock–Dowson", "Nijenbanning–Venner–Moes"):  # of the least film and of the central one
+            self.assertEqual(text.count(name), 1, name)
         self.assertNotIn("soft bodies", text)
 
 
