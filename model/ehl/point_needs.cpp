@@ -38,7 +38,8 @@ double point_seconds(const PointContact& contact, Eigen::Index nodes) {
   const double l = contact.material_number / 9;
   // A starved film takes more steps, and its flooded film is solved beside it.
   const double films = contact.is_starved() ? 4 : 1;
-  return films * 30e-6 * static_cast<double>(nodes) * std::pow(contact.load_number, 0.2) * (1 + l * l);
+  return films * 30e-6 * static_cast<double>(nodes) * std::pow(contact.load_number, 0.2) *
+         (1 + l * l);
 }
 
 }  // namespace tribo::ehl
