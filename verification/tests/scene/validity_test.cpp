@@ -552,7 +552,7 @@ TEST(Validity, AFilmLawBelongsToItsRegime) {
       scene_of(with(soft, "lubricant.pressure_viscosity", border * 100)), "film_law_regime");
   EXPECT_NEAR(other.value / std::pow(100, 0.49), 1, 1e-9);
   EXPECT_NE(other.advice.find("take hamrock_dowson_central"), std::string_view::npos);
-  // Lines have no law of another regime.
+  // Moes' law of lines is one of all regimes.
   SceneText line = ordinary().remove("bodies.reduced_radius");
   line.set("bodies.radius_x", "0.01").set("bodies.length", "0.01").set("load", "100");
   line.set("closures.film", "\"dowson_toyoda_central\"").set("bodies.effective_modulus", "1e7");
