@@ -323,7 +323,7 @@ class Baselines(ProgramTest):
         told = [one for one in verify("--subject", twice, "--sample", SAMPLE).json()["diagnoses"]
                 if "film-doubled-E'" in one["mistakes"] or one["quantity"] == "hamrock_dowson_central"]
         one, = told
-        self.assertEqual(len(one["functions"]), 10, one)
+        self.assertEqual(len(one["functions"]), 11, one)
         self.assertEqual(one["text"].count("in place of 2E*"), 1)
         self.assertIn("The same explains the answers of hamrock_dowson_minimum, hamrock_dowson_soft_central, ", one["text"])
 
