@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """film: solved contacts, their errors, each formula beside them, and failures."""
 
-import csv
 import math
 import os
 import pty
@@ -13,10 +12,9 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as xml
 
-import h5py
 import page_pictures
 import svg_plots
-from program import ENVIRONMENT, PROGRAM, ProgramTest, read_terminal, run, scene, start, strict_json, toml
+from program import ENVIRONMENT, PROGRAM, ProgramTest, read_terminal, run, start, strict_json, toml
 from report_files import ROOT
 
 ROLLER = ROOT / "reference/scenes/roller.toml"
@@ -249,190 +247,6 @@ class Formats(FilmTest):
         found = run("film", ROLLER, "--format", "json").json()["films"]
         self.assertEqual(len(found), 3)
         self.assertLess(found[0]["spike_pressure"]["error"], 0.001*found[0]["spike_pressure"]["value"])
-
-
-class Points(FilmTest):
-    """Circles and ellipses."""
-
-    def point(self, load_number, material_number, radius_ratio=1):
-        tree = line(10, material_number)
-        tree["load"] = load_number*2*MODULUS*RADIUS**2*(VISCOSITY/(MODULUS*RADIUS))**0.75
-        tree["bodies"] = {"effective_modulus": MODULUS, "radius_x": RADIUS, "radius_y": radius_ratio*RADIUS}
-        return tree
-
-    def test_a_circle_is_solved_beside_the_laws_of_points(self):
-        found = self.film(self.point(20, 10), "--tolerance", "1e-2")
-        self.assertAlmostEqual(found["load_number"], 20, delta=1e-9)
-        self.assertAlmostEqual(found["ellipticity"], 1, delta=1e-12)
-        # By this solver on four grids; the least film lies beside the middle.
-        for quantity, known in [("central_film", 4.8588), ("minimum_film", 3.0201), ("film_at_greatest_pressure", 4.8587)]:
-            solved = found[quantity]
-            self.assertAlmostEqual(film_number(solved["value"]), known, delta=film_number(solved["error"]) + 1e-3)
-            self.assertLess(solved["error"], 1e-2*solved["value"])
-        self.assertIsNone(found["spike_pressure"])
-        self.assertIn("circles and ellipses", found["undefined"]["spike_pressure"])
-        self.assertEqual([one["name"] for one in found["formulas"]],
-                         [f"hamrock_dowson_{kind}{film}" for kind in ("", "soft_") for film in ("central", "minimum")])
-        for one in found["formulas"]:
-            self.assertIsNone(one["deviation_percent"])
-            self.assertAlmostEqual(one["this_liquid_deviation_percent"],
-                                   100*(one["film"]/found[one["stands_for"]]["value"] - 1), delta=1e-10)
-        self.assertEqual(found["tolerance"], 1e-2)
-        self.assertGreater(found["cells_across"], 0)
-
-    def test_a_ball_by_its_radius_is_the_circle_by_two(self):
-        two = self.point(20, 5)
-        ball = two | {"bodies": {"effective_modulus": MODULUS, "reduced_radius": RADIUS}}
-        self.assertEqual(self.film(ball, "--tolerance", "1e-2"), self.film(two, "--tolerance", "1e-2"))
-
-    def test_an_ellipse_across_the_motion_carries_a_thicker_film(self):
-        films = [self.film(self.point(20, 5, ratio), "--tolerance", "1e-2") for ratio in (0.5, 1, 2)]
-        self.assertEqual(sorted(one["ellipticity"] for one in films), [one["ellipticity"] for one in films])
-        for quantity in ("central_film", "minimum_film"):
-            values = [one[quantity]["value"] for one in films]
-            self.assertEqual(sorted(values), values)
-
-    def test_a_constant_viscosity_has_films_of_soft_bodies_and_of_all_regimes(self):
-        found = self.film(self.point(50, 0), "--tolerance", "1e-2")
-        self.assertEqual([one["name"] for one in found["formulas"] if one["film"] is not None],
-                         ["hamrock_dowson_soft_central", "hamrock_dowson_soft_minimum", "nijenbanning_venner_moes"])
-
-    def test_the_shipped_ball_is_as_the_readme_says(self):
-        ball = ROOT / "reference/scenes/ball_on_flat.toml"
-        done = run("film", str(ball), "--speed", "1", "--tolerance", "1e-2", "--format", "json")
-        self.assertEqual((done.code, done.err), (0, ""))
-        found, = done.json()["films"]
-        readme = (ROOT / "reports/program/README.md").read_text(encoding="utf-8")
-        self.assertIn(f"a least film beside the middle of {1e9*found['minimum_film']['value']:.1f} nm", readme)
-        formula, = (one["film"] for one in found["formulas"] if one["name"] == "hamrock_dowson_minimum")
-        self.assertIn(f"formula says {1e9*formula:.1f} nm", readme)
-
-    def starved(self, layer, **supply):
-        """M = 20, L = 10, whose flooded central film has the film number 4.8587."""
-        ball = self.point(20, 10)
-        return ball | {"supply": supply or {"inlet_film": layer*4.8587/film_number(1)}}
-
-    def test_a_layer_of_oil_starves_a_circle(self):
-        flooded = self.film(self.point(20, 10), "--tolerance", "1e-2")
-        self.assertNotIn("film_ratio", flooded)
-        found = self.film(self.starved(1), "--tolerance", "1e-2")
-        self.assertEqual((flooded["assumptions"]["inlet"], found["assumptions"]["inlet"]), ("flooded", "starved"))
-        self.assertEqual(found["flooded_central_film"], flooded["central_film"])
-        self.assertEqual(found["formulas"], flooded["formulas"])
-        # By this solver on four grids.
-        ratio, layer = found["film_ratio"], found["inlet_film"]/flooded["central_film"]["value"]
-        self.assertAlmostEqual(ratio["value"], 0.7702, delta=ratio["error"] + 1e-3)
-        self.assertAlmostEqual(ratio["value"], found["central_film"]["value"]/flooded["central_film"]["value"], delta=1e-12)
-        self.assertAlmostEqual(layer, 1, delta=1e-3)
-        gamma = found["damiens_exponent"]
-        self.assertAlmostEqual(layer/(1 + layer**gamma)**(1/gamma), ratio["value"], delta=1e-9)
-        closures = {one["name"]: one for one in found["closures"]}
-        self.assertEqual(list(closures), ["flooded_inlet", "starved_inlet", "printed_exponents", "damiens"])
-        self.assertAlmostEqual(closures["damiens"]["film_ratio"], layer/(1 + layer**3)**(1/3), delta=1e-12)
-        for one in closures.values():
-            self.assertAlmostEqual(one["deviation_percent"], 100*(one["film_ratio"]/ratio["value"] - 1), delta=1e-9)
-        self.assertEqual(self.film(self.starved(1), "--flooded", "--tolerance", "1e-2"), flooded)
-        self.assert_film_refused("no scene here has one", self.write(self.point(20, 10)), "--flooded")
-
-    def test_supplies_of_one_layer_are_one_film(self):
-        one = self.film(self.starved(0.6), "--tolerance", "1e-2")
-        layer = one["inlet_film"]
-        flow = self.film(self.starved(0, inlet_flow=layer*one["speed"]), "--tolerance", "1e-2")
-        self.assertAlmostEqual(flow["central_film"]["value"], one["central_film"]["value"], delta=1e-9*layer)
-        refused = self.write(self.starved(0, inlet_film_ratio=4))
-        self.assert_film_refused("supply.inlet_film_ratio: it is a ratio to σ_s", refused)
-
-    def test_a_layer_that_floods_the_contact_is_not_solved(self):
-        result = run("film", self.write(self.starved(50)), "--tolerance", "1e-2")
-        self.assertEqual(result.code, 1)
-        self.assertIn("a thicker one all but floods the contact", result.err)
-        self.assertIn("not solved", result.out)
-
-    def test_rows_of_both_kinds_stand_in_one_csv(self):
-        paths = [self.write(line(10, 5), "line.toml"), self.write(self.point(20, 5), "ball.toml")]
-        rows = list(csv.DictReader(run("film", *paths, "--tolerance", "1e-2", "--format", "csv").out.splitlines()))
-        self.assertEqual([bool(row["ellipticity"]) for row in rows], [False, True])
-        self.assertEqual([bool(row["moes_line"]) for row in rows], [True, False])
-        self.assertEqual([bool(row["hamrock_dowson_central"]) for row in rows], [False, True])
-        self.assertEqual([row["tolerance"] for row in rows], ["0.01", "0.01"])
-
-    def test_a_load_too_small_is_told(self):
-        found, = self.films(self.point(0.9, 0), code=1)
-        self.assertIn("M = 0.9 is below 1: the load is too small to flatten the bodies", found["reason"])
-
-    def test_the_picture_shows_both_fields_the_middle_and_the_nearest_laws(self):
-        path, picture = self.write(self.point(20, 8)), self.folder.path("ball.svg")
-        result = run("film", path, "--tolerance", "1e-2", "--picture", picture)
-        self.assertEqual(result.code, 0, result.err)
-        with open(picture, encoding="utf-8") as file:
-            text = file.read()
-        self.assertEqual(list(svg_plots.looks(picture)), [])
-        self.assertRegex(text, r"point contact at 1 m/s; least film [0-9.]+ nm<")
-        for words in ("film thickness h (nm), × where least", "pressure p (GPa)", "at y = 0"):
-            self.assertIn(words, text)
-        self.assertEqual(text.count("<image"), 2)
-        for name in ("Hamrock–Dowson", "Nijenbanning–Venner–Moes"):  # of the least film and of the central one
-            self.assertEqual(text.count(name), 1, name)
-        self.assertNotIn(", soft", text)
-
-    def fields(self, tree, name):
-        """What --fields wrote, as {(x, y): (p, h)}, and the film itself."""
-        target = self.folder.path(name)
-        result = run("film", self.write(tree), "--tolerance", "1e-2", "--fields", target, "--format", "json", "--profile")
-        self.assertEqual((result.code, result.err), (0, f"tribocheck: wrote {target}\n"))
-        found, = result.json()["films"]
-        if name.endswith(".csv"):
-            with open(target, encoding="utf-8") as file:
-                self.assertEqual(file.readline(), "x [m],y [m],pressure [Pa],film [m]\n")
-                rows = [tuple(map(float, line.split(","))) for line in file]
-            return {row[:2]: row[2:] for row in rows}, found
-        with h5py.File(target) as file:
-            self.assertEqual({one: file[one].attrs["unit"] for one in file}, {"x": "m", "y": "m", "pressure": "Pa", "film": "m"})
-            for number in ("speed", "load_number", "material_number", "half_width", "ellipticity", "peak_pressure"):
-                self.assertEqual(file.attrs[number], found[number])
-            return {(x, y): (p, h) for y, *rows in zip(file["y"], file["pressure"], file["film"])
-                    for x, p, h in zip(file["x"], *rows)}, found
-
-    def test_fields_are_those_of_the_whole_contact_and_the_same_in_both_formats(self):
-        tree = self.point(20, 5, 2)
-        fields, found = self.fields(tree, "ball.csv")
-        self.assertEqual(fields, self.fields(tree, "ball.h5")[0])
-        self.assertEqual(len(fields), (found["cells"] + 1)*(found["cells_across"] + 1))
-        middle = found["profile"]
-        self.assertEqual([fields[x, 0] for x in middle["x"]], list(zip(middle["pressure"], middle["film"])))
-        for (x, y), values in fields.items():
-            self.assertEqual(values, fields[x, -y])
-        xs, ys = (sorted({place[i] for place in fields}) for i in (0, 1))
-        carried = sum(p for p, _ in fields.values())*(xs[1] - xs[0])*(ys[1] - ys[0])
-        self.assertTrue(0.9*tree["load"] < carried < tree["load"], carried/tree["load"])  # some is carried outside of the grid
-        self.assertAlmostEqual(min(h for _, h in fields.values())/found["minimum_film"]["value"], 1, delta=2e-2)
-
-    def test_fields_are_refused_before_the_film_is_solved(self):
-        ball, csv_file = self.write(self.point(20, 5)), self.folder.path("a.csv")
-        self.assert_film_refused("is a line contact; allowed: --profile", self.write(line(10, 5), "line.toml"), "--fields", csv_file)
-        self.assert_film_refused("--fields writes one contact, and this would be 2", ball, ball, "--fields", csv_file)
-        self.assert_film_refused("allowed: a name that ends in .h5 or .csv", ball, "--fields", self.folder.path("a.txt"))
-        lost = run("film", ball, "--fields", self.folder.path("none/a.h5"))
-        self.assertEqual((lost.code, lost.out, len(lost.error_lines)), (1, "", 1))
-        self.assertIn("cannot write", lost.err)
-        os.mkdir(csv_file)
-        self.assert_film_refused("is a directory", ball, "--fields", csv_file)
-        self.assertEqual(sorted(os.listdir(self.folder.name)), ["a.csv", "line.toml", "scene.toml"])
-
-    def test_an_estimate_holds_the_grid_that_is_solved_and_solves_nothing(self):
-        path = self.write(self.point(20, 5))
-        told = run("film", path, "--tolerance", "1e-2", "--estimate")
-        self.assertEqual((told.code, told.err), (0, ""))
-        head, *lines = told.out.splitlines()
-        grids = re.fullmatch(r"line at 1 m/s: M = 20, L = 5, barus, incompressible, to 0\.01: (\d) to (\d) grids, the finest of (\d+) to (\d+) nodes", head)
-        self.assertRegex("\n".join(lines), r"^contacts 1\ntime   \S+ s to \S+ s on 1 thread, roughly\nmemory \S+ MB to \S+ MB$")
-        found = self.film(self.point(20, 5), "--tolerance", "1e-2")
-        self.assertEqual(int(grids[1]), found["grids"])
-        self.assertEqual(int(grids[3]), (found["cells"] + 1)*(found["cells_across"]//2 + 1))
-        self.assertGreater(int(grids[4]), int(grids[3]))
-        self.assertIn("M = 0.9 is below 1", run("film", self.write(self.point(0.9, 5), "light.toml"), "--estimate").out)
-        several = run("film", self.write(line(10, 5, speed=[0.5, 1]), "line.toml"), path, "--estimate").out
-        self.assertIn("\ncontacts 3\n", several)
 
 
 class Scenes(FilmTest):
