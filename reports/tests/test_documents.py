@@ -36,6 +36,7 @@ DOCUMENTS = [
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
     Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
     Document("film", "film RIGID BAD --tolerance 1e-2", 2), Document("film", "film RIGID --tolerance 1e-2", 1), Document("film", "film BALL --speed 1 --tolerance 1e-2"),
+    Document("film", "film STARVED --tolerance 1e-2"), Document("film", "film AWASH --tolerance 1e-2", 1),
     Document("functions", "functions"),
     *(Document("function", f"functions {name}") for name in ("hertz_ellipse", "load_sharing", "starvation_ratio")),
     Document("reproduce", "reproduce"), Document("reproduce", "reproduce --claim C1 --reading literal"),
@@ -67,6 +68,7 @@ def files_in(folder):
             "COLLAPSED": scene("smooth", speed=[3, 4]), "FLOODED": scene(supply=None), "LOUD": scene(id="loud", load=5000),
             "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
             "SOFT": few | {"bodies": {"effective_modulus": 1e7, "radius_x": 4e-2, "radius_y": 2e-3}, "closures": {"film": "hamrock_dowson_soft_central"}},
+            "STARVED": quiet_scene(load=3, speed=1, supply={"inlet_film": 1e-7}), "AWASH": quiet_scene(load=3, speed=1, supply={"inlet_film": 1e-3}),
             "RIGID": line | {"speed": 1e10},
             "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}
     paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
