@@ -276,8 +276,10 @@ Table ellipse_films() {
   for (Numbers& x : ends)
     if (x[5] > 500 || x[6] > 500)
       x[3] = 1e4, x[5] = std::max(x[5], 500.), x[6] = std::max(x[6], 500.);
+  // From one reading to the next one word changes.
+  constexpr std::array<MoesReading, 4> by_steps{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   for (const Numbers& x : ends)
-    for (const MoesReading& reading : readings) add(x, reading, "end");
+    for (const MoesReading& reading : by_steps) add(x, reading, "end");
   // M, L and D at their ends; a film shows the least L where D is great.
   struct Groups {
     double speed, radius, modulus, m, l, d;
@@ -293,7 +295,7 @@ Table ellipse_films() {
     const double two_u = viscosity * x.speed / (modulus * x.radius);
     const double alpha = x.l / (2 * modulus * std::pow(two_u, 0.25));
     const double load = x.m * std::pow(two_u, 0.75) * 2 * modulus * x.radius * x.radius;
-    for (const MoesReading& reading : readings)
+    for (const MoesReading& reading : by_steps)
       add({x.speed, viscosity, alpha, load, modulus, x.radius, x.radius / x.d}, reading, "end");
   }
   return table;

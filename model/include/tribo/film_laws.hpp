@@ -138,13 +138,13 @@ enum class FilmFormula : std::uint8_t {
   hamrock_dowson_minimum,
   hamrock_dowson_soft_central,
   hamrock_dowson_soft_minimum,
-  nijenbanning_venner_moes,
   dowson_higginson_minimum,
   dowson_toyoda_central,
   pan_hamrock_minimum,
   pan_hamrock_central,
   ertel_grubin,
-  moes_line
+  moes_line,
+  nijenbanning_venner_moes
 };
 struct NamedFilmLaw {
   std::string_view word;
@@ -156,13 +156,13 @@ inline constexpr auto named_film_laws = std::to_array<NamedFilmLaw>({
     {"hamrock_dowson_minimum", &hamrock_dowson_minimum_law},
     {"hamrock_dowson_soft_central", &hamrock_dowson_soft_central_law},
     {"hamrock_dowson_soft_minimum", &hamrock_dowson_soft_minimum_law},
-    {"nijenbanning_venner_moes", &nijenbanning_venner_moes_law},
     {"dowson_higginson_minimum", &dowson_higginson_minimum_law},
     {"dowson_toyoda_central", &dowson_toyoda_central_law},
     {"pan_hamrock_minimum", &pan_hamrock_minimum_law},
     {"pan_hamrock_central", &pan_hamrock_central_law},
     {"ertel_grubin", &ertel_grubin_law},
     {"moes_line", &moes_line_law},
+    {"nijenbanning_venner_moes", &nijenbanning_venner_moes_law},
 });
 inline constexpr auto film_formula_words = [] {
   std::array<std::string_view, named_film_laws.size()> words;
