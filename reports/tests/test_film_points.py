@@ -32,7 +32,8 @@ class Points(FilmTest):
         self.assertIsNone(found["spike_pressure"])
         self.assertIn("circles and ellipses", found["undefined"]["spike_pressure"])
         self.assertEqual([one["name"] for one in found["formulas"]],
-                         [f"hamrock_dowson_{kind}{film}" for kind in ("", "soft_") for film in ("central", "minimum")])
+                         [*(f"hamrock_dowson_{kind}{film}" for kind in ("", "soft_") for film in ("central", "minimum")),
+                          "nijenbanning_venner_moes"])
         for one in found["formulas"]:
             self.assertIsNone(one["deviation_percent"])
             self.assertAlmostEqual(one["this_liquid_deviation_percent"],
