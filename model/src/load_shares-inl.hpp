@@ -54,20 +54,27 @@ template <class D, class V>
 HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                         V distance);
 
+// The shares at λ = max(λ₀, λ_b) of a law with e = 0. It stands apart, so that other laws' kernels
+// keep their registers.
+template <class D, class V = hn::Vec<D>>
+HWY_NOINLINE Shares<V> shares_without_exponent(D d, Order order,
+                                               const detail::SurfaceNumbers<V>& surface,
+                                               const V& flooded) {
+  const V distance = hn::Sub(flooded, surface.floor);
+  const auto is_above = hn::Or(hn::Gt(distance, hn::Zero(d)), hn::Le(surface.hazard, hn::Zero(d)));
+  const Shares<V> above =
+      shares_above_floor(d, order, surface, hn::IfThenElseZero(is_above, distance));
+  return {hn::IfThenElse(is_above, above.asperity, hn::Set(d, 1.0)),
+          hn::IfThenElseZero(is_above, above.fluid)};
+}
+
 // The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b; where e = 0 those of λ.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
                                     const detail::SurfaceNumbers<V>& surface, V flooded, V lambda) {
   const V one = hn::Set(d, 1.0), exponent = hn::Set(d, law.sharing_power.value);
-  if (law.sharing_exponent.p == 0) {
-    const V distance = hn::Sub(flooded, surface.floor);
-    const auto is_above =
-        hn::Or(hn::Gt(distance, hn::Zero(d)), hn::Le(surface.hazard, hn::Zero(d)));
-    const Shares<V> above =
-        shares_above_floor(d, order, surface, hn::IfThenElseZero(is_above, distance));
-    return {hn::IfThenElse(is_above, above.asperity, one),
-            hn::IfThenElseZero(is_above, above.fluid)};
-  }
+  if (law.sharing_exponent.p == 0) [[unlikely]]
+    return shares_without_exponent(d, order, surface, flooded);
   const V log_film = log_ratio(d, flooded, lambda);
   const V log_fluid = hn::Div(log_film, exponent);
   // A large logarithm enlarges the rounding errors of the quotient and of e.
@@ -212,8 +219,11 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw&
                                     hn::Add(offset, hn::Sqrt(hn::Max(square, zero))),
                                     film_at_unit_speed};
   const auto has_floor = hn::Ge(hn::Mul(stiffness, moment_of(d, order, lowest)), one);
-  if (law.sharing_exponent.p == 0) surface.film_from = zero;
-  if (hn::AllFalse(d, has_floor)) return surface;
+  if (hn::AllFalse(d, has_floor)) {
+    if (law.sharing_exponent.p == 0) [[unlikely]]
+      surface.film_from = zero;
+    return surface;
+  }
   // F_p(x) ≤ F_p(0) e^{−x²/2} for x ≥ 0 gives a start.
   const V at_zero = hn::Mul(stiffness, hn::Set(d, sharing_moment_at_zero(order)));
   V x = hn::Sqrt(hn::Mul(hn::Set(d, 2.0), logarithm(d, hn::Max(at_zero, one))));
@@ -240,7 +250,7 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw&
   surface.hazard = hn::IfThenElseZero(has_floor, hn::Mul(q, hazard_at(x)));
   // A ≤ e^{−h(λ−λ_b)} above the floor, A being log-concave: λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^p)/h.
   const V part = hn::Mul(hn::Set(d, 0.99 * 0x1p-54), hn::Mul(surface.hazard, surface.floor));
-  if (law.sharing_exponent.p == 0) {  // λ is λ₀, and never below the floor
+  if (law.sharing_exponent.p == 0) [[unlikely]] {  // λ is λ₀, and never below the floor
     surface.floor_up_to = surface.film_from = surface.floor;
     return surface;
   }

@@ -124,7 +124,8 @@ HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const FilmLaw& law,
                                              const detail::SurfaceNumbers<V>& surface, V film) {
-  if (law.sharing_exponent.p == 0) return hn::Lt(film, film);  // film_from tells nothing of A
+  if (law.sharing_exponent.p == 0) [[unlikely]]
+    return hn::Lt(film, film);  // film_from tells nothing of A
   const V x = hn::Sub(film, surface.offset), limit = hn::Sub(surface.film_from, surface.offset);
   const V beyond =
       hn::MulAdd(limit, limit, hn::Set(d, square_beyond_free(law.sharing_power.value)));
