@@ -25,8 +25,7 @@ struct FilmConditions {
   ViscosityLaw viscosity_law = ViscosityLaw::barus;  // ambient: of constant viscosity
   FilmDensity density_law = FilmDensity::incompressible;
   double radius_ratio = std::numeric_limits<double>::infinity();  // R_y/R_x; ∞ of a line
-
-  double inlet_film = std::numeric_limits<double>::infinity();  // h_oil, m; ∞: flooded
+  double inlet_film = std::numeric_limits<double>::infinity();    // h_oil, m; ∞: flooded
 
   bool is_line() const { return std::isinf(radius_ratio); }
   bool is_starved() const { return std::isfinite(inlet_film); }

@@ -142,7 +142,7 @@ class FilmNewton {
     const FilmChange change = problem_.change_for(linear, now_, 0);
     last_change_ = greatest_of(change);
     if (!std::isfinite(last_change_)) return 0;
-    const double size = problem_.size_asked(linear, now_, change);
+    const double size = problem_.must_lead_nearer() ? problem_.size_asked(linear, now_, change) : 0;
     // A spike may be many times as high as Hertz' peak.
     const double most = greatest_change * std::fmax(problem_.pressure(), now_.pressure.maxCoeff());
     double part = std::fmin(1, most / change.pressure.cwiseAbs().maxCoeff());

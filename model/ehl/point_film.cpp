@@ -78,7 +78,7 @@ class PointEquations {
     return result;
   }
 
-  // What a change adds to the balances, 0 where the pressure is held, and to the load.
+  // The change that is added to the balances, 0 where the pressure is held, and to the load.
   VectorXd residual_change(const FilmChange& change) const {
     const PlaneGrid& grid = parts_.grid;
     const Index last = grid.size();
@@ -122,8 +122,8 @@ class PointEquations {
     return part;
   }
 
-  // Of the nodes in PlaneSlopes, the one before and the node itself: liquid that is missing in a
-  // gap is missing in what flows out of it, and in what flows into the next one.
+  // Places in PlaneSlopes: liquid that is missing in a gap is missing in what flows out of the node
+  // itself, and in what flows from the one before into it.
   static constexpr std::size_t before = 1, itself = 2;
   static double by_missing(std::size_t k) { return k == before ? 1 : -1; }
 

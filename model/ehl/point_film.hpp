@@ -17,8 +17,8 @@ struct PointFilm {
   Outcome outcome = Outcome::not_converged;
   PlaneGrid grid{};
   Eigen::VectorXd pressure, film;  // P and H at the nodes
-  // What is missing of the liquid that a full gap would drag from each node to the next one, in H;
-  // empty of flooded contacts.
+  // The liquid that each node lacks of what a full gap would drag to the next one, in H; empty of
+  // flooded contacts.
   Eigen::VectorXd missing;
   double separation = 0;   // H₀
   int steps = 0;           // with the steps on the grids before, and the steps in time

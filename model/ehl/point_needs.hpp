@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What solving a point contact will take, told before it is solved.
+// Grids, memory and time that a point contact will take, told before it is solved.
 #pragma once
 
 #include <string>

@@ -33,8 +33,8 @@ PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
                         const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
                         const Eigen::VectorXd& missing, bool with_slopes = true);
 
-// What is missing in a gap: where there is pressure as it is, elsewhere so much that no surplus is
-// left.
+// The liquid that is missing in a gap: where there is pressure as it is, elsewhere so much that no
+// surplus is left.
 Eigen::VectorXd missing_in(const PlaneGrid& grid, const Eigen::VectorXd& pressure,
                            const PlaneBalance& balance_of_full_gap, Eigen::VectorXd missing);
 

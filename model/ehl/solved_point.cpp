@@ -141,8 +141,6 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   return solved;
 }
 
-}  // namespace
-
 // The length over which a layer of liquid may wet the gap ahead, over reach_of(): the gap of dry
 // bodies over the film there is four times as thick as the layer; the meniscus was found where it
 // is one to three times as thick.
@@ -155,6 +153,8 @@ double wet_length(const PointContact& contact) {
   while (x < 1000 && gap(x) < 4 * contact.inlet_film) x *= 1.05;
   return x / reach_of(contact);
 }
+
+}  // namespace
 
 PlaneGrid grid_for(const PointContact& contact, int cells, double longer) {
   const double reach = reach_of(contact), k = numbers_of(contact).ellipticity;
@@ -203,7 +203,8 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
     if (!(layer >= least_layer && layer <= greatest_layer)) {
       solved.reason = text(
           "the layer of liquid at the inlet is %.3g times as thick as the flooded film is expected "
-          "to be, and layers from %g to %g times that are solved: a thicker one all but floods the "
+          "to be, and layers of %g to %g times its thickness are solved: a thicker one all but "
+          "floods the "
           "contact, and of a thinner one the film is all but the layer",
           layer, least_layer, greatest_layer);
       return solved;

@@ -97,7 +97,8 @@ struct FilmCase {
 // of its contact, in this order.
 std::vector<std::string_view> film_formula_names();
 
-// What a contact will take, from the fewest grids that give an error to the most that are tried.
+// Grids, time and memory that a contact will take, from the fewest grids that give an error to the
+// most that are tried.
 struct FilmNeeds {
   std::string_view viscosity, density;  // laws of the liquid
   double tolerance, load_number, material_number;

@@ -57,6 +57,7 @@ void write_hdf5(const FilmCase& film, const std::string& path) {
   tell("half_width", film.half_width);
   tell("ellipticity", film.ellipticity);
   tell("peak_pressure", film.peak_pressure);
+  if (film.is_starved()) tell("inlet_film", film.inlet_film);
   tell("viscosity", film.viscosity);
   tell("density", film.density);
   tell("tolerance", film.tolerance);

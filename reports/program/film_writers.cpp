@@ -212,13 +212,12 @@ void append_notes(Text& to, const FilmCase& film) {
           ? "deviation: the formula against the film solved for the liquid that it was fitted to, "
             "which is that of the last column, where it is known; this liquid: the formula against "
             "the film above"
-          : "this liquid: the formula against the film above; deviation, from the film of the "
-            "liquid that the formula was fitted to, is not known, because no text at hand names "
-            "it");
+          : fmt::format(
+                "this liquid: the formula against the {}; deviation, from the film of the liquid "
+                "that the formula was fitted to, is not known, because no text at hand names it",
+                film.is_starved() ? "film with a flooded inlet" : "film above"));
   if (film.is_starved())
-    note(
-        "formulas are of flooded contacts, and stand beside the flooded film; a closure makes the "
-        "starved film from the solved flooded one");
+    note("closure: the starved film that it makes from the solved flooded one, over that one");
   if (std::isfinite(film.damiens_exponent))
     note(fmt::format("Damiens' closure gives the solved film ratio with the exponent {:.3g}",
                      film.damiens_exponent));

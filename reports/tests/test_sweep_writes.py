@@ -11,7 +11,7 @@ from program import ENVIRONMENT, PROGRAM
 from sweeps import SANITIZED, UNIFORM, SweepTest, preloadable, sweep
 
 LARGER = bool(os.environ.get("TRIBOCHECK_FAILED_WRITES"))
-# Of the writes, all of which the program does in the same few lines, and of the calls from which on all fail.
+# One in so many of the writes fails, all of which the program does in the same few lines, and so many of the calls from which on all fail.
 EACH_WRITE, EACH_FULL_DISK = (1, 1) if LARGER else (20, 50) if SANITIZED else (5, 17)
 SMALL = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]", "outputs": '["film", "regime"]'},
               onset='["film_maximum"]', draws=2000)

@@ -131,8 +131,9 @@ inline constexpr FilmLaw nijenbanning_venner_moes_law{.constant = {0, 1},
                                                       .load_exponent = {-1, 10},
                                                       .form = FilmForm::nijenbanning_venner_moes};
 
-// The laws that scenes name: those of points first, then those of lines. A law has its row above,
-// its value here and its word below; messages, sweeps and the JSON Schema follow.
+// The laws that scenes name. A law has its row above, its value here and its word below; messages,
+// sweeps and the JSON Schema follow. Results of sweeps keep the place of a law: a new one goes to
+// the end.
 enum class FilmFormula : std::uint8_t {
   hamrock_dowson_central,
   hamrock_dowson_minimum,

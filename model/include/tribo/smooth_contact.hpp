@@ -110,7 +110,7 @@ class SmoothContact {
   bool has_summits_;
   double part_at_unit_speed_ = 1;
   Fraction speed_exponent_{0, 1};  // of that part
-  // Of a law without fixed exponents the part is computed at each speed.
+  // Set where a law has no fixed exponents: then the part is computed at each speed.
   std::optional<std::pair<detail::ContactWords, detail::SceneNumbers<double>>> of_any_exponents_;
 };
 

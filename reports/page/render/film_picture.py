@@ -82,8 +82,8 @@ def row(*cells):
 
 
 def formula_text(contact, formula):
-    """The formula's name and its difference from the solved film, of a starved contact from the flooded one, and in brackets, where it was fitted to another liquid, that
-    from the film of that liquid; a ? where that liquid is not known."""
+    """The formula's name and its difference from the solved film, of a starved contact from the flooded one, and in brackets,
+    where it was fitted to another liquid, that from the film of that liquid; a ? where that liquid is not known."""
     liquid = contact["assumptions"]
     own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
     known = formula["deviation_percent"]

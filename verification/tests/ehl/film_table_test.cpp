@@ -163,7 +163,7 @@ TEST(PointFilmTable, HasEveryContactToItsErrorOrSaysWhyNot) {
       continue;
     }
     EXPECT_LT(row.number("minimum"), row.number("central")) << name;
-    // Of the contract; the errors in the table have two digits.
+    // The contract's bounds; the errors in the table have two digits.
     const double allowed = key.load_number > 200 ? 3e-3 : 1e-3;
     double worst = 0;
     for (const auto& [film, share] : {std::pair{std::string("central"), 1.},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is told of a point contact before it is solved, against what its solution takes.
+// The needs of a point contact that are told before it is solved, against those of its solution.
 #include "ehl/point_needs.hpp"
 
 #include <gtest/gtest.h>

@@ -35,8 +35,8 @@ double film_ratio(const ehl::PointContact& contact) {
   return solved_point(contact).central.value * ehl::numbers_of(contact).film_number / flooded_film;
 }
 
-// What the layer brings leaves behind the contact, where nothing but drag moves it; in between, a
-// gap is full where there is pressure, and no node has more liquid than it can hold.
+// The liquid that the layer brings leaves behind the contact, where nothing but drag moves it; in
+// between, a gap is full where there is pressure, and no node has more liquid than it can hold.
 TEST(StarvedPoint, LosesNoLiquid) {
   for (const double thickness : {0.5, 1.5}) {
     const ehl::PointContact contact = behind_a_layer(thickness);
@@ -117,7 +117,8 @@ TEST(SolvePointFilm, RefusesALayerThatFloodsTheContactOrIsAllOfTheFilm) {
     const ehl::SolvedPoint film = ehl::solve_point_film(behind_a_layer(thickness));
     EXPECT_EQ(film.outcome, ehl::Outcome::not_converged);
     EXPECT_EQ(film.steps, 0);
-    EXPECT_NE(film.reason.find("layers from 0.05 to 6 times that are solved"), std::string::npos)
+    EXPECT_NE(film.reason.find("layers of 0.05 to 6 times its thickness are solved"),
+              std::string::npos)
         << film.reason;
   }
   EXPECT_TRUE(solved_point(behind_a_layer(1.4)).reason.empty());
