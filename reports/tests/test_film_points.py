@@ -132,7 +132,7 @@ class Points(FilmTest):
         for words in ("film thickness h (nm), × where least", "pressure p (GPa)", "at y = 0"):
             self.assertIn(words, text)
         self.assertEqual(text.count("<image"), 2)
-        for name in ("Hamrock–Dowson", "Nijenbanning–Venner–Moes"):  # of the least film and of the central one
+        for name in ("Hamrock–Dowson", "Nijenbanning et al."):  # of the least film and of the central one
             self.assertEqual(text.count(name), 1, name)
         self.assertNotIn(", soft", text)
 

@@ -17,7 +17,7 @@ NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginso
          "pan_hamrock_central": "Pan–Hamrock", "hamrock_dowson_central": "Hamrock–Dowson",
          "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft",
          "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft",
-         "nijenbanning_venner_moes": "Nijenbanning–Venner–Moes"}
+         "nijenbanning_venner_moes": "Nijenbanning et al."}
 HEIGHT = 840
 MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # greatest, and what stands above and below a map, in points
 MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # the greatest of a map's colours, in central films and in Hertz' peaks
@@ -88,8 +88,7 @@ def formula_text(contact, formula):
     own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
     known = formula["deviation_percent"]
     of_fit = "" if formula["fitted_to"] == own else " (?)" if known is None else f" ({signed(known)} %)"
-    inlet = ", flooded" if liquid["inlet"] == "starved" else ""
-    return f"{NAMES.get(formula['name'], formula['name'])}{inlet} {signed(formula['this_liquid_deviation_percent'])} %{of_fit}"
+    return f"{NAMES.get(formula['name'], formula['name'])} {signed(formula['this_liquid_deviation_percent'])} %{of_fit}"
 
 
 def drawn_formulas(contact):
@@ -191,6 +190,8 @@ def drawn(contact, data):
     liquid = f"{LAWS[conditions['viscosity']]}, {LAWS[conditions['density']]}"
     text = (f"M = {rounded(contact['load_number'], 3)}, L = {rounded(contact['material_number'], 3)}; "
             f"Hertz: {'half-width' if is_line else 'semi-axis'} {rounded(1e6*contact['half_width'], 3)} µm, {pressure_text(contact['peak_pressure'])}; {liquid}")
+    if conditions["inlet"] == "starved":
+        text += f"; behind {rounded(1e9*contact['inlet_film'], 3)} nm of oil, formulas off the flooded film"
     beside = "" if is_line else f"; least film {rounded(1e9*contact['minimum_film']['value'], 3)} nm"
     room = 40 if is_line else 20
     title = contact["id"] if len(contact["id"]) <= room else contact["id"][:room] + "…"
