@@ -275,8 +275,9 @@ class PointProblem {
   }
 
   FilmState state_after(const FilmState& state, double part, const FilmChange& change) const {
-    FilmState next = film_at((state.pressure + part * change.pressure).cwiseMax(0),
-                             state.separation + part * change.separation);
+    VectorXd pressure = state.pressure + part * change.pressure;
+    if (parts_.contact.is_starved()) empty_behind_suction(pressure);
+    FilmState next = film_at(pressure.cwiseMax(0), state.separation + part * change.separation);
     if (parts_.contact.is_starved())
       set_missing(next, (state.missing + part * change.missing).cwiseMax(0));
     return next;
@@ -325,6 +326,19 @@ class PointProblem {
         parts_.grid, state.pressure,
         balance_of(parts_.contact, parts_.grid, state.pressure, state.film, nothing, false),
         std::move(missing));
+  }
+
+  // Suction where a gap is no longer full sucks empty what lies behind it in a row, as far as there
+  // is less pressure than that; a step alone would find the next few nodes of them.
+  void empty_behind_suction(VectorXd& pressure) const {
+    for (int j = 0; j < parts_.grid.count_y(); ++j) {
+      double suction = 0;
+      for (int i = 0; i < parts_.grid.count_x(); ++i) {
+        double& here = pressure[parts_.grid.node(i, j)];
+        suction = here < suction ? std::fmax(suction, -here) : 0;
+        if (suction > 0) here = 0;
+      }
+    }
   }
 
   // The film without what is missing in it.
@@ -487,6 +501,24 @@ PointFilm solve_flooded_from_nothing(const PointContact& contact, const PlaneGri
   return film_of(newton, grid, 0);
 }
 
+// A liquid that pressure thickens strongly may leave no way from dry contact to the film; the films
+// of liquids that it thickens ever more do.
+PointFilm solve_by_thinner_liquids(const PointContact& contact, const PlaneGrid& grid,
+                                   const Watch& watch) {
+  constexpr int liquids = 5;
+  PointFilm film;
+  for (int k = 1; k <= liquids; ++k) {
+    PointContact thinner = contact;
+    const double share = 0.5 + 0.5 * k / liquids;
+    thinner.material_number *= share;
+    thinner.fluid.exponent *= share;
+    film = k == 1 ? solve_flooded_from_nothing(thinner, grid, watch)
+                  : solve_on(thinner, grid, film, watch);
+    if (film.outcome != Outcome::solved) break;
+  }
+  return film;
+}
+
 }  // namespace
 
 PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
@@ -494,6 +526,8 @@ PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
   PointContact fuller = contact;
   fuller.inlet_film = std::numeric_limits<double>::infinity();
   PointFilm film = solve_flooded_from_nothing(fuller, grid, watch);
+  if (film.outcome == Outcome::not_converged && contact.fluid.exponent > 0)
+    film = solve_by_thinner_liquids(fuller, grid, watch);
   if (!contact.is_starved() || film.outcome != Outcome::solved) return film;
   // Where the whole way does not lead to the film, layers that are ever thinner do.
   PointFilm starved;

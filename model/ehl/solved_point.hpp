@@ -10,8 +10,9 @@
 namespace tribo::ehl {
 
 struct PointOptions {
-  // Relative, of the central film and of the film at the greatest pressure; the least film, which
-  // lies where the film bends most, may be off by three times as much.
+  // Relative, of the central film; the least film, which lies where the film bends most, may be off
+  // by three times as much. The film at the greatest pressure states its error alone: a spike,
+  // where that pressure is one's, moves with the grid.
   double tolerance = 1e-3;
   Eigen::Index greatest_nodes = 400'000;  // of the finest grid
 };
