@@ -5,7 +5,7 @@ FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey paper-films references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -76,6 +76,9 @@ film-survey: build ## solve 300 random line contacts to four tolerances, judge t
 	cmake --build --preset release --target film_survey
 	verification/gates/film_survey.py build/release/verification/tests/film_survey \
 	  --out reference/baselines/film_survey.json
+
+paper-films: build ## solve the starved films of the paper's surfaces over their speeds: half an hour on one core, goes on where it was stopped
+	verification/gates/paper_films.py build/release/tribocheck --out reference/baselines/paper_films.json
 
 ledger: build ## write today's verdicts on the paper's claims to reference/baselines/ledger.csv, for you to commit
 	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv
@@ -181,7 +184,7 @@ profile: gate-program ## run callgrind on the inner loop: build/profile/callgrin
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
 ##@ Numbers made anew
-references: ## make the tables of reference/exact and reference/ehl anew, and rows that point_films.csv lacks (all: an hour); four or five minutes
+references: ## make the tables of reference/exact and reference/ehl anew, and rows that the tables of points lack (all: two hours); four or five minutes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references generate_line_films generate_point_films
@@ -190,6 +193,7 @@ references: ## make the tables of reference/exact and reference/ehl anew, and ro
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_between.csv --between
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_compressible.csv --compressible
 	build/release/reference/generators/generate_point_films reference/ehl/point_films.csv
+	build/release/reference/generators/generate_point_films reference/ehl/point_films_compressible.csv --compressible
 
 references-check: ## make SAMPLE rows of each table again (default 8), and compare them
 	@.ci/deps build references
@@ -198,6 +202,7 @@ references-check: ## make SAMPLE rows of each table again (default 8), and compa
 	build/release/reference/generators/generate_references reference/exact --sample $(or $(SAMPLE),8) --seed 1
 	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv --sample $(or $(SAMPLE),8) --seed 1
 	build/release/reference/generators/generate_point_films reference/ehl/point_films.csv --sample 4 --seed 1
+	build/release/reference/generators/generate_point_films reference/ehl/point_films_compressible.csv --compressible --sample 1 --seed 1
 
 pieces: ## make the polynomials of the moment kernels anew, with their proven error; two or three minutes
 	@.ci/deps build references

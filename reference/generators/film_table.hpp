@@ -9,10 +9,35 @@
 #include <string>
 #include <vector>
 
+#include "ehl/film_conditions.hpp"
 #include "ehl/solved_film.hpp"
 #include "generators/table_file.hpp"
+#include "tribo/friction.hpp"
 
 namespace tribo::reference {
+
+// With Roelands' viscosity and a compressible liquid M and L do not fix the film. So the tables
+// have one liquid: α = 20/GPa and Roelands' z = 0.6, between bodies of steel; the speed then makes
+// L, and the load M, of a line (R_y/R_x = ∞) or a point.
+inline constexpr const char* compressible_liquid =
+    "Roelands with z = 0.6 and alpha = 20/GPa, density by Dowson and Higginson, E* = 115.4 GPa";
+inline ehl::FilmConditions compressible_conditions(double load_number, double material_number,
+                                                   double radius_ratio) {
+  constexpr double modulus = 115.4e9, radius = 0.01, coefficient = 20e-9, index = 0.6;
+  const double viscosity = std::exp(coefficient * roelands_pressure<double>() / index -
+                                    roelands_log_viscosity<double>());
+  const double root = std::pow(material_number / (2 * coefficient * modulus), 2);  // √(2U)
+  const double load_of_line = load_number * root * 2 * modulus * radius;
+  return {.speed = root * root * modulus * radius / viscosity,
+          .viscosity = viscosity,
+          .pressure_viscosity = coefficient,
+          .load = std::isinf(radius_ratio) ? load_of_line : load_of_line * std::sqrt(root) * radius,
+          .effective_modulus = modulus,
+          .radius = radius,
+          .viscosity_law = ViscosityLaw::roelands,
+          .density_law = ehl::FilmDensity::dowson_higginson,
+          .radius_ratio = radius_ratio};
+}
 
 // The number and its error, in `unit`, each after a comma.
 inline std::string fields(const ehl::Estimate& e, double unit) {

@@ -15,7 +15,6 @@
 #include "generators/film_table.hpp"
 #include "generators/line_collocation.hpp"
 #include "generators/table_file.hpp"
-#include "tribo/friction.hpp"
 
 namespace {
 
@@ -217,25 +216,12 @@ int make_between(const std::filesystem::path& file) {
   return 0;
 }
 
-// With Roelands' viscosity and a compressible liquid M and L do not fix the film. So there is one
-// liquid: α = 20/GPa and Roelands' z = 0.6, between bodies of steel; the speed then makes L, and
-// the load M.
 int make_compressible(const std::filesystem::path& file) {
   using namespace tribo::ehl;
-  constexpr double modulus = 115.4e9, radius = 0.01, coefficient = 20e-9, index = 0.6;
-  const double viscosity = std::exp(coefficient * tribo::roelands_pressure<double>() / index -
-                                    tribo::roelands_log_viscosity<double>());
   std::string rows;
   const auto add = [&](const Contact& c, const char* role) {
-    const double root = std::pow(c.material_number / (2 * coefficient * modulus), 2);  // √(2U)
-    const FilmConditions conditions{.speed = root * root * modulus * radius / viscosity,
-                                    .viscosity = viscosity,
-                                    .pressure_viscosity = coefficient,
-                                    .load = c.load_number * root * 2 * modulus * radius,
-                                    .effective_modulus = modulus,
-                                    .radius = radius,
-                                    .viscosity_law = tribo::ViscosityLaw::roelands,
-                                    .density_law = FilmDensity::dowson_higginson};
+    const FilmConditions conditions = tribo::reference::compressible_conditions(
+        c.load_number, c.material_number, std::numeric_limits<double>::infinity());
     const FilmScale scale = scale_of(conditions);
     rows += map_row(c, contact_of(conditions),
                     fmt::format(",{:.6g},{:.6g}", scale.speed_number, scale.peak_pressure), role);
@@ -248,8 +234,7 @@ int make_compressible(const std::filesystem::path& file) {
   write_whole(
       file,
       header("films of smooth line contacts with a compressible liquid, solved",
-             "Roelands with z = 0.6 and alpha = 20/GPa, density by Dowson and Higginson, E* = "
-             "115.4 GPa",
+             tribo::reference::compressible_liquid,
              "# speed_number: U = eta0 u/(2 E* R), which follows from L; peak_pressure: Hertz', "
              "Pa\n"
              "# role: of the table of the formulas' errors, node of the map on the page, or check "

@@ -29,21 +29,35 @@ constexpr double cheap_seconds = 6;            // of a row that a sample may tak
 
 struct Contact {
   double radius_ratio, load_number, material_number;
+  double supply = 0;  // ρ = h_oil/(ρ̄(p₀)h_ff); 0: the inlet is flooded
 
-  // The first columns of its row; the inlet is flooded.
+  // The first columns of its row.
   std::string key() const {
-    return fmt::format("{},,{},{}", radius_ratio, load_number, material_number);
+    return fmt::format("{},{},{},{}", radius_ratio, supply > 0 ? fmt::format("{}", supply) : "",
+                       load_number, material_number);
   }
 };
 
+enum class Liquid : bool { barus, compressible };
+
 // In the order of the rows.
-std::vector<Contact> contacts() {
+std::vector<Contact> contacts(Liquid liquid) {
   std::vector<Contact> all;
+  if (liquid == Liquid::compressible) {
+    for (const double m : {20., 50., 100., 200., 500., 1000.})
+      for (const double l : {5., 10.}) all.push_back({1, m, l});
+    return all;
+  }
   for (const double m : {5., 10., 20., 50., 100., 200., 500., 1000., 2000.})
     for (const double l : {0., 2.5, 5., 10., 15.}) all.push_back({1, m, l});
   for (const double ratio : {0.25, 0.5, 2., 4., 8.})
     for (const double m : {20., 200.})
       for (const double l : {5., 10.}) all.push_back({ratio, m, l});
+  for (const double m : {20., 100., 500., 2000.}) all.push_back({1, m, 12.5});
+  for (const double m : {20., 100., 500., 2000.})
+    for (const double l : {2.5, 5., 12.5})
+      for (const double supply : {0.25, 0.35, 0.5, 0.7, 1., 1.4, 2., 4.})
+        all.push_back({1, m, l, supply});
   return all;
 }
 
@@ -51,13 +65,35 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-std::string row(const Contact& c) {
-  const tribo::ehl::PointContact contact =
-      tribo::ehl::barus_point(c.load_number, c.material_number, c.radius_ratio);
+tribo::ehl::PointContact flooded(const Contact& c, Liquid liquid) {
+  if (liquid == Liquid::barus)
+    return tribo::ehl::barus_point(c.load_number, c.material_number, c.radius_ratio);
+  return tribo::ehl::point_contact_of(
+      tribo::reference::compressible_conditions(c.load_number, c.material_number, c.radius_ratio));
+}
+
+SolvedPoint solved(const tribo::ehl::PointContact& contact) {
+  tribo::ehl::PointOptions options{.tolerance = contact.load_number > 200 ? 3e-3 : 1e-3};
+  if (contact.load_number > 1000) options.greatest_nodes = 600'000;  // for a fourth grid: some 2 GB
+  return solve_point_film(contact, options);
+}
+
+// The flooded central film H that a starved row is measured by. Neighbours in a table share it.
+double flooded_film(const Contact& c) {
+  static Contact last{};
+  static double film = 0;
+  if (last.key() != Contact{c.radius_ratio, c.load_number, c.material_number}.key()) {
+    last = {c.radius_ratio, c.load_number, c.material_number};
+    film = solved(flooded(last, Liquid::barus)).central.value;
+  }
+  return film;
+}
+
+std::string row(const Contact& c, Liquid liquid) {
+  tribo::ehl::PointContact contact = flooded(c, liquid);
+  if (c.supply > 0) contact.inlet_film = c.supply * flooded_film(c);
   const double start = processor_seconds();
-  tribo::ehl::PointOptions options{.tolerance = c.load_number > 200 ? 3e-3 : 1e-3};
-  if (c.load_number > 1000) options.greatest_nodes = 600'000;  // for a fourth grid: some 2 GB
-  const SolvedPoint films = tribo::ehl::solve_point_film(contact, options);
+  const SolvedPoint films = solved(contact);
   const double seconds = processor_seconds() - start;
   std::string note = films.reason, text = c.key();
   for (std::size_t comma; (comma = note.find(',')) != std::string::npos;) note[comma] = ';';
@@ -72,15 +108,22 @@ std::string row(const Contact& c) {
 }
 
 // `missing`: the rows that are not made yet, by their first columns.
-std::string header(const std::string& rows, const std::string& missing) {
-  return "# quantity: films of smooth circular and elliptical contacts, solved\n"
+std::string header(const std::string& rows, const std::string& missing, Liquid liquid) {
+  const bool is_barus = liquid == Liquid::barus;
+  return std::string("# quantity: films of smooth circular and elliptical contacts") +
+         (is_barus ? "" : " with a compressible liquid") +
+         ", solved\n"
          "# definition: central, minimum and at_greatest_pressure are (h/R_x)(2U)^(-1/2) at x = y "
          "= 0, where h is least, and where p is greatest; load_number M = W(2U)^(-3/4) with W = "
          "F/(2E*R_x^2), material_number L = G(2U)^(1/4); radius_ratio R_y/R_x, x is the direction "
-         "of entrainment; supply: h_oil over the flooded film, empty where the inlet is flooded\n"
+         "of entrainment; supply: h_oil over the flooded central film, empty where the inlet is "
+         "flooded\n"
          "# equations: steady Reynolds equation, elastic half-spaces, load balance, p >= 0 where "
-         "the film breaks\n"
-         "# assumptions: isothermal, Newtonian, Barus, incompressible, smooth, fully flooded\n"
+         "the film breaks; where starved, mass is conserved, and no liquid flows back into the "
+         "track\n"
+         "# assumptions: isothermal, Newtonian, " +
+         (is_barus ? "Barus, incompressible" : tribo::reference::compressible_liquid) +
+         ", smooth\n"
          "# units: none; each ..._error is absolute, in the unit of its number\n"
          "# generator: reference/generators/point_films.cpp, model/ehl\n"
          "# method: second order in space; Richardson's value of three or more grids, each of half "
@@ -105,31 +148,32 @@ std::vector<std::string> rows_of(const std::filesystem::path& file) {
 
 // Adds the rows that the file lacks, small M first. Each is in the file once it is solved, so that
 // the next run goes on.
-int add_rows(const std::filesystem::path& file) {
+int add_rows(const std::filesystem::path& file, Liquid liquid) {
+  const std::vector<Contact> all = contacts(liquid);
   std::map<std::string, std::string> known;
   for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
   std::vector<Contact> missing;
-  for (const Contact& c : contacts())
+  for (const Contact& c : all)
     if (!known.contains(c.key())) missing.push_back(c);
   std::ranges::stable_sort(missing, {}, &Contact::load_number);
   for (const Contact& c : missing) {
-    const std::string made = known[c.key()] = row(c);
-    std::cerr << fmt::format("{} of {}: {}\n", known.size(), contacts().size(), made);
+    const std::string made = known[c.key()] = row(c, liquid);
+    std::cerr << fmt::format("{} of {}: {}\n", known.size(), all.size(), made);
     std::string rows, still_missing;
-    for (const Contact& one : contacts())
+    for (const Contact& one : all)
       if (const auto found = known.find(one.key()); found != known.end())
         rows += found->second + "\n";
       else
         still_missing += (still_missing.empty() ? "" : " ") + one.key();
-    tribo::reference::write_whole(file, header(rows, still_missing) + columns + rows);
+    tribo::reference::write_whole(file, header(rows, still_missing, liquid) + columns + rows);
   }
   return 0;
 }
 
-int check_sample(const std::filesystem::path& file, std::uint64_t seed, int count) {
+int check_sample(const std::filesystem::path& file, Liquid liquid, std::uint64_t seed, int count) {
   std::vector<std::string> cheap;
   std::vector<Contact> contacts_of_cheap;
-  const std::vector<Contact> all = contacts();
+  const std::vector<Contact> all = contacts(liquid);
   for (const std::string& one : rows_of(file)) {
     const auto c = std::ranges::find(all, key_of(one), &Contact::key);
     if (c == all.end()) {
@@ -143,7 +187,7 @@ int check_sample(const std::filesystem::path& file, std::uint64_t seed, int coun
   }
   const auto again = [&](const std::vector<std::size_t>& places) {
     std::vector<std::string> made;
-    for (const std::size_t place : places) made.push_back(row(contacts_of_cheap[place]));
+    for (const std::size_t place : places) made.push_back(row(contacts_of_cheap[place], liquid));
     return made;
   };
   const auto is_same = [](const std::string& committed, const std::string& made) {
@@ -158,7 +202,8 @@ int check_sample(const std::filesystem::path& file, std::uint64_t seed, int coun
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Adds the rows that the table of solved point films lacks: all in an hour of one core; a run "
+      "Adds the rows that the table of solved point films lacks: all in two hours of one core; a "
+      "run "
       "that was stopped is taken up again"};
   app.footer("Example:\n  generate_point_films reference/ehl/point_films.csv --sample 4 --seed 42");
   std::string file;
@@ -167,10 +212,14 @@ int main(int argc, char** argv) {
   app.add_option("file", file, "where the table is, or goes")->required();
   app.add_option("--sample", sample, "make this many cheap rows again and compare them");
   app.add_option("--seed", seed, "of the sample");
+  bool is_compressible = false;
+  app.add_flag("--compressible", is_compressible,
+               "the table of a compressible liquid, for the formulas that were fitted to one");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return sample > 0 ? check_sample(file, seed, sample) : add_rows(file);
+  const Liquid liquid = is_compressible ? Liquid::compressible : Liquid::barus;
+  return sample > 0 ? check_sample(file, liquid, seed, sample) : add_rows(file, liquid);
 }
