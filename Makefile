@@ -77,7 +77,7 @@ film-survey: build ## solve 300 random line contacts to four tolerances, judge t
 	verification/gates/film_survey.py build/release/verification/tests/film_survey \
 	  --out reference/baselines/film_survey.json
 
-paper-films: build ## solve the starved films of the paper's surfaces over their speeds: half an hour on one core, goes on where it was stopped
+paper-films: build ## solve the starved films of the paper's surfaces over their speeds: a quarter of an hour on one core, goes on where it was stopped
 	verification/gates/paper_films.py build/release/tribocheck --out reference/baselines/paper_films.json
 
 ledger: build ## write today's verdicts on the paper's claims to reference/baselines/ledger.csv, for you to commit

@@ -34,6 +34,8 @@ AXES = {  # titles of the axes: the x axis, and the y axis of each panel
     "line_film_errors": ("load number M (–)", "material number L (–)", "error of the formula's film (%): (formula − solved)/solved"),
     "line_film_profile": ("place across the contact x/b (–); the surfaces move to the right", "pressure p/p0 (–)", "film h (µm)"),
     "ellipse_fits": ("ratio of the radii α = Ry/Rx", "|error| of k (%)", "|error| of ax (%)", "|error| of p0 (%)"),
+    "paper_films": (SPEED, "smooth: h*/hoil (–)", "medium: h*/hoil (–)", "rough: h*/hoil (–)"),
+    "starved_ratios": ("layer of oil over the flooded film ρ (–)", "starved over flooded film ℛ (–)", "exponent γ of Damiens (–)"),
     "line_film_growth": ("cells N of the grid", "CPU time (s)", "memory (MB)"),
     "work_line_film": ("CPU time a contact (s)", "greatest relative error (–)")}
 
@@ -184,6 +186,28 @@ class Data:
         return [(True, True, [series(title if last else None, colour, [(x, abs(y)) for x, y in column(rows, "R_y/R_x", of, 100)])
                               for (title, rows), colour in zip(found, colours)], True)
                 for of, last in (("ellipticity", False), ("semi-axis a_x", False), ("peak pressure", True))]
+
+    CLOSURES = {"flooded_inlet": 0x0072B2, "starved_inlet": 0x009E73, "printed_exponents": 0xCC79A7, "damiens": 0xD55E00}
+
+    def paper_films(self):
+        panels = []
+        for surface, rows in blocks(self.out / "data/paper_films.blocks.tsv"):
+            last = surface == "rough"
+            found = [series("flooded film, solved" if last else "", GREY, column(rows, "speed", "flooded"))]
+            found += [series(name if last else "", colour, column(rows, "speed", name)) for name, colour in self.CLOSURES.items()]
+            found.append(series("starved film, solved" if last else "", 0, column(rows, "speed", "film/layer"), True))
+            found += [series(title if last else "", 0x7B3294, [(x, 0.06) for x, _ in self.mark(event, surface, "GT", "film")])
+                      for title, event in (("onset, reported", "reported"), ("onset (film maximum)", "onset"))]
+            panels.append((True, False, found, True))
+        return panels
+
+    def starved_ratios(self):
+        curves = table(self.out / "data/starved_closures.tsv")
+        found = list(blocks(self.out / "data/starved_ratios.blocks.tsv"))
+        upper = [series("", colour, column(curves, "supply", name)) for name, colour in self.CLOSURES.items()]
+        upper += [series("", 0, column(rows, "supply", "ratio"), True) for _, rows in found]
+        lower = keys(*self.CLOSURES) + [series(title, 0x444444, column(rows, "supply", "Damiens' exponent")) for title, rows in found]
+        return [(True, False, upper, True), (True, False, lower, True)]
 
     def line_film_growth(self):
         found = list(blocks(self.out / "data/work_precision/line_film_growth.blocks.tsv"))

@@ -213,6 +213,20 @@ def drawn(report):
     yield f"the onsets of {many(scenes[0]['cases'])} cases of each surface"
 
 
+def of_starved_films(report):
+    surfaces, supplies = report["starved_films"]["surfaces"], report["starved_films"]["supplies"]
+    reported = {row["surface"]: row["reported"] for row in report["paper"]["comparisons"]["onset_speed"]["rows"]
+                if (row["model"], row["criterion"]) == ("GT", "film_maximum")}
+    if all(one["film_maximum"] is None for one in surfaces):
+        yield f"has no maximum and does not collapse: up to {whole(surfaces[0]['fastest'])} m/s it rises towards the layer."
+    yield ("It is 5 % thinner than the flooded film from " + ", ".join(f"{sig(one['film_departure']['speed'], 3)} ({one['surface']})" for one in surfaces) +
+           " m/s on; the paper reports the onset of starvation at " + ", ".join(whole(reported[one["surface"]]) for one in surfaces) + " m/s.")
+    exponents = [one["exponent"][end] for one in supplies for end in ("least", "greatest")]
+    yield f"is right for all layers: it takes {sig(min(exponents), 2)} to {sig(max(exponents), 2)}."
+    yield (f"The contacts have M = {', '.join(map(whole, report['starved_films']['loads']))} and "
+           f"L = {', '.join(map(whole, report['starved_films']['materials']))} (reference/ehl/point_films.csv).")
+
+
 def of_films(report):
     found, profile = report["line_films"], report["line_films"]["profile"]
     best = min(found["formulas"], key=lambda one: one["median_size"])
@@ -344,5 +358,5 @@ def software(report):
 
 
 def promised(report):
-    for section in (paper, of_ledger, drawn, of_films, software):
+    for section in (paper, of_ledger, drawn, of_films, of_starved_films, software):
         yield from section(report)

@@ -460,6 +460,40 @@ def film_solved(report):
              f"{signed(one['elastic_viscous']['least']['error'])} to {signed(one['elastic_viscous']['greatest']['error'])}"] for one in report["line_films"]["formulas"]])
 
 
+def film_starved(report):
+    closures = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
+
+    def signed(part):
+        return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
+
+    def span(of, digits):
+        return f"{sig(of['least'], digits)} to {sig(of['greatest'], digits)}"
+    reported = {row["surface"]: row["reported"] for row in report["paper"]["comparisons"]["onset_speed"]["rows"]
+                if (row["model"], row["criterion"]) == ("GT", "film_maximum")}
+    surfaces = report["starved_films"]["surfaces"]
+
+    def row(words, cell_of):
+        return [words, *map(cell_of, surfaces)]
+
+    def departure(name):
+        return lambda one: f"< {sig(one['slowest'], 3)}" if one["closures"][name]["departs_before"] else sig(one["closures"][name]["film_departure"], 3)
+    yield ("The paper's surfaces: speeds of each criterion, in m/s", ["", *(one["surface"] for one in surfaces)], [
+        row("layer of oil hoil, nm", lambda one: sig(1e9 * one["layer"], 3)),
+        row("onset as the paper reports it", lambda one: whole(reported[one["surface"]])),
+        row("solved: film 5 % below the flooded one", lambda one: sig(one["film_departure"]["speed"], 3)),
+        row("within the films' errors", lambda one: f"{sig(one['film_departure']['low'], 3)} to {sig(one['film_departure']['high'], 3)}"),
+        *(row(f"the same by {name}", departure(name)) for name in closures),
+        row("solved: greatest film", lambda one: "none" if one["film_maximum"] is None else sig(one["film_maximum"], 3)),
+        row("steps of speed in which the film rises", lambda one: f"{one['rises']} of {one['speeds'] - 1}"),
+        row("greatest film by flooded_inlet", lambda one: sig(one["closures"]["flooded_inlet"]["film_maximum"], 3)),
+        row("no film by flooded_inlet from", lambda one: sig(one["closures"]["flooded_inlet"]["collapse"], 3)),
+        row("solved: least friction", lambda one: sig(one["friction_minimum"], 3))])
+    yield ("Deviations of the closures from the solved ratio of films", ["ρ", "ℛ, solved", "its error up to", "γ of Damiens", *closures],
+           [[whole(one["supply"]), span(one["ratio"], 4), sig(one["error"], 1), span(one["exponent"], 3),
+             *(f"{signed(one['closures'][name]['least'])[:-2]} to {signed(one['closures'][name]['greatest'])}" for name in closures)]
+            for one in report["starved_films"]["supplies"]])
+
+
 def verification(report):
     before = report["certified"]["before"].get("worst_ulp_per_condition", {})
     yield ("The model in double against the certified tables of reference/exact",
@@ -579,7 +613,7 @@ def not_run(report):
                [[one["what"], one["why"], one["how_to"]] for one in report["not_run"]])
 
 
-SECTIONS = (first, comparison, claims, readings, requirements, uncertainty, misprints, model, contacts, film_solved, verification,
+SECTIONS = (first, comparison, claims, readings, requirements, uncertainty, misprints, model, contacts, film_solved, film_starved, verification,
             worst_inputs, mutants, planted_faults, diagnosis, work_precision, skipped_work, gates, sweep_speed, environment, not_run)
 
 

@@ -12,6 +12,7 @@ BASELINES = {
     "stress.json": ("stress", "random points against long double"),
     "mutants.json": ("mutants", "random changes, and how many the tests notice"),
     "diagnosis.json": ("diagnosis", "wrong solvers, and whose mistakes are named"),
+    "paper_films.json": ("paper-films", "starved films of the paper's surfaces"),
     "planted_faults.json": ("faults", "planted faults and what caught them"),
     "work_precision.json": ("work-precision", "error against work"),
     "performance.json": ("gate-baseline", "work and time that the gates hold"),
@@ -23,7 +24,7 @@ MEASURED = {
     "accuracy.json": ("model/include", "model/src"), "stress.json": ("model/include", "model/src"),
     "mutants.json": ("model", "verification", "reports", "benchmarks"), "diagnosis.json": ("verification/conformance", "reference/mistakes.toml"),
     "planted_faults.json": ("model", "verification", "reports", "benchmarks"), "work_precision.json": ("model/include", "model/src", "model/ehl"),
-    "performance.json": ("model/include", "model/src"), "gates.json": ("benchmarks/gates", "benchmarks/kernels"),
+    "paper_films.json": ("model/ehl",), "performance.json": ("model/include", "model/src"), "gates.json": ("benchmarks/gates", "benchmarks/kernels"),
     "sweep.json": ("model/include", "model/src", "model/sweep"),
 }
 MOST_NESTED = 16  # lists and tables within each other, as in scenes

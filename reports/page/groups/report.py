@@ -33,6 +33,7 @@ import published  # noqa: E402
 import skipped_work  # noqa: E402
 import speed  # noqa: E402
 import terminal  # noqa: E402
+import starved_films  # noqa: E402
 import verification  # noqa: E402
 import work_precision  # noqa: E402
 from group import Group, Missing, Refused, finding, printable  # noqa: E402
@@ -54,6 +55,7 @@ GROUPS = {
     "contacts": Maker(contacts.contacts, "The checkout's folder `reference/scenes`", "solving the contacts of machines"),
     "line_films": Maker(line_films.line_films, "The checkout's folders `reference/ehl` and `reference/scenes`",
                         "solving films of line contacts"),
+    "starved_films": Maker(starved_films.starved_films, "`make paper-films`", "judging closures of starvation by solved films"),
     "certified": Maker(verification.certified, "The checkout's folder `reference/exact`, or `make references`,",
                        "holding the model to the certified tables"),
     "stress": Maker(verification.stress, "`make stress`"),

@@ -22,6 +22,7 @@ SECTIONS = {
     "model": Section("The model: its equations, inputs and limits", ("paper", "ledger"), True),
     "contacts": Section("Contacts as machines have them: circle, ellipse and line", ("contacts",), True),
     "film-solved": Section("The film solved, and what formulas are worth", ("line_films",), True),
+    "film-starved": Section("Starved films solved: what the paper's surfaces would do", ("starved_films", "paper"), True),
     "verification": Section("Accuracy, quantity by quantity", ("certified",), True),
     "worst-inputs": Section("Accuracy at random inputs", ("stress",), True),
     "mutants": Section("Random changes: how many do the tests notice?", ("mutants",), True),

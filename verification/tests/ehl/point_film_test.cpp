@@ -298,6 +298,17 @@ TEST(SolvedPoint, RigidBodiesAndConstantViscosity) {
 }
 
 // An ellipse that is far longer than wide has the film of the line with its peak pressure.
+// From dry contact Newton's method and the film in time do not reach the film of a liquid that
+// pressure thickens so strongly; it lies above that of a thinner liquid all the same.
+TEST(SolvedPoint, OfAStronglyThickenedLiquidIsFound) {
+  const ehl::PointContact contact = ehl::barus_point(20, 15);
+  const ehl::SolvedPoint film = ehl::solve_point_film(contact, {.tolerance = 1e-2});
+  ASSERT_EQ(film.outcome, ehl::Outcome::solved) << film.reason;
+  EXPECT_TRUE(film.reason.empty()) << film.reason;
+  EXPECT_TRUE(is_estimated(film.central, 6.218 / ehl::numbers_of(contact).film_number,
+                           3e-3 / ehl::numbers_of(contact).film_number));
+}
+
 TEST(SolvedPoint, OfALongEllipseTendsToThatOfALine) {
   const ehl::PointContact contact = ehl::barus_point(200, 5, 30);
   const ehl::PointNumbers numbers = ehl::numbers_of(contact);

@@ -96,7 +96,6 @@ TEST(StarvedPoint, OfALongEllipseLetsTheWholeLayerPass) {
 }
 
 // Each of the films on three grids within the error that it states, by four grids.
-// Each of the films on three grids within the error that it states, by four grids.
 TEST(StarvedPoint, ErrorsHoldAgainstAFinerGrid) {
   const auto on = [](Eigen::Index nodes, int grids) {
     ehl::SolvedPoint film =
@@ -110,6 +109,16 @@ TEST(StarvedPoint, ErrorsHoldAgainstAFinerGrid) {
   for (const auto member : {&ehl::SolvedPoint::central, &ehl::SolvedPoint::minimum,
                             &ehl::SolvedPoint::at_greatest_pressure})
     EXPECT_TRUE(is_estimated(coarse.*member, (fine.*member).value, 0));
+}
+
+// Beside the contact the layer grazes whole rows of nodes. A step that dried a few nodes of such a
+// row would leave the next ones to the next steps: twenty of them a grid.
+TEST(StarvedPoint, DriesARowInFewSteps) {
+  ehl::PointContact contact = ehl::barus_point(500, 5);
+  contact.inlet_film = 2.802 / ehl::numbers_of(contact).film_number;  // the flooded film
+  const ehl::SolvedPoint film = solved_point(contact, 40'000);
+  EXPECT_EQ(film.grids, 3);
+  EXPECT_LE(film.steps, 40);
 }
 
 TEST(SolvePointFilm, RefusesALayerThatFloodsTheContactOrIsAllOfTheFilm) {

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Starved films of circles, solved: what closures of starvation are worth beside them, and what the paper's three surfaces would do."""
+import csv
+import itertools
+import math
+
+from baselines import from_baseline, number, number_or_none
+from group import Group, Missing, finding
+from numbers_text import exact
+
+CLOSURES = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
+DEPARTURE = 0.05  # of the criterion film_departure
+SURFACES = ("smooth", "medium", "rough")
+LEAST_SUPPLY, GREATEST_SUPPLY, SUPPLY_STEPS = 0.2, 5.0, 160
+LEAST_EXPONENT, GREATEST_EXPONENT = 0.1, 50.0
+
+
+# --- The table.
+
+def damiens_ratio(supply, exponent):
+    """ρ/(1 + ρ^γ)^(1/γ)."""
+    return supply / math.pow(1 + math.pow(supply, exponent), 1 / exponent)
+
+
+def damiens_exponent(supply, ratio):
+    """The γ by which Damiens' closure gives the ratio, which rises with γ; None where no γ does."""
+    low, high = LEAST_EXPONENT, GREATEST_EXPONENT
+    if not damiens_ratio(supply, low) < ratio < damiens_ratio(supply, high):
+        return None
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if damiens_ratio(supply, middle) < ratio else (low, middle)
+    return (low + high) / 2
+
+
+def table_of(places):
+    """Rows of ℛ by the load and material number, each over the supplies."""
+    path = places.reference / "ehl/point_films.csv"
+    try:
+        with path.open(encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        films = {}
+        for row in rows:
+            if float(row["radius_ratio"]) == 1 and row["central"]:
+                key = float(row["load_number"]), float(row["material_number"])
+                films.setdefault(key, {})[float(row["supply"] or "inf")] = float(row["central"]), float(row["central_error"])
+    except OSError as error:
+        raise Missing(f"`{places.shown(path)}` is not there") from error
+    except (ValueError, KeyError, TypeError) as error:
+        raise Missing(f"`{places.shown(path)}` has another shape: {error}") from error
+    contacts = []
+    for (load, material), of in sorted(films.items()):
+        flooded = of.pop(math.inf, None)
+        if flooded is None or not of:
+            continue
+        points = []
+        for supply, (film, error) in sorted(of.items()):
+            ratio = film / flooded[0]
+            off = ratio * (error / film + flooded[1] / flooded[0])
+            points.append({"supply": supply, "ratio": ratio, "error": off, "exponent": damiens_exponent(supply, ratio)})
+        contacts.append({"load_number": load, "material_number": material, "points": points})
+    if not contacts:
+        raise Missing("reference/ehl/point_films.csv has no starved films")
+    return contacts
+
+
+def ratios_of(program, closures_and_supplies):
+    """The ratio that each closure gives, by `tribocheck stream`."""
+    return [one["value"] for one in program.ask(*(
+        f'{{"function": "starvation_ratio", "closure": "{closure}", "flooded_over_inlet": {1 / supply!r}}}'
+        for closure, supply in closures_and_supplies))]
+
+
+def judged(program, contacts):
+    """Of each supply: the least and the greatest ratio and exponent, and the deviations of the closures from the ratios."""
+    supplies = sorted({point["supply"] for one in contacts for point in one["points"]})
+    asked = list(itertools.product(CLOSURES, supplies))
+    given = dict(zip(asked, ratios_of(program, asked)))
+    rows = []
+    for supply in supplies:
+        points = [point for one in contacts for point in one["points"] if point["supply"] == supply]
+        ratios, exponents = [one["ratio"] for one in points], [one["exponent"] for one in points if one["exponent"] is not None]
+        row = {"supply": supply, "contacts": len(points), "ratio": {"least": min(ratios), "greatest": max(ratios)},
+               "error": max(one["error"] for one in points),
+               "exponent": {"least": min(exponents, default=None), "greatest": max(exponents, default=None)}, "closures": {}}
+        for closure in CLOSURES:
+            off = [given[closure, supply] / ratio - 1 for ratio in ratios]
+            row["closures"][closure] = {"least": min(off), "greatest": max(off)}
+        rows.append(row)
+    return rows
+
+
+# --- The paper's surfaces.
+
+def estimate(value):
+    return number(value["value"]), number(value["error"])
+
+
+def points_of(rows):
+    points = []
+    for row in rows:
+        film, error = estimate(row["central_film"])
+        flooded, _ = estimate(row["flooded_central_film"])
+        ratio, ratio_error = estimate(row["film_ratio"])
+        points.append({
+            "speed": number(row["speed"]), "load_number": number(row["load_number"]), "material_number": number(row["material_number"]),
+            "film": film, "error": error, "flooded": flooded, "ratio": ratio, "ratio_error": ratio_error,
+            "exponent": number_or_none(row["damiens_exponent"]), "closures": {name: number(row["closures"][name]) for name in CLOSURES},
+            **{name: number_or_none(row.get(name)) for name in ("film_parameter", "asperity_load_share", "friction")}})
+    if len(points) < 4 or any(one["speed"] >= two["speed"] for one, two in itertools.pairwise(points)):
+        raise ValueError("a surface has fewer than four speeds, or they do not rise")
+    return points
+
+
+def interpolated(places, values, at):
+    """The cubic through the four neighbours."""
+    first = min(max(sum(place <= at for place in places) - 2, 0), len(places) - 4)
+    near = range(first, first + 4)
+    return sum(values[i] * math.prod((at - places[k]) / (places[i] - places[k]) for k in near if k != i) for i in near)
+
+
+def falls_below(points, ratio_of, level):
+    """The speed at which a ratio, which falls with the speed, falls below the level; None where it does not within the speeds."""
+    places, values = [math.log(one["speed"]) for one in points], [ratio_of(one) for one in points]
+    for i, (before, after) in enumerate(itertools.pairwise(values)):
+        if before >= level > after:
+            low, high = places[i], places[i + 1]
+            for _ in range(60):
+                middle = (low + high) / 2
+                low, high = (middle, high) if interpolated(places, values, middle) >= level else (low, middle)
+            return math.exp((low + high) / 2)
+    return None
+
+
+def greatest_within(points, value_of):
+    """The speed of the greatest value, where it lies at neither end: the parabola through its neighbours in ln u."""
+    values = [value_of(one) for one in points]
+    i = max(range(len(values)), key=values.__getitem__)
+    if i in (0, len(values) - 1):
+        return None
+    places = [math.log(one["speed"]) for one in points[i - 1:i + 2]]
+    (x0, x1, x2), (y0, y1, y2) = places, values[i - 1:i + 2]
+    left, right = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
+    curvature = (right - left) / (x2 - x0)
+    return math.exp((x0 + x1) / 2 - left / (2 * curvature)) if curvature else None
+
+
+def surface_of(name, points):
+    level = 1 - DEPARTURE
+
+    def film_of(closure):
+        return lambda one: one["closures"][closure] * one["flooded"]
+    layer = points[-1]["layer"]
+    shared = [one for one in points if one["friction"] is not None]
+    return {
+        "surface": name, "layer": layer, "speeds": len(points), "slowest": points[0]["speed"], "fastest": points[-1]["speed"],
+        "rises": sum(two["film"] - one["film"] > one["error"] + two["error"] for one, two in itertools.pairwise(points)),
+        "film_maximum": greatest_within(points, lambda one: one["film"]),
+        "least_ratio": min(one["ratio"] for one in points), "greatest_of_layer": max(one["film"] for one in points) / layer,
+        "film_departure": {
+            "speed": falls_below(points, lambda one: one["ratio"], level),
+            "low": falls_below(points, lambda one: one["ratio"] - one["ratio_error"], level),
+            "high": falls_below(points, lambda one: one["ratio"] + one["ratio_error"], level)},
+        "friction_minimum": greatest_within(shared, lambda one: -one["friction"]) if len(shared) > 2 else None,
+        "closures": {closure: {"departs_before": points[0]["closures"][closure] < level,
+                               "film_departure": falls_below(points, lambda one, of=closure: one["closures"][of], level),
+                               "film_maximum": greatest_within(points, film_of(closure)),
+                               "collapse": next((one["speed"] for one in points if one["closures"][closure] == 0), None)}
+                     for closure in CLOSURES}}
+
+
+def surfaces_of(baseline):
+    found = {}
+    for name in SURFACES:
+        points = points_of(baseline["surfaces"][name])
+        for one, row in zip(points, baseline["surfaces"][name]):
+            one["layer"] = number(row["inlet_film"])
+        found[name] = points
+    return found
+
+
+def film_blocks(surfaces):
+    heading = "\t".join(["speed", "film/layer", "its error", "flooded", *CLOSURES])
+    text = [f"# solved films of the paper's surfaces over the layer of oil at the inlet, each surface a block\n# {heading}\n"]
+    for name, points in surfaces.items():
+        rows = [(one["speed"], one["film"] / one["layer"], one["error"] / one["layer"], one["flooded"] / one["layer"],
+                 *(one["closures"][closure] * one["flooded"] / one["layer"] for closure in CLOSURES)) for one in points]
+        text.append(f'"{name}"\n' + "".join("\t".join(map(exact, row)) + "\n" for row in rows))
+    return text[0] + "\n\n".join(text[1:])
+
+
+def ratio_files(program, contacts):
+    blocks = []
+    for one in contacts:
+        rows = "".join("\t".join(map(exact, (p["supply"], p["ratio"], p["error"], math.nan if p["exponent"] is None else p["exponent"]))) + "\n"
+                       for p in one["points"])
+        blocks.append(f'"M = {one["load_number"]:g}, L = {one["material_number"]:g}"\n{rows}')
+    yield ("data/starved_ratios.blocks.tsv", "# central film of a circle over the flooded one, each contact a block\n"
+           "# supply\tratio\terror\tDamiens' exponent\n" + "\n\n".join(blocks))
+    supplies = [LEAST_SUPPLY * math.pow(GREATEST_SUPPLY / LEAST_SUPPLY, i / SUPPLY_STEPS) for i in range(SUPPLY_STEPS + 1)]
+    given = [ratios_of(program, [(closure, supply) for supply in supplies]) for closure in CLOSURES]
+    yield ("data/starved_closures.tsv", "# ratio by each closure\n# supply\t" + "\t".join(CLOSURES) + "\n" +
+           "".join("\t".join(map(exact, row)) + "\n" for row in zip(supplies, *given)))
+
+
+def starved_films(asked):
+    contacts = table_of(asked.places)
+    surfaces = from_baseline(asked.places, "paper_films.json", surfaces_of)
+    told = [surface_of(name, points) for name, points in surfaces.items()]
+    numbers = {"materials": sorted({one["material_number"] for one in contacts}), "loads": sorted({one["load_number"] for one in contacts}),
+               "departure": DEPARTURE, "supplies": judged(asked.program, contacts), "surfaces": told}
+    return Group(numbers, [finding("starved_films", "film-starved", "paper", "differs" if any(
+        one["film_maximum"] is None for one in told) else "holds")],
+        files=[("data/paper_films.blocks.tsv", film_blocks(surfaces)), *ratio_files(asked.program, contacts)])
