@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page's own arithmetic at its limits: verdicts, agreement of two samples, parts below a speed, and errors of maps, on data made up."""
+"""The page's own arithmetic at its limits: verdicts, agreement of two samples, parts below a speed, errors of maps, and starved
+films, on data made up."""
 import json
 import math
 import os
@@ -15,6 +16,7 @@ import ledger  # noqa: E402
 import line_films  # noqa: E402
 import onset_uncertainty  # noqa: E402
 import paper  # noqa: E402
+import starved_films  # noqa: E402
 from program import Program  # noqa: E402
 
 
@@ -112,6 +114,51 @@ class Maps(unittest.TestCase):
         self.assertEqual({name: round(error, 12) for name, error in found["greatest"].items()}, {first: 0.25, second: 0.5, **none})
         self.assertEqual({name: round(error, 12) for name, error in found["greatest_light"].items()}, {first: 0.2, second: 0.375, **none})
         self.assertEqual((found["points"], found["heavy_from"]), (4, heavy))
+
+
+class StarvedFilms(unittest.TestCase):
+    @staticmethod
+    def points(exponent, top=2.0):
+        """Of a flooded film u^0.67, behind a layer of 1, by Damiens' closure."""
+        made = []
+        for step in range(16):
+            speed = 3 * 1.3 ** (step - 15)
+            flooded = speed ** 0.67
+            ratio = starved_films.damiens_ratio(1 / flooded, exponent)
+            closures = dict.fromkeys(starved_films.CLOSURES, ratio) | {"flooded_inlet": 0.0 if flooded > 1 else 1 - flooded}
+            made.append({"speed": speed, "film": ratio * flooded, "error": 1e-6, "flooded": flooded, "ratio": ratio, "ratio_error": 0.001,
+                         "layer": 1.0, "closures": closures, "friction": 0.1 + math.log(speed / top) ** 2})
+        return made
+
+    def test_the_speed_of_departure_is_that_of_the_closed_form(self):
+        for exponent in (2.0, 2.6, 3.5):
+            found = starved_films.surface_of("made", self.points(exponent))
+            right = (0.95 ** -exponent - 1) ** (1 / exponent / 0.67)
+            self.assertAlmostEqual(found["film_departure"]["speed"] / right, 1, delta=2e-3)
+            self.assertLess(found["film_departure"]["low"], found["film_departure"]["speed"])
+            self.assertGreater(found["film_departure"]["high"], found["film_departure"]["speed"])
+
+    def test_a_film_that_rises_has_no_maximum_and_one_that_falls_has(self):
+        found = starved_films.surface_of("made", self.points(3.0))
+        self.assertEqual((found["rises"], found["film_maximum"]), (15, None))
+        # u^0.67 (1 − u^0.67) is greatest where u^0.67 is a half.
+        at = found["closures"]["flooded_inlet"]
+        self.assertAlmostEqual(at["film_maximum"] / 0.5 ** (1 / 0.67), 1, delta=0.02)
+        self.assertEqual(at["collapse"], min(one["speed"] for one in self.points(3.0) if one["speed"] > 1))
+        self.assertTrue(at["departs_before"])
+        self.assertFalse(found["closures"]["damiens"]["departs_before"])
+
+    def test_least_friction_lies_between_the_speeds_and_not_at_an_end(self):
+        self.assertAlmostEqual(starved_films.surface_of("made", self.points(3.0, 0.7))["friction_minimum"] / 0.7, 1, delta=1e-3)
+        self.assertIsNone(starved_films.surface_of("made", self.points(3.0, 3.0))["friction_minimum"])
+
+    def test_the_exponent_is_that_of_the_ratio(self):
+        for supply in (0.25, 0.7, 1.0, 2.0, 4.0):
+            for exponent in (1.5, 3.0, 5.0):
+                ratio = starved_films.damiens_ratio(supply, exponent)
+                self.assertAlmostEqual(starved_films.damiens_exponent(supply, ratio) / exponent, 1, delta=1e-6)
+            self.assertIsNone(starved_films.damiens_exponent(supply, min(supply, 1)))
+            self.assertIsNone(starved_films.damiens_exponent(supply, 1e-9))
 
 
 if __name__ == "__main__":

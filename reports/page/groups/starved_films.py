@@ -12,6 +12,7 @@ CLOSURES = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
 DEPARTURE = 0.05  # of the criterion film_departure
 SURFACES = ("smooth", "medium", "rough")
 LEAST_SUPPLY, GREATEST_SUPPLY, SUPPLY_STEPS = 0.2, 5.0, 160
+SEARCH_STEPS = 500  # between the neighbours of the greatest point
 LEAST_EXPONENT, GREATEST_EXPONENT = 0.1, 50.0
 
 
@@ -133,16 +134,14 @@ def falls_below(points, ratio_of, level):
 
 
 def greatest_within(points, value_of):
-    """The speed of the greatest value, where it lies at neither end: the parabola through its neighbours in ln u."""
-    values = [value_of(one) for one in points]
+    """The speed of the greatest value, where it lies at neither end: of the cubic around the greatest of the points."""
+    values, places = [value_of(one) for one in points], [math.log(one["speed"]) for one in points]
     i = max(range(len(values)), key=values.__getitem__)
     if i in (0, len(values) - 1):
         return None
-    places = [math.log(one["speed"]) for one in points[i - 1:i + 2]]
-    (x0, x1, x2), (y0, y1, y2) = places, values[i - 1:i + 2]
-    left, right = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
-    curvature = (right - left) / (x2 - x0)
-    return math.exp((x0 + x1) / 2 - left / (2 * curvature)) if curvature else None
+    low, high = places[i - 1], places[i + 1]
+    tried = [low + (high - low) * step / SEARCH_STEPS for step in range(SEARCH_STEPS + 1)]
+    return math.exp(max(tried, key=lambda place: interpolated(places, values, place)))
 
 
 def surface_of(name, points):
@@ -161,7 +160,7 @@ def surface_of(name, points):
             "speed": falls_below(points, lambda one: one["ratio"], level),
             "low": falls_below(points, lambda one: one["ratio"] - one["ratio_error"], level),
             "high": falls_below(points, lambda one: one["ratio"] + one["ratio_error"], level)},
-        "friction_minimum": greatest_within(shared, lambda one: -one["friction"]) if len(shared) > 2 else None,
+        "friction_minimum": greatest_within(shared, lambda one: -one["friction"]) if len(shared) > 3 else None,
         "closures": {closure: {"departs_before": points[0]["closures"][closure] < level,
                                "film_departure": falls_below(points, lambda one, of=closure: one["closures"][of], level),
                                "film_maximum": greatest_within(points, film_of(closure)),
