@@ -169,8 +169,8 @@ class PointEquations {
       }
     Eigen::SparseMatrix<double> matrix(grid.size(), grid.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
-    if (Eigen::Map<const VectorXd>(matrix.valuePtr(), matrix.nonZeros()).allFinite() == false)
-      return false;
+    const Eigen::Map<const VectorXd> values(matrix.valuePtr(), matrix.nonZeros());
+    if (!values.allFinite()) return false;
     if (factors_->rows() == 0) factors_->analyzePattern(matrix);
     factors_->factorize(matrix);
     return factors_->info() == Eigen::Success;
