@@ -61,16 +61,25 @@ void check_line(const Bodies& bodies, Problems& problems) {
                   "radius_x and length, or first_radius_x, second_radius_x and length"});
 }
 
-// Refuses a law of points for a line, and a law of lines for any other contact.
+// Refuses a law of points for a line, a law of lines for any other contact, and solved films for an
+// ellipse.
 void check_film(const Scene& scene, bool is_given, Problems& problems) {
-  const bool is_line = scene.bodies.shape() == ContactShape::line;
-  if (film_law(scene.closures.film).is_of_lines == is_line) return;
+  const ContactShape shape = scene.bodies.shape();
+  const bool is_line = shape == ContactShape::line;
+  const auto takes = [&](const NamedFilmLaw& named) {
+    const FilmLaw* const law = named.of(is_line);
+    return law != nullptr && !(law->is_solved() && shape == ContactShape::ellipse);
+  };
+  const NamedFilmLaw& own = named_film_laws[static_cast<std::size_t>(scene.closures.film)];
+  if (takes(own)) return;
   std::vector<std::string_view> fitting;
-  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
-    if (film_law(static_cast<FilmFormula>(i)).is_of_lines == is_line)
-      fitting.push_back(film_formula_words[i]);
-  const std::string contact =
-      is_line ? "the contact is a line (bodies.length)" : "the contact is no line";
+  for (const NamedFilmLaw& named : named_film_laws)
+    if (takes(named)) fitting.push_back(named.word);
+  const std::string contact = own.of(is_line) != nullptr
+                                  ? "the contact is an ellipse, and films of circles and of lines "
+                                    "alone are solved as a table"
+                              : is_line ? "the contact is a line (bodies.length)"
+                                        : "the contact is no line";
   problems.error(
       "closures.film",
       {is_given ? Fault::together : Fault::presence, '"' + std::string(film_word(scene)) + '"',
@@ -81,26 +90,30 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
 // Refuses a viscosity that does not rise with pressure for a law whose film would be 0, or whose
 // law of the least film has none; and an ellipse that is given by its k for a law that takes radii.
 void check_rise(const Scene& scene, Problems& problems) {
-  const FilmLaw& law = film_law(scene.closures.film);
-  if (scene.closures.film == FilmFormula::nijenbanning_venner_moes &&
-      scene.bodies.shape() == ContactShape::circle && scene.bodies.ellipticity != 1)
-    problems.error("bodies.ellipticity",
-                   {Fault::together, number_text(scene.bodies.ellipticity),
-                    " with closures.film = \"nijenbanning_venner_moes\", which takes radii",
-                    "1, or radius_x and radius_y in place of reduced_radius and ellipticity"});
-  if (scene.lubricant.pressure_viscosity > 0 || law.material_exponent.p == 0) return;
+  const FilmLaw& law = film_law(scene);
+  if (!law.has_fixed_exponents() && scene.bodies.shape() == ContactShape::circle &&
+      scene.bodies.ellipticity != 1)
+    problems.error(
+        "bodies.ellipticity",
+        {Fault::together, number_text(scene.bodies.ellipticity),
+         " with closures.film = \"" + std::string(film_word(scene)) + "\", which takes radii",
+         law.is_solved()
+             ? "1"
+             : "1, or radius_x and radius_y in place of reduced_radius and ellipticity"});
+  if (scene.lubricant.pressure_viscosity > 0 || law.takes_constant_viscosity()) return;
   std::vector<std::string_view> fitting;
-  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
-    if (film_law(static_cast<FilmFormula>(i)).material_exponent.p == 0)
-      fitting.push_back(film_formula_words[i]);
+  for (const NamedFilmLaw& named : named_film_laws) {
+    const FilmLaw* const other = named.of(law.is_of_lines);
+    const bool fits = other != nullptr && other->takes_constant_viscosity() &&
+                      !(other->is_solved() && scene.bodies.shape() == ContactShape::ellipse);
+    if (fits) fitting.push_back(named.word);
+  }
   problems.error("lubricant.pressure_viscosity",
                  {Fault::together, "0",
                   " with closures.film = \"" + std::string(film_word(scene)) +
                       (law.has_fixed_exponents() ? "\", whose film would be 0"
                                                  : "\", whose minimum_film would be 0"),
-                  "a number above 0, in 1/Pa, or " +
-                      (law.is_of_lines ? "the command `tribocheck film`"
-                                       : "closures.film = " + joined(fitting, " or "))});
+                  "a number above 0, in 1/Pa, or closures.film = " + joined(fitting, " or ")});
 }
 
 void check_profile(const Scene& scene, Problems& problems) {

@@ -239,7 +239,7 @@ struct RegimeOfFilm {
   double factor;
 };
 RegimeOfFilm regime_of_film(const State& state) {
-  const LubricationRegime own = regime_of(film_law(state.scene.closures.film));
+  const LubricationRegime own = regime_of(film_law(state.scene));
   RegimeOfFilm furthest{own, 1};
   const std::array ends{state.speeds.low, state.speeds.high};
   for (const double speed : std::span(ends).first(ends[0] == ends[1] ? 1 : 2)) {
@@ -358,7 +358,7 @@ double part_of_ellipticity(const FilmLaw& law, double k) {
 
 // The law to take in place of one that was not fitted to the contact's ellipticity.
 std::string advice_on_ellipticity(const State& state) {
-  const FilmLaw& law = film_law(state.scene.closures.film);
+  const FilmLaw& law = film_law(state.scene);
   const double k = state.hertz.semi_axis_y / state.hertz.semi_axis_x;
   if (k > law.greatest_ellipticity) {
     const double change =
@@ -453,7 +453,7 @@ constexpr Row rows[] = {
      [](const State& state) {
        // A law without fixed exponents is one of all regimes.
        if (state.solves_film() || !(state.speeds.low > 0) ||
-           !film_law(state.scene.closures.film).has_fixed_exponents())
+           !film_law(state.scene).has_fixed_exponents())
          return not_assumed;
        return regime_of_film(state).factor;
      },
@@ -853,7 +853,7 @@ void take_assumptions(const State& state, Which which, const Take& take) {
     if (std::isnan(value)) continue;
     double least = row.least, greatest = row.greatest;
     if (row.is_of_film_law) {
-      const FilmLaw& law = film_law(state.scene.closures.film);
+      const FilmLaw& law = film_law(state.scene);
       least = least_fitted_ellipticity(law);
       greatest = law.greatest_ellipticity;
       // Any law of points was fitted to circles.

@@ -53,6 +53,59 @@ HWY_INLINE V film_at_unit_speed(D d, const FilmLaw& law, const detail::SceneNumb
   return hn::Div(film, scene.summit_height_sd);
 }
 
+// ln M, L and ln(λ/Ĥ) at 1 m/s, and of a law that joins limits ln λ by each, with H₀₀'s in the end.
+template <class D, class V = hn::Vec<D>>
+HWY_NOINLINE void add_film(D d, ContactShape shape, const FilmLaw& law,
+                           const detail::SceneNumbers<V>& scene, detail::FilmNumbers<V>& film,
+                           V& at_unit_speed) {
+  const auto times = [d](double factor, V x) HWY_ATTR { return hn::Mul(hn::Set(d, factor), x); };
+  const auto plus = [d](V x, double factor, V y)
+                        HWY_ATTR { return hn::MulAdd(hn::Set(d, factor), y, x); };
+  const V root = hn::Sqrt(hn::Div(scene.viscosity, hn::Mul(scene.effective_modulus,
+                                                           scene.radius_x)));  // (2U)^{1/2}
+  const V fourth_root = hn::Sqrt(root);
+  const V second_length = law.is_of_lines ? scene.across : scene.radius_x;
+  const V load = hn::Div(scene.load, hn::Mul(times(2, scene.effective_modulus),
+                                             hn::Mul(scene.radius_x, second_length)));
+  const V m = logarithm(d, hn::Div(load, law.is_of_lines ? root : hn::Mul(root, fourth_root)));
+  const V material =
+      hn::Mul(hn::Mul(times(2, scene.pressure_viscosity), scene.effective_modulus), fourth_root);
+  const V scale = logarithm(d, hn::Div(hn::Mul(scene.radius_x, root), scene.summit_height_sd));
+  at_unit_speed = scale;
+  if (law.is_solved()) {
+    film = {m, material, hn::Zero(d), hn::Zero(d)};
+    return;
+  }
+  const V l = logarithm(d, hn::Max(material, hn::Set(d, 1e-30)));
+  const auto number = [&](double constant) HWY_ATTR { return logarithm(d, hn::Set(d, constant)); };
+  if (law.is_of_lines) {
+    film = {hn::Sub(number(3), m), plus(number(2.621), -0.2, m), plus(number(1.287), 2.0 / 3, l),
+            plus(plus(number(1.311), -0.125, m), 0.75, l)};
+  } else {
+    const V one = hn::Set(d, 1.0);
+    const V ratio =
+        shape == ContactShape::ellipse ? hn::Div(scene.radius_x, scene.across) : one;  // D
+    const V log_ratio = logarithm(d, ratio);
+    const auto power = [&](double exponent)
+                           HWY_ATTR { return exponential(d, times(exponent, log_ratio)); };
+    const V log_q = logarithm(d, plus(plus(one, 6e-3, log_ratio), 0.63, power(4.0 / 7)));
+    film.rigid = plus(hn::Sub(plus(number(145), -15.0 / 7,
+                                   logarithm_of_one_plus(d, times(0.796, power(14.0 / 15)))),
+                              log_ratio),
+                      -2, m);
+    film.elastic = plus(plus(plus(number(3.18), -0.56, log_q), -1.0 / 15, log_ratio), -2.0 / 15, m);
+    film.rigid_piezoviscous = plus(
+        plus(number(1.29), -2.0 / 3, logarithm_of_one_plus(d, times(0.691, ratio))), 2.0 / 3, l);
+    film.elastic_piezoviscous = plus(
+        plus(plus(plus(number(1.48), -0.35, log_q), -1.0 / 24, log_ratio), -1.0 / 12, m), 0.75, l);
+    at_unit_speed = hn::Add(scale, hn::Sub(number(1.8), log_ratio));
+  }
+  film.rigid = hn::Add(film.rigid, scale);
+  film.elastic = hn::Add(film.elastic, scale);
+  film.rigid_piezoviscous = hn::Add(film.rigid_piezoviscous, scale);
+  film.elastic_piezoviscous = hn::Add(film.elastic_piezoviscous, scale);
+}
+
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void add_hertz(D d, ContactShape shape, const detail::SceneNumbers<V>& scene,
                           detail::ContactNumbers<V>& contact) {
@@ -140,9 +193,16 @@ HWY_INLINE detail::ContactNumbers<V> contact_of(D d, const detail::ContactWords&
     contact.area_factor = hn::Mul(pi, roughness);
     contact.count_factor = hn::Mul(scene.summit_density, contact.nominal_area);
   }
-  contact.surface = surface_of(d, load_order(model), law, hn::Mul(stiffness, modulus_ratio),
-                               hn::Mul(scene.offset_planes, scene.summit_plane_offset),
-                               film_at_unit_speed(d, law, scene));
+  const V zero = hn::Zero(d);
+  contact.film = {zero, zero, zero, zero};
+  V at_unit_speed;
+  if (law.has_fixed_exponents())
+    at_unit_speed = film_at_unit_speed(d, law, scene);
+  else
+    add_film(d, words.shape, law, scene, contact.film, at_unit_speed);
+  contact.surface =
+      surface_of(d, load_order(model), law, hn::Mul(stiffness, modulus_ratio),
+                 hn::Mul(scene.offset_planes, scene.summit_plane_offset), at_unit_speed);
   contact.summit_height_sd = scene.summit_height_sd;
   contact.supply = scene.supply;
   contact.damiens_exponent = scene.damiens_exponent;

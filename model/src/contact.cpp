@@ -120,7 +120,7 @@ LoadShares<double> LoadSharing<double>::shares_at(double flooded_film_parameter,
 
 namespace detail {
 
-ContactWords words_of(const Scene& scene) { return words_of(scene, film_law(scene.closures.film)); }
+ContactWords words_of(const Scene& scene) { return words_of(scene, film_law(scene)); }
 ContactWords words_of(const Scene& scene, const FilmLaw& film) {
   return {scene.bodies.shape(),
           scene.closures.asperity,
@@ -161,8 +161,8 @@ void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> sc
   engine().prepare(words, scenes.data(), contacts.data(), scenes.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     SurfaceNumbers<double>& surface = contacts[i].surface;
-    // The kernels have no heated inlet, and no law without fixed exponents.
-    if (words.thermal != ThermalInlet::none || !words.film->has_fixed_exponents())
+    // The kernels have no heated inlet.
+    if (words.thermal != ThermalInlet::none)
       surface.film_at_unit_speed = std::numeric_limits<double>::quiet_NaN();
     if (std::isnan(surface.film_at_unit_speed))
       set_numbers(wide_contact(words, scenes[i]), contacts[i]);
@@ -175,8 +175,7 @@ void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> sc
 
 }  // namespace detail
 
-MixedContact<double>::MixedContact(const Scene& scene)
-    : MixedContact(scene, film_law(scene.closures.film)) {}
+MixedContact<double>::MixedContact(const Scene& scene) : MixedContact(scene, film_law(scene)) {}
 
 MixedContact<double>::MixedContact(const Scene& scene, const FilmLaw& film)
     : words_(detail::words_of(scene, film)), scene_(detail::numbers_of<double>(scene)) {
@@ -211,6 +210,8 @@ double MixedContact<double>::inlet_film_parameter(double speed) const {
 
 double MixedContact<double>::flooded_film_parameter(double speed) const {
   if (!is_within_engine(speed)) return narrow(in<Wide>().flooded_film_parameter(Wide(speed)));
+  if (!film().has_fixed_exponents())
+    return detail::engine().film_of(film(), numbers_, speed, 0).film_parameter;
   return detail::engine().flooded_film_parameter(film(), numbers_, speed);
 }
 
@@ -230,13 +231,22 @@ FilmExponents<double> MixedContact<double>::film_exponents(
     const FloodedFilm<double>& flooded) const {
   if (film().has_fixed_exponents())
     return {ratio<double>(film().speed_exponent), ratio<double>(film().sharing_exponent)};
+  if (is_within_engine(flooded.speed) && flooded.shares.fluid > 0)
+    return detail::engine()
+        .film_of(film(), numbers_, flooded.speed, -detail::engine().logarithm(flooded.shares.fluid))
+        .exponents;
   const FilmExponents<Wide> exponents = in<Wide>().film_exponents(widened(flooded));
   return {narrow(exponents.speed), narrow(exponents.sharing)};
 }
 
 FloodedFilm<double> MixedContact<double>::flooded(double speed) const {
-  if (!is_within_engine(speed)) return {speed, narrow(in<Wide>().flooded(Wide(speed)).shares)};
-  return {speed, sharing().solve(flooded_film_parameter(speed))};
+  if (is_within_engine(speed) && film().has_fixed_exponents())
+    return {speed, sharing().solve(flooded_film_parameter(speed))};
+  if (is_within_engine(speed)) {
+    const LoadShares<double> shares = detail::engine().stiffened(words_, numbers_, speed);
+    if (!std::isnan(shares.film_parameter)) return {speed, shares};
+  }
+  return {speed, narrow(in<Wide>().flooded(Wide(speed)).shares)};
 }
 
 InletState<double> MixedContact<double>::inlet(const FloodedFilm<double>& film) const {

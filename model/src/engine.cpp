@@ -162,6 +162,53 @@ InletState<double> inlet(const detail::ContactWords& words,
           hn::AllTrue(d, state.starvation.is_collapsed)};
 }
 
+detail::FilmOfSpeed film_of(const FilmLaw& law, const detail::ContactNumbers<double>& contact,
+                            double speed, double log_stiffening) {
+  const OneLane d;
+  const auto numbers = broadcast(d, contact.film);
+  const One s = log_speed_of(d, of(speed)), z = of(log_stiffening);
+  const auto film =
+      log_film_at(d, law, table_of(law), numbers, of(contact.surface.film_at_unit_speed), s, z);
+  return {hn::AllTrue(d, film.is_known) ? hn::GetLane(exponential(d, film.value))
+                                        : std::numeric_limits<double>::quiet_NaN(),
+          {hn::GetLane(film.by_speed), hn::GetLane(film.by_sharing)}};
+}
+
+// Roots of a law without fixed exponents and their ln γ; contact_at(i) as in points_of_block.
+template <class D, class ContactAt>
+HWY_NOINLINE std::size_t stiffened_roots(D d, const detail::ContactWords& words,
+                                         const ContactAt& contact_at, const double* speeds,
+                                         double* lambda, double* log_stiffening,
+                                         std::size_t count) {
+  StiffenedRoots<D, ContactAt> roots(d, load_order(words.model), *words.film, contact_at);
+  return roots.solve(speeds, lambda, log_stiffening, count);
+}
+
+struct StiffenedRoot {
+  double film_parameter, log_stiffening;
+  std::size_t steps;
+};
+StiffenedRoot stiffened_alone(const detail::ContactWords& words,
+                              const detail::ContactNumbers<One>& contact, double speed) {
+  const auto contact_at = [&](std::size_t) HWY_ATTR -> const auto& { return contact; };
+  StiffenedRoot root;
+  root.steps = stiffened_roots(OneLane(), words, contact_at, &speed, &root.film_parameter,
+                               &root.log_stiffening, 1);
+  return root;
+}
+
+LoadShares<double> stiffened(const detail::ContactWords& words,
+                             const detail::ContactNumbers<double>& contact, double speed) {
+  const OneLane d;
+  const auto all = broadcast(d, contact);
+  const StiffenedRoot root = stiffened_alone(words, all, speed);
+  const One lambda = not_below(of(root.film_parameter), all.surface.floor);
+  const auto shares = shares_at_stiffening(d, load_order(words.model), all.surface,
+                                           of(root.log_stiffening), lambda);
+  return {hn::GetLane(lambda), hn::GetLane(shares.asperity), hn::GetLane(shares.fluid),
+          static_cast<int>(root.steps)};
+}
+
 double film_at(const FilmLaw& law, const detail::ContactNumbers<double>& contact, double speed) {
   return hn::GetLane(flooded_film_parameter(OneLane(), of(contact.surface.film_at_unit_speed),
                                             law.speed_power, of(speed)));
@@ -190,11 +237,18 @@ double point_alone(const detail::ContactWords& words, const detail::ContactNumbe
                    double speed, OutputSet outputs, const detail::Destination& to) {
   const OneLane d;
   const auto contact = broadcast(d, numbers);
-  const One film0 = flooded_film_parameter(d, contact.surface.film_at_unit_speed,
-                                           words.film->speed_power, of(speed));
-  const One lambda = roots_alone(d, load_order(words.model), of(words.film->sharing_power.inverse),
-                                 contact.surface, film0)
-                         .film_parameter;
+  One film0, lambda;
+  if (words.film->has_fixed_exponents()) {
+    film0 = flooded_film_parameter(d, contact.surface.film_at_unit_speed, words.film->speed_power,
+                                   of(speed));
+    lambda = roots_alone(d, load_order(words.model), of(words.film->sharing_power.inverse),
+                         contact.surface, film0)
+                 .film_parameter;
+  } else {
+    const StiffenedRoot root = stiffened_alone(words, contact, speed);
+    film0 = of(root.log_stiffening);
+    lambda = not_below(of(root.film_parameter), contact.surface.floor);
+  }
   NoWork none;
   return hn::GetLane(complete_root(d, words, contact, NeededParts(outputs, words.supply), of(speed),
                                    film0, lambda, to, 0, 1, none));
@@ -207,18 +261,24 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
                                 double* lambda, std::size_t count, Counter& work) {
   const Many d;
   const Exponent speed_power = words.film->speed_power;  // a copy, which film0 cannot overlap
-  HWY_ALIGN double film0[sharing_block];
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
-    store(d,
-          flooded_film_parameter(d, surface_at(i).film_at_unit_speed, speed_power,
-                                 load(d, speeds + i, count - i)),
-          film0 + i, count - i);
-  const std::size_t steps = roots_of_block<Many, one_contact>(d, load_order(words.model),
-                                                              words.film->sharing_power.inverse,
-                                                              surface_at, film0, lambda, count);
+  const bool is_by_power = words.film->has_fixed_exponents();
+  HWY_ALIGN double film0[sharing_block];  // or ln γ of a law without fixed exponents
+  std::size_t steps = 0;
+  if (is_by_power) {
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+      store(d,
+            flooded_film_parameter(d, surface_at(i).film_at_unit_speed, speed_power,
+                                   load(d, speeds + i, count - i)),
+            film0 + i, count - i);
+    steps = roots_of_block<Many, one_contact>(d, load_order(words.model),
+                                              words.film->sharing_power.inverse, surface_at, film0,
+                                              lambda, count);
+  } else {
+    steps = stiffened_roots(d, words, contact_at, speeds, lambda, film0, count);
+  }
   if constexpr (Counter::counts) {
     work.add(Work::root_step, steps);
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; is_by_power && i < count; i += hn::Lanes(d)) {
       const auto& surface = surface_at(i);
       const auto film = load(d, film0 + i, count - i);
       const auto present = hn::FirstN(d, count - i);
@@ -339,6 +399,8 @@ const detail::Kernels& kernels() {
       .roots_of_one = roots_of_one,
       .roots_of_many = roots_of_many,
       .prepare = prepare,
+      .film_of = film_of,
+      .stiffened = stiffened,
       .flooded_film_parameter = film_at,
       .inlet = inlet,
       .complete = completed,

@@ -21,6 +21,12 @@ struct Destination {
   Inlet* inlet;
 };
 
+// λ at a speed and a γ, NaN beyond a table of solved films, and its exponents.
+struct FilmOfSpeed {
+  double film_parameter;
+  FilmExponents<double> exponents;
+};
+
 // The kernels of an instruction set, of one lane each where an argument is no array.
 struct Kernels {
   const char* (*instruction_set)();
@@ -62,6 +68,12 @@ struct Kernels {
   // the kernels' range, the floor that this gives is not valid.
   void (*prepare)(const ContactWords& words, const SceneNumbers<double>* scenes,
                   ContactNumbers<double>* contacts, std::size_t count);
+  // ln λ of a law without fixed exponents at ln γ, and its slopes by ln u and by ln γ; and the film
+  // with its shares.
+  FilmOfSpeed (*film_of)(const FilmLaw& law, const ContactNumbers<double>& contact, double speed,
+                         double log_stiffening);
+  LoadShares<double> (*stiffened)(const ContactWords& words, const ContactNumbers<double>& contact,
+                                  double speed);
   // λ₀ at a speed, the inlet at a film, and the outputs from both.
   double (*flooded_film_parameter)(const FilmLaw& law, const ContactNumbers<double>& contact,
                                    double speed);

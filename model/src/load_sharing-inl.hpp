@@ -170,24 +170,42 @@ struct Step {
   hn::Mask<D> is_last;
 };
 
-// A step of fourth order on g, by the inverse of its Taylor series. With −ln A and −ln w = py, both
-// 0 or more, g = ln(1 − e^{−v}) + u: v is −ln A in the film's form, and u the other one.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Step<D> sharing_step(D d, V film_power, V flooded, const Iterate<V>& from,
-                                const Asperities<V>& at, V w, hn::Mask<D> by_floor, V balance) {
-  const V one = hn::Set(d, 1.0), p = film_power, zero = hn::Zero(d);
-  const V lambda = from.film_parameter;
-  // of −ln A, in y
+// The derivatives of −ln A in y, of which λ is a multiple of e^y.
+template <class V>
+struct Rises {
+  V first, second, third;
+};
+template <class V>
+HWY_INLINE Rises<V> rises_of(const Asperities<V>& at, V lambda) {
   const V a1 = hn::Mul(at.hazard, lambda);
   const V bent = hn::Mul(hn::Mul(at.slope, lambda), lambda);
   const V a2 = hn::Add(a1, bent);
   const V a3 = hn::Add(
       a2, hn::MulAdd(hn::Mul(hn::Mul(at.bend, lambda), lambda), lambda, hn::Add(bent, bent)));
+  return {a1, a2, a3};
+}
+// Those of a λ that is a multiple of e^{y + cy²/2}.
+template <class V>
+HWY_INLINE Rises<V> bent(const Rises<V>& a, V c) {
+  const V by_first = hn::Mul(a.first, c), by_second = hn::Mul(a.second, c);
+  return {a.first, hn::Add(a.second, by_first),
+          hn::Add(a.third, hn::Add(by_second, hn::Add(by_second, by_second)))};
+}
+
+// A step of fourth order on g, by the inverse of its Taylor series. With −ln A and −ln w = py, both
+// 0 or more, g = ln(1 − e^{−v}) + u: v is −ln A in the film's form, and u the other one.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Step<D> step_by(D d, V film_power, V flooded, const Iterate<V>& from,
+                           const Rises<V>& of_share, V share, V w, hn::Mask<D> by_floor,
+                           V balance) {
+  const V one = hn::Set(d, 1.0), p = film_power, zero = hn::Zero(d);
+  const V lambda = from.film_parameter;
+  const auto& [a1, a2, a3] = of_share;
   const V v1 = hn::IfThenElse(by_floor, p, a1), u1 = hn::IfThenElse(by_floor, a1, p);
   const V v2 = hn::IfThenZeroElse(by_floor, a2), u2 = hn::IfThenElseZero(by_floor, a2);
   const V v3 = hn::IfThenZeroElse(by_floor, a3), u3 = hn::IfThenElseZero(by_floor, a3);
   // g′ = u′ + r v′, r = e^{−v}/(1 − e^{−v}), whose derivative is −r s, s = (1 + r)v′
-  const V small = hn::IfThenElse(by_floor, w, at.share);
+  const V small = hn::IfThenElse(by_floor, w, share);
   const V r = hn::Div(small, complement(d, small));
   const V s = hn::MulAdd(v1, r, v1), s_v1 = hn::Mul(s, v1);
   const V g1 = hn::MulAdd(r, v1, u1);
@@ -215,6 +233,12 @@ HWY_INLINE Step<D> sharing_step(D d, V film_power, V flooded, const Iterate<V>& 
   return {rise, hn::IfThenElse(is_near, flooded, lambda),
           hn::IfThenElse(is_near, rise, bounded),  // rise − log_rise, unrounded
           hn::And(hn::Lt(reach2, hn::Set(d, 0x1p-4)), hn::Lt(estimate, hn::Set(d, 0x1p-55)))};
+}
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Step<D> sharing_step(D d, V film_power, V flooded, const Iterate<V>& from,
+                                const Asperities<V>& at, V w, hn::Mask<D> by_floor, V balance) {
+  return step_by(d, film_power, flooded, from, rises_of(at, from.film_parameter), at.share, w,
+                 by_floor, balance);
 }
 
 // Is λ still λ₀, and hardly above a floor or below it? Then a jump is made, and no step.

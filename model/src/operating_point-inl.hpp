@@ -12,6 +12,7 @@
 #include "friction-inl.hpp"
 #include "load_sharing_batch-inl.hpp"
 #include "starvation-inl.hpp"
+#include "stiffened_roots-inl.hpp"
 #include "tribo/mixed_contact.hpp"
 
 #if defined(TRIBO_OPERATING_POINT) == defined(HWY_TARGET_TOGGLE)
@@ -275,8 +276,8 @@ HWY_INLINE hn::Mask<D> is_next_to_nothing(D d, const detail::ContactWords& words
   return hn::Lt(inlet.film_ratio, hn::Set(d, least_film_ratio));
 }
 
-// The same from λ₀ and its root λ. Returns the root; NaN where the point is beyond the kernels'
-// range.
+// The same from λ₀, or ln γ of a law without fixed exponents, and the root λ. Returns the root; NaN
+// where the point is beyond the kernels' range.
 template <class D, class Counter, class V = hn::Vec<D>>
 HWY_INLINE V complete_root(D d, const detail::ContactWords& words,
                            const detail::ContactNumbers<V>& contact, const NeededParts& needs,
@@ -289,8 +290,11 @@ HWY_INLINE V complete_root(D d, const detail::ContactWords& words,
   Flooded<V> flooded{speed, film_parameter, {zero, one}};
   // A starved film has shares of its own; only near a floor do they need those of the flooded one.
   if (shares && (!needs.is_starved || has_floor))
-    flooded.shares = shares_at_root(d, load_order(words.model), *words.film, contact.surface,
-                                    flooded_film, film_parameter);
+    flooded.shares = words.film->has_fixed_exponents()
+                         ? shares_at_root(d, load_order(words.model), *words.film, contact.surface,
+                                          flooded_film, film_parameter)
+                         : shares_at_stiffening(d, load_order(words.model), contact.surface,
+                                                flooded_film, film_parameter);
   Starvation<D> inlet{one, zero, hn::Lt(one, zero)};
   if (needs.inlet) {
     inlet = inlet_of(d, words, contact, speed, film_parameter, shares && has_floor).starvation;

@@ -42,7 +42,7 @@ CaseSolver::CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped)
   for (const OutputInfo& info : output_infos)
     if (sweep.outputs.contains(info.output)) asked_.push_back(info.output);
   has_rq_alone_ = scene_.surface.has_rq_alone() && sweep.outputs.contains_any(summit_outputs());
-  solved_ = solved_outputs(sweep.outputs, has_rq_alone_);
+  solved_ = solved_outputs(sweep.outputs, has_rq_alone_, may_lack_film(sweep));
   point_width_ = asked_.size() * speeds_.size();
   if (sweep.variables.size() == 1 && speed_variable_ == 0 && sweep.criteria.empty() &&
       !sweep.solves_film)
@@ -186,14 +186,22 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases,
     const bool is_of_summits = has_rq_alone_ && summit_outputs().contains(output);
     put([&](std::size_t i) { return is_of_summits && are_unknown[i] ? undefined : numbers[i]; });
   });
+  // The word of a point without a film stands behind the others.
+  const bool may_lack_film = sweep::may_lack_film(sweep_);
+  const auto lacks_film = [&](std::size_t i) {
+    return may_lack_film && std::isnan(points_.film[i]);
+  };
   if (sweep_.outputs.contains(Output::regime))
     put([&](std::size_t i) {
-      const bool is_unknown =
-          has_rq_alone_ && are_unknown[i] && points_.regime[i] != Regime::collapsed;
-      return is_unknown ? 0.0 : static_cast<double>(points_.regime[i]);
+      if (has_rq_alone_ && are_unknown[i] && points_.regime[i] != Regime::collapsed) return 0.0;
+      if (lacks_film(i)) return has_rq_alone_ ? 0.0 : static_cast<double>(regime_words.size());
+      return static_cast<double>(points_.regime[i]);
     });
-  if (!points_.inlet.empty())
-    put([&](std::size_t i) { return static_cast<double>(points_.inlet[i]); });
+  if (sweep_.outputs.contains(Output::inlet))
+    put([&](std::size_t i) {
+      return static_cast<double>(lacks_film(i) ? inlet_words.size()
+                                               : static_cast<std::size_t>(points_.inlet[i]));
+    });
   for (const Output output : asked_)
     if (info(output).is_of_smooth_contact)
       put([&](std::size_t i) {

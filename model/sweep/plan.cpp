@@ -53,6 +53,14 @@ ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk) {
   throw std::out_of_range("the plan has no such chunk");
 }
 
+bool may_lack_film(const SceneSweep& sweep) {
+  return film_law(sweep.scene).is_solved() ||
+         std::ranges::any_of(sweep.variables, [](const Variable& variable) {
+           return variable.path == "closures.film" &&
+                  std::ranges::count(variable.grid, static_cast<double>(FilmFormula::solved)) > 0;
+         });
+}
+
 namespace {
 
 std::vector<Column> columns_of(const SceneSweep& sweep) {
@@ -67,6 +75,8 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
     // Summits that are not known; bodies without summits have no boundary lubrication.
     if (info.output == Output::regime && sweep.scene.surface.has_rq_alone())
       columns.back().words.front() = "undefined";
+    else if (!info.words.empty() && may_lack_film(sweep))
+      columns.back().words.push_back("undefined");
   }
   for (const OnsetCriterion criterion : sweep.criteria) {
     const std::string prefix = "onset." + std::string(name(criterion)) + '.';

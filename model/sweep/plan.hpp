@@ -121,6 +121,9 @@ struct ChunkPlace {
 };
 ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk);
 
+// May a case's film be between solved ones, so that some points may have none?
+bool may_lack_film(const SceneSweep& sweep);
+
 // The work was stopped early, as asked.
 struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("stopped") {}

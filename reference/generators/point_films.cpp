@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes reference/ehl/point_films.csv row by row, or makes a seeded sample of its cheap rows again
-// and compares them within the errors that both state.
+// Makes reference/ehl/point_films.csv, or with --between point_films_between.csv, row by row, or
+// makes a seeded sample of their cheap rows again and compares them within the errors that both
+// state.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,9 +9,11 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <initializer_list>
 #include <iostream>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ehl/solved_point.hpp"
@@ -38,10 +41,29 @@ struct Contact {
   }
 };
 
+<<<<<<< HEAD
 enum class Liquid : bool { barus, compressible };
 
 // In the order of the rows.
 std::vector<Contact> contacts(Liquid liquid) {
+=======
+// Circles between those of the table, in the order of the rows.
+std::vector<Contact> contacts_between() {
+  std::vector<Contact> all;
+  for (const auto& [m, l] : std::initializer_list<std::pair<double, double>>{
+           {14, 5},     {14, 2.5},   {14, 1},    {12, 4},   {12, 8},      {20, 1},
+           {25, 0.5},   {25, 8},     {30, 7},    {35, 2},   {50, 0.3},    {50, 3.5},
+           {70, 3.5},   {70, 12.5},  {80, 7.5},  {100, 1},  {120, 0.5},   {150, 7},
+           {180, 12.5}, {300, 1},    {300, 3.5}, {300, 7},  {400, 12},    {500, 0.3},
+           {700, 3.5},  {700, 12.5}, {1000, 7},  {1400, 1}, {1400, 12.5}, {1700, 3.5}})
+    all.push_back({1, m, l});
+  return all;
+}
+
+// In the order of the rows.
+std::vector<Contact> contacts(bool between) {
+  if (between) return contacts_between();
+>>>>>>> n67
   std::vector<Contact> all;
   if (liquid == Liquid::compressible) {
     for (const double m : {20., 50., 100., 200., 500., 1000.})
@@ -108,11 +130,18 @@ std::string row(const Contact& c, Liquid liquid) {
 }
 
 // `missing`: the rows that are not made yet, by their first columns.
+<<<<<<< HEAD
 std::string header(const std::string& rows, const std::string& missing, Liquid liquid) {
   const bool is_barus = liquid == Liquid::barus;
   return std::string("# quantity: films of smooth circular and elliptical contacts") +
          (is_barus ? "" : " with a compressible liquid") +
          ", solved\n"
+=======
+std::string header(const std::string& rows, const std::string& missing, bool between) {
+  return std::string("# quantity: films of smooth circular ") +
+         (between ? "contacts, solved, between those of point_films.csv\n"
+                  : "and elliptical contacts, solved\n") +
+>>>>>>> n67
          "# definition: central, minimum and at_greatest_pressure are (h/R_x)(2U)^(-1/2) at x = y "
          "= 0, where h is least, and where p is greatest; load_number M = W(2U)^(-3/4) with W = "
          "F/(2E*R_x^2), material_number L = G(2U)^(1/4); radius_ratio R_y/R_x, x is the direction "
@@ -148,16 +177,28 @@ std::vector<std::string> rows_of(const std::filesystem::path& file) {
 
 // Adds the rows that the file lacks, small M first. Each is in the file once it is solved, so that
 // the next run goes on.
+<<<<<<< HEAD
 int add_rows(const std::filesystem::path& file, Liquid liquid) {
   const std::vector<Contact> all = contacts(liquid);
   std::map<std::string, std::string> known;
   for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
   std::vector<Contact> missing;
+=======
+int add_rows(const std::filesystem::path& file, bool between) {
+  std::map<std::string, std::string> known;
+  for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
+  std::vector<Contact> missing;
+  const std::vector<Contact> all = contacts(between);
+>>>>>>> n67
   for (const Contact& c : all)
     if (!known.contains(c.key())) missing.push_back(c);
   std::ranges::stable_sort(missing, {}, &Contact::load_number);
   for (const Contact& c : missing) {
+<<<<<<< HEAD
     const std::string made = known[c.key()] = row(c, liquid);
+=======
+    const std::string made = known[c.key()] = row(c);
+>>>>>>> n67
     std::cerr << fmt::format("{} of {}: {}\n", known.size(), all.size(), made);
     std::string rows, still_missing;
     for (const Contact& one : all)
@@ -165,15 +206,26 @@ int add_rows(const std::filesystem::path& file, Liquid liquid) {
         rows += found->second + "\n";
       else
         still_missing += (still_missing.empty() ? "" : " ") + one.key();
+<<<<<<< HEAD
     tribo::reference::write_whole(file, header(rows, still_missing, liquid) + columns + rows);
+=======
+    tribo::reference::write_whole(file, header(rows, still_missing, between) + columns + rows);
+>>>>>>> n67
   }
   return 0;
 }
 
+<<<<<<< HEAD
 int check_sample(const std::filesystem::path& file, Liquid liquid, std::uint64_t seed, int count) {
   std::vector<std::string> cheap;
   std::vector<Contact> contacts_of_cheap;
   const std::vector<Contact> all = contacts(liquid);
+=======
+int check_sample(const std::filesystem::path& file, std::uint64_t seed, int count, bool between) {
+  std::vector<std::string> cheap;
+  std::vector<Contact> contacts_of_cheap;
+  const std::vector<Contact> all = contacts(between);
+>>>>>>> n67
   for (const std::string& one : rows_of(file)) {
     const auto c = std::ranges::find(all, key_of(one), &Contact::key);
     if (c == all.end()) {
@@ -209,7 +261,10 @@ int main(int argc, char** argv) {
   std::string file;
   int sample = 0;
   std::uint64_t seed = 1;
+  bool between = false;
   app.add_option("file", file, "where the table is, or goes")->required();
+  app.add_flag("--between", between,
+               "the table is that of contacts between, point_films_between.csv");
   app.add_option("--sample", sample, "make this many cheap rows again and compare them");
   app.add_option("--seed", seed, "of the sample");
   bool is_compressible = false;
@@ -220,6 +275,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+<<<<<<< HEAD
   const Liquid liquid = is_compressible ? Liquid::compressible : Liquid::barus;
   return sample > 0 ? check_sample(file, liquid, seed, sample) : add_rows(file, liquid);
+=======
+  return sample > 0 ? check_sample(file, seed, sample, between) : add_rows(file, between);
+>>>>>>> n67
 }

@@ -280,7 +280,8 @@ std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegim
   }
   // The laws without fixed exponents are of all regimes.
   for (const NamedFilmLaw& named : named_film_laws)
-    if (!named.law->has_fixed_exponents() && named.law->is_of_lines == asked.is_line())
+    if (!named.law->has_fixed_exponents() && !named.law->is_solved() &&
+        named.law->is_of_lines == asked.is_line())
       films.push_back({named.word,
                        false,
                        smooth_film(*named.law, asked.shape(), scene, speed),

@@ -140,7 +140,7 @@ void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
                         const ehl::SolvedPoint& flooded) {
   const double unit = ehl::scale_of(c).film;
   for (const NamedFilmLaw& named : named_film_laws) {
-    if (named.law->is_of_lines) continue;
+    if (named.law->is_of_lines || named.law->is_solved()) continue;
     double length = unknown.value;
     if (!named.law->has_fixed_exponents())
       length = MoesFilm<double>(*named.law, c.viscosity, c.pressure_viscosity, c.load,
@@ -226,7 +226,7 @@ std::vector<std::string_view> film_formula_names() {
   names.reserve(ehl::line_formulas.size());
   for (const ehl::LineFormula& formula : ehl::line_formulas) names.push_back(formula.name);
   for (const NamedFilmLaw& named : named_film_laws)
-    if (!named.law->is_of_lines) names.push_back(named.word);
+    if (!named.law->is_of_lines && !named.law->is_solved()) names.push_back(named.word);
   return names;
 }
 

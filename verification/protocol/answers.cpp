@@ -77,12 +77,16 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output) {
 }
 
 bool needs_smooth_contact(const Scene& scene) {
-  return scene.outputs.contains_any(smooth_outputs()) || scene.surface.has_rq_alone();
+  return scene.outputs.contains_any(smooth_outputs()) || scene.surface.has_rq_alone() ||
+         film_law(scene).is_solved();
 }
 
 OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* smooth,
                      Output output) {
   if (smooth == nullptr) return value_of(point, output);
+  if (output != Output::peak_pressure && output != Output::mean_pressure &&
+      smooth->is_beyond_solved_films(point.film))
+    return {.undefined = beyond_solved_films, .word = {}};
   if (info(output).is_of_smooth_contact)
     return number(smooth->value(output, point.speed, point.film));
   if (summit_outputs().contains(output) && point.regime != Regime::collapsed &&
@@ -94,7 +98,7 @@ OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* s
 OutputSet needed_for(const Scene& scene) { return needed_for(scene, scene.outputs); }
 OutputSet needed_for(const Scene& scene, OutputSet asked) {
   if (asked.contains(Output::inlet)) asked.insert(Output::film);
-  return solved_outputs(asked, scene.surface.has_rq_alone());
+  return solved_outputs(asked, scene.surface.has_rq_alone(), film_law(scene).is_solved());
 }
 
 void append_json_text(Text& to, std::string_view text) {

@@ -23,7 +23,17 @@ struct SurfaceNumbers {
   T hazard;          // −d ln A/dλ at the floor: positive; 0 if there is no floor
   T floor_up_to;     // λ = λ_b to half an ulp for λ₀ from 0 to here
   T film_from;       // λ = λ₀ to half an ulp for λ₀ from here on; below 0: smooth, always
-  T film_at_unit_speed;  // λ₀/u^a; NaN of a contact beyond the kernels' range
+  // λ₀/u^a; of a law without fixed exponents ln of λ over Ĥ at 1 m/s, or at the greatest film of
+  // rigid and elastic bodies (H₀₀). NaN of a contact beyond the kernels' range.
+  T film_at_unit_speed;
+};
+
+// What the film of a law without fixed exponents follows from at 1 m/s and γ = 1 (moes_film.hpp):
+// ln λ by each limit that the law joins. Of solved films ln M stands in place of the first, and L
+// of the second.
+template <class T>
+struct FilmNumbers {
+  T rigid, elastic, rigid_piezoviscous, elastic_piezoviscous;
 };
 
 // The numbers that kernels read at a point. A number of the scene that is only a factor of one of
@@ -40,6 +50,7 @@ struct ContactNumbers {
   T roelands_scale, roelands_exponent;  // ln η₀ + 9.67 and z
   // The smooth contact: a_x (b of a line), A_nom, p̄ and the approach, which a line does not have.
   T semi_axis_x, nominal_area, mean_pressure, approach;
+  FilmNumbers<T> film;  // 0 of a law of fixed exponents
 };
 
 // The numbers of a scene that a contact is prepared from, as scene.hpp has them; where it gives two

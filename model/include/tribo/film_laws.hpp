@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Film laws of a fully flooded, smooth contact: regressions (film_thickness.hpp) as rows of
-// numbers, and the two laws that join limits and have no fixed exponents (moes_film.hpp).
+// numbers, and the laws without fixed exponents (moes_film.hpp): two that join limits, and films
+// that were solved.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +16,11 @@
 namespace tribo {
 
 enum class FilmForm : std::uint8_t {
-  power,                    // C U^a G^b W^c (1 − m e^{−nk})
-  moes_line,                // moes_line.hpp
-  nijenbanning_venner_moes  // nijenbanning_venner_moes.hpp, the default reading
+  power,                     // C U^a G^b W^c (1 − m e^{−nk})
+  moes_line,                 // moes_line.hpp
+  nijenbanning_venner_moes,  // nijenbanning_venner_moes.hpp, the default reading
+  solved,                    // solved_films.hpp, the central film
+  solved_minimum             // the least film, likewise
 };
 
 // A row, and what follows from it. A law that is no power has exponents of a typical elastic
@@ -41,13 +44,20 @@ struct FilmLaw {
   double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
-  // divided by it, and W stays: h = h₀ γ^{a−b}.
+  // divided by it, and W stays: h = h₀ γ^{a−b}. Of a law that is no power no film's is greater.
   Fraction sharing_exponent = speed_exponent - material_exponent;
   // The two exponents in the form that the engine takes.
   Exponent speed_power = speed_exponent;
   Exponent sharing_power = sharing_exponent;
 
   constexpr bool has_fixed_exponents() const { return form == FilmForm::power; }
+  constexpr bool is_solved() const {
+    return form == FilmForm::solved || form == FilmForm::solved_minimum;
+  }
+  // Does it take a viscosity that does not rise with pressure?
+  constexpr bool takes_constant_viscosity() const {
+    return material_exponent.p == 0 || is_solved();
+  }
 };
 
 // Central film (0.67 − 0.53 = 0.14 after load sharing) and minimum film (0.19) of Hamrock and
@@ -119,17 +129,24 @@ inline constexpr FilmLaw ertel_grubin_law{.constant = {195, 100},
                                           .is_of_lines = true};
 
 // Laws without fixed exponents.
-inline constexpr FilmLaw moes_line_law{.constant = {0, 1},
-                                       .speed_exponent = {7, 10},
-                                       .material_exponent = {56, 100},
-                                       .load_exponent = {-1, 10},
-                                       .is_of_lines = true,
-                                       .form = FilmForm::moes_line};
-inline constexpr FilmLaw nijenbanning_venner_moes_law{.constant = {0, 1},
-                                                      .speed_exponent = {7, 10},
-                                                      .material_exponent = {56, 100},
-                                                      .load_exponent = {-1, 10},
-                                                      .form = FilmForm::nijenbanning_venner_moes};
+namespace detail {
+constexpr FilmLaw law_by(FilmForm form, bool is_of_lines) {
+  return {.constant = {0, 1},
+          .speed_exponent = {7, 10},
+          .material_exponent = {56, 100},
+          .load_exponent = {-1, 10},
+          .is_of_lines = is_of_lines,
+          .form = form,
+          .sharing_exponent = {2, 1}};  // of rigid bodies; of lines 1
+}
+}  // namespace detail
+inline constexpr FilmLaw moes_line_law = detail::law_by(FilmForm::moes_line, true);
+inline constexpr FilmLaw nijenbanning_venner_moes_law =
+    detail::law_by(FilmForm::nijenbanning_venner_moes, false);
+inline constexpr FilmLaw solved_point_law = detail::law_by(FilmForm::solved, false);
+inline constexpr FilmLaw solved_line_law = detail::law_by(FilmForm::solved, true);
+inline constexpr FilmLaw solved_point_minimum_law = detail::law_by(FilmForm::solved_minimum, false);
+inline constexpr FilmLaw solved_line_minimum_law = detail::law_by(FilmForm::solved_minimum, true);
 
 // The laws that scenes name. A law has its row above, its value here and its word below; messages,
 // sweeps and the JSON Schema follow. Results of sweeps keep the place of a law: a new one goes to
@@ -145,11 +162,19 @@ enum class FilmFormula : std::uint8_t {
   pan_hamrock_central,
   ertel_grubin,
   moes_line,
-  nijenbanning_venner_moes
+  nijenbanning_venner_moes,
+  solved
 };
 struct NamedFilmLaw {
   std::string_view word;
   const FilmLaw* law;
+  const FilmLaw* law_of_lines = nullptr;  // where a word has a law of points and one of lines
+
+  // The law of lines, or that of points; null where the word has none.
+  constexpr const FilmLaw* of(bool is_line) const {
+    if (is_line && law_of_lines != nullptr) return law_of_lines;
+    return law->is_of_lines == is_line ? law : nullptr;
+  }
 };
 // In the order of FilmFormula.
 inline constexpr auto named_film_laws = std::to_array<NamedFilmLaw>({
@@ -164,6 +189,7 @@ inline constexpr auto named_film_laws = std::to_array<NamedFilmLaw>({
     {"ertel_grubin", &ertel_grubin_law},
     {"moes_line", &moes_line_law},
     {"nijenbanning_venner_moes", &nijenbanning_venner_moes_law},
+    {"solved", &solved_point_law, &solved_line_law},
 });
 inline constexpr auto film_formula_words = [] {
   std::array<std::string_view, named_film_laws.size()> words;
@@ -172,8 +198,14 @@ inline constexpr auto film_formula_words = [] {
   return words;
 }();
 
+// Of a word with two laws that of points.
 constexpr const FilmLaw& film_law(FilmFormula formula) {
   return *named_film_laws[static_cast<std::size_t>(formula)].law;
+}
+// The law of a line or of a point where the word has one, else its only law.
+constexpr const FilmLaw& film_law(FilmFormula formula, bool is_line) {
+  const FilmLaw* const fitting = named_film_laws[static_cast<std::size_t>(formula)].of(is_line);
+  return fitting == nullptr ? film_law(formula) : *fitting;
 }
 
 }  // namespace tribo

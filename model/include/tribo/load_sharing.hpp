@@ -159,12 +159,14 @@ class LoadSharing {
   // The shares at the film of a law without fixed exponents: the root of ln λ − ln λ(γ), with
   // film(γ) → {λ(γ), exponents}, exponents.sharing = d ln λ(γ)/d ln γ, and 1/γ = 1 − A(λ). It is
   // sought in s = ln(λ − λ_b), so that 1 − A keeps its digits next to a floor. There is one root
-  // where λ(γ) rises (moes_film.hpp). Failures as of solve().
+  // where λ(γ) rises (moes_film.hpp). Failures as of solve(); NaN where the film at the root is not
+  // known.
   template <class Film>
   LoadShares<T> solve_by(const Film& film) const {
     using std::exp;
     using std::log;
-    const T lambda0 = film(T(1)).film_parameter;
+    const auto free_film = film(T(1));
+    const T& lambda0 = free_film.film_parameter;
     if (!is_finite(lambda0) || !is_finite(floor_)) return at_infinity(lambda0);
     if (lambda0 == 0) return shares_above_floor(T(0));
     int iterations = 1;
@@ -176,7 +178,9 @@ class LoadSharing {
     };
     if (lambda0 > floor_) {
       const LoadShares<T> free = shares_above_floor(T(lambda0 - floor_));
-      if (free.fluid == 1) return {lambda0, free.asperity, free.fluid, iterations};
+      if (free.fluid == 1)
+        return free_film.is_known ? LoadShares<T>{lambda0, free.asperity, free.fluid, iterations}
+                                  : at_infinity(quiet_nan<T>());
     }
     // At λ₀ the excess is below 0, at a film that touches no summit above.
     T low = log(lambda0 > floor_ ? T(lambda0 - floor_) : floor_);
@@ -188,6 +192,7 @@ class LoadSharing {
     const T distance = exp(s);
     const LoadShares<T> near = shares_above_floor(distance);
     const auto there = film(T(1 / near.fluid));
+    if (!there.is_known) return at_infinity(quiet_nan<T>());
     const T slope = 1 - there.sharing_exponent * near.asperity / near.fluid *
                             asperity_share_slope_above_floor(distance);
     const T step = log(T(near.film_parameter / there.film_parameter)) / slope;

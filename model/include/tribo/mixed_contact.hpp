@@ -59,7 +59,7 @@ template <class T>
 class MixedContact {
  public:
   // The scene's fields must be in range (scene_reader.hpp sees to it).
-  explicit MixedContact(const Scene& scene) : MixedContact(scene, film_law(scene.closures.film)) {}
+  explicit MixedContact(const Scene& scene) : MixedContact(scene, film_law(scene)) {}
 
   // Takes a film law that need not be one of those that scenes can name.
   MixedContact(const Scene& scene, const FilmLaw& film)
@@ -131,7 +131,7 @@ class MixedContact {
   T speed_at(const T& flooded_film_parameter) const {
     return speed_at(LoadShares<T>{flooded_film_parameter, T(0), T(1), 0});
   }
-  // The speed of a flooded film with its shares, likewise.
+  // The speed of a flooded film with its shares, likewise; NaN beyond a table of solved films.
   T speed_at(const LoadShares<T>& shares) const {
     using std::exp;
     using std::log;
@@ -141,15 +141,16 @@ class MixedContact {
                            inverse(film_->speed_exponent));
     const T stiffening = 1 / shares.fluid;
     const auto excess = [&](const T& log_speed) {
-      return log(
-          T(moes_film_.at(exp(log_speed), stiffening).film_parameter / shares.film_parameter));
+      return log(T(moes_film_.continued(exp(log_speed), stiffening).film_parameter /
+                   shares.film_parameter));
     };
     // The film rises with speed at least as its root (analytic.MoesFilm).
     const T start = excess(T(0));
     const T root = bracketed_root(excess, start > 0 ? T(-2 * start - 1) : T(0),
                                   start > 0 ? T(0) : T(1 - 2 * start), epsilon<T>());
-    const T slope = moes_film_.at(exp(root), stiffening).speed_exponent;
-    return exp(T(root - excess(root) / slope));
+    const auto there = moes_film_.continued(exp(root), stiffening);
+    if (!there.is_known) return quiet_nan<T>();
+    return exp(T(root - excess(root) / there.speed_exponent));
   }
   // d ln λ₀/d ln u and d ln λ₀/d ln γ at a film; of a heated inlet those without the heat.
   FilmExponents<T> film_exponents(const FloodedFilm<T>& flooded) const {
@@ -163,7 +164,7 @@ class MixedContact {
     if (film_->has_fixed_exponents()) return {speed, sharing_.solve(flooded_film_parameter(speed))};
     const T heat = thermal_ == ThermalInlet::none ? T(1) : heat_at(speed);
     return {speed, sharing_.solve_by([&](const T& stiffening) {
-              auto at = moes_film_.at(speed, stiffening);
+              auto at = moes_film_.continued(speed, stiffening);
               at.film_parameter *= heat;
               return at;
             })};

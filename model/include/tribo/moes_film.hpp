@@ -18,6 +18,7 @@
 
 #include "tribo/film_laws.hpp"
 #include "tribo/nijenbanning_venner_moes.hpp"
+#include "tribo/solved_films.hpp"
 
 namespace tribo {
 
@@ -25,12 +26,6 @@ namespace tribo {
 template <class T>
 struct FilmExponents {
   T speed, sharing;
-};
-
-// H and its slopes against ln M and ln L.
-template <class T>
-struct FilmNumber {
-  T value, load_slope, material_slope;
 };
 
 namespace detail {
@@ -55,7 +50,7 @@ FilmNumber<T> norm_of(const FilmNumber<T>& x, const FilmNumber<T>& y, const T& p
 
 }  // namespace detail
 
-// H of a law without fixed exponents at M > 0, L > 0 and, of points, D = R_x/R_y.
+// H of a law that joins limits at M > 0, L > 0 and, of points, D = R_x/R_y.
 template <class T>
 FilmNumber<T> film_number(FilmForm form, const T& load_number, const T& material_number,
                           const T& radius_ratio) {
@@ -103,6 +98,7 @@ class MoesFilm {
  public:
   struct At {
     T film_parameter, speed_exponent, sharing_exponent;
+    bool is_known;  // false beyond a table of solved films, where it goes on straight
   };
 
   MoesFilm() = default;
@@ -110,35 +106,52 @@ class MoesFilm {
   // R_x/R_y, not used of a line; `height` is σ_s. Of a law of fixed exponents nothing is asked.
   MoesFilm(const FilmLaw& law, const T& viscosity, const T& pressure_viscosity, const T& load,
            const T& effective_modulus, const T& radius_x, const T& radius_ratio, const T& height)
-      : form_(law.form), radius_ratio_(radius_ratio) {
+      : law_(&law), radius_ratio_(radius_ratio) {
     using std::sqrt;
     if (law.has_fixed_exponents()) return;
     const T root = sqrt(T(viscosity / (effective_modulus * radius_x)));  // (2U)^{1/2}
     const T fourth_root = sqrt(root);
     load_number_ = load / (2 * effective_modulus * radius_x * radius_x) / root;
-    if (form_ != FilmForm::moes_line) load_number_ /= fourth_root;
+    if (!law.is_of_lines) load_number_ /= fourth_root;
     material_number_ = 2 * pressure_viscosity * effective_modulus * fourth_root;
     // The film at L = 0 is the limit, which this is to every digit.
     if (material_number_ == 0) material_number_ = T(1e-30);
     film_ = radius_x * root / height;
   }
 
-  // At a speed in m/s, and γ.
+  // At a speed in m/s, and γ; λ is NaN beyond a table of solved films.
   At at(const T& speed, const T& stiffening) const {
+    At film = continued(speed, stiffening);
+    if (!film.is_known) film.film_parameter = quiet_nan<T>();
+    return film;
+  }
+
+  // The same, straight on beyond the table.
+  At continued(const T& speed, const T& stiffening) const {
+    using std::log;
     using std::sqrt;
     const T root = sqrt(T(speed * stiffening)), fourth_root = sqrt(root);
-    const bool is_line = form_ == FilmForm::moes_line;
+    const bool is_line = law_->is_of_lines;
     const T load = load_number_ / (is_line ? root : T(root * fourth_root));
-    const FilmNumber<T> number =
-        film_number(form_, load, T(material_number_ * fourth_root / stiffening), radius_ratio_);
+    const T material = material_number_ * fourth_root / stiffening;
+    FilmNumber<T> number;
+    bool is_known = true;
+    if (law_->is_solved()) {
+      const FilmTable& table = film_table(*law_);
+      const T log_load = log(load);
+      number = solved_film_number(table, log_load, material);
+      is_known = is_within(table, log_load, material);
+    } else {
+      number = film_number(law_->form, load, material, radius_ratio_);
+    }
     const T by_speed = ratio<T>(1, 2) -
                        (is_line ? ratio<T>(1, 2) : ratio<T>(3, 4)) * number.load_slope +
                        number.material_slope / 4;
-    return {film_ * root * number.value, by_speed, by_speed - number.material_slope};
+    return {film_ * root * number.value, by_speed, by_speed - number.material_slope, is_known};
   }
 
  private:
-  FilmForm form_ = FilmForm::power;
+  const FilmLaw* law_ = nullptr;
   T radius_ratio_{};
   T load_number_{}, material_number_{}, film_{};  // M, L and (2U)^{1/2}R/σ_s at 1 m/s
 };

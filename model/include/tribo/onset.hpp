@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "tribo/starvation.hpp"
@@ -108,6 +109,36 @@ Onset<T> onset_at(OnsetCriterion criterion, const MixedContact<T>& contact,
 }
 
 inline constexpr std::string_view fully_flooded = "the inlet is fully flooded: no supply is given";
+inline constexpr std::string_view beyond_solved_films =
+    "no film between solved ones meets it: closures.film = \"solved\" has a table of M and L";
+
+// Coordinates between which a film between solved ones is known, to 1/50 in ln u; NaN where none
+// is.
+template <class T>
+struct KnownWalk {
+  T first, last;
+};
+template <class T>
+KnownWalk<T> known_walk(const MixedContact<T>& contact, const StribeckWalk<T>& walk) {
+  KnownWalk<T> known{quiet_nan<T>(), quiet_nan<T>()};
+  if constexpr (std::is_same_v<T, double>) {
+    // M falls with the speed and with γ: no film is faster than that of the least M without γ.
+    const double m = contact.film().is_of_lines ? 0.5 : 0.75;
+    const double fastest =
+        (contact.numbers().film.rigid - film_table(contact.film()).first_load) / m;
+    for (int i = 0; i < 5000 && is_finite(fastest); ++i) {
+      const double s = fastest - 0.02 * i;
+      const double film = walk.at(s).flooded.shares.film_parameter;
+      if (film == film) {
+        known.first = s;
+        if (known.last != known.last) known.last = s;
+      } else if (known.last == known.last) {
+        break;
+      }
+    }
+  }
+  return known;
+}
 
 // The onset at a ratio r that the closure fixes, at constant h_oil: λ = r h_oil/σ_s and back to u.
 template <class T>
@@ -119,7 +150,10 @@ Onset<T> onset_at_ratio(OnsetCriterion criterion, const MixedContact<T>& contact
     return no_onset<T>(criterion,
                        "the criterion's film lies below the floor that the asperities hold up");
   const LoadShares<T> shares = sharing.shares_above_floor(T(lambda - sharing.floor()));
-  return onset_at(criterion, contact, FloodedFilm<T>{contact.speed_at(shares), shares}, film_ratio);
+  const T speed = contact.speed_at(shares);
+  if (contact.film().is_solved() && speed != speed)
+    return no_onset<T>(criterion, beyond_solved_films);
+  return onset_at(criterion, contact, FloodedFilm<T>{speed, shares}, film_ratio);
 }
 
 // ln r at a point of the walk, under constant flow: r = h_ff u/q, increasing along the walk.
@@ -133,13 +167,18 @@ T log_flow_ratio(const MixedContact<T>& contact, const WalkPoint<T>& point) {
 template <>
 double log_flow_ratio(const MixedContact<double>& contact, const WalkPoint<double>& point);
 
-// The coordinate at which r has a given value, under constant flow.
+// The coordinate at which r has a given value, under constant flow; NaN where no film between
+// solved ones has it.
 template <class T>
 T coordinate_at_flow_ratio(const MixedContact<T>& contact, const StribeckWalk<T>& walk,
                            const T& log_r) {
   using std::exp;
   using std::log;
   const auto excess = [&](const T& s) { return log_flow_ratio(contact, walk.at(s)) - log_r; };
+  if (contact.film().is_solved()) {
+    const KnownWalk<T> known = known_walk(contact, walk);
+    return bracketed_root(excess, known.first, known.last, epsilon<T>());
+  }
   // Without load sharing r = λ₀(1)σ_s u^{1+a}/q.
   const T log_speed = (log_r + log(contact.inlet_flow()) - log(contact.summit_height_sd()) -
                        log(contact.flooded_film_parameter(T(1)))) /
@@ -171,11 +210,15 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   // At a maximum −d ln y/d ln r is s/(1 + s) ≤ a/(1 + a), which is 0.4, so that r is below 10.
   // Below r = 1e-9 −d ln y/d ln r of the arctan closures is less than 1e-6, and no film slope s
   // that matters is so small. (With Damiens' rule it could be, if his exponent were below 0.03.)
-  const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
+  const bool is_solved = contact.film().is_solved();
+  const KnownWalk<T> known = is_solved ? known_walk(contact, walk) : KnownWalk<T>{};
+  const T first =
+      is_solved ? known.first : coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
   const T last_log_r =
       contact.inlet_law().closure == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));
   const T step = ratio<T>(1, 50);
-  Onset<T> best = no_onset<T>(criterion, "the film falls with speed throughout");
+  Onset<T> best = no_onset<T>(
+      criterion, is_solved ? beyond_solved_films : "the film falls with speed throughout");
   T s = first;
   WalkPoint<T> point = walk.at(s);
   T slope = flow_film_slope(contact, point);
@@ -220,7 +263,9 @@ Onset<T> film_departure(const MixedContact<T>& contact, const InletOnsets<T>& in
   if (contact.supply() != SupplyKind::inlet_flow)
     return onset_at_ratio(criterion, contact, r, T(1 - departure));
   const StribeckWalk<T> walk(contact);
-  const WalkPoint<T> point = walk.at(coordinate_at_flow_ratio(contact, walk, T(log(r))));
+  const T coordinate = coordinate_at_flow_ratio(contact, walk, T(log(r)));
+  if (coordinate != coordinate) return no_onset<T>(criterion, beyond_solved_films);
+  const WalkPoint<T> point = walk.at(coordinate);
   return onset_at(criterion, contact, point.flooded, T(1 - departure));
 }
 

@@ -171,9 +171,11 @@ constexpr OutputSet summit_outputs() {
 }
 
 // The outputs that a point must have so that those asked for follow: the least film and Λ follow
-// from the film, and so does whether the summits of faces are known (`knows_rq_alone`).
-constexpr OutputSet solved_outputs(OutputSet asked, bool knows_rq_alone) {
-  if (asked.contains(Output::minimum_film) || asked.contains(Output::lambda_ratio) ||
+// from the film, and so does whether the summits of faces are known (`knows_rq_alone`), and whether
+// a film between solved ones is (`may_lack_film`).
+constexpr OutputSet solved_outputs(OutputSet asked, bool knows_rq_alone, bool may_lack_film) {
+  if (may_lack_film || asked.contains(Output::minimum_film) ||
+      asked.contains(Output::lambda_ratio) ||
       (knows_rq_alone && asked.contains_any(summit_outputs())))
     asked.insert(Output::film);
   return asked;

@@ -177,6 +177,11 @@ struct Scene {
   std::vector<std::string_view> accepted;  // words of limit_words(), validity.hpp: not warned of
 };
 
+// The law of a scene's film.
+inline const FilmLaw& film_law(const Scene& scene) {
+  return film_law(scene.closures.film, scene.bodies.shape() == ContactShape::line);
+}
+
 // Are the inputs there that friction alone needs?
 inline bool has_friction_inputs(const Scene& scene) {
   return scene.lubricant.eyring_stress.has_value() &&

@@ -13,8 +13,9 @@ namespace tribo {
 
 // The law of the least film that belongs to a law of the central film, by the same authors where
 // they have both: Hamrock and Dowson's of hard or of soft bodies; of lines Pan and Hamrock's, else
-// Dowson and Higginson's.
+// Dowson and Higginson's; of solved films the solved one.
 constexpr const FilmLaw& minimum_film_law(const FilmLaw& law) {
+  if (law.is_solved()) return law.is_of_lines ? solved_line_minimum_law : solved_point_minimum_law;
   if (!law.is_of_lines)
     return law.material_exponent.p == 0 ? hamrock_dowson_soft_minimum_law
                                         : hamrock_dowson_minimum_law;
@@ -52,7 +53,8 @@ class SmoothContact {
   explicit SmoothContact(const MixedContact<double>& contact)
       : hertz_(contact.hertz()),
         rms_roughness_(contact.scene_numbers().rms_roughness),
-        has_summits_(contact.scene_numbers().summit_density > 0) {
+        has_summits_(contact.scene_numbers().summit_density > 0),
+        is_solved_(contact.film().is_solved()) {
     const FilmLaw& law = contact.film();
     const FilmLaw& minimum_law = minimum_film_law(law);
     if (&minimum_law == &law) return;
@@ -88,6 +90,9 @@ class SmoothContact {
     return !has_summits_ &&
            minimum_film(speed, film) < least_full_film_lambda_ratio * rms_roughness_;
   }
+  // Is the film of a point unknown, as its M or L, with load sharing, is outside the rows of solved
+  // films? Then all outputs of the point are undefined that rest on a film.
+  bool is_beyond_solved_films(double film) const { return is_solved_ && film != film; }
   // 0 where the film has collapsed.
   double minimum_film(double speed, double film) const {
     return film == 0 ? 0 : film * part_of_film(speed);
@@ -107,7 +112,7 @@ class SmoothContact {
 
   HertzContact<double> hertz_;
   double rms_roughness_;
-  bool has_summits_;
+  bool has_summits_, is_solved_;
   double part_at_unit_speed_ = 1;
   Fraction speed_exponent_{0, 1};  // of that part
   // Set where a law has no fixed exponents: then the part is computed at each speed.

@@ -35,15 +35,8 @@ MoesFilm<Long> film_of(FilmForm form, Long m, Long l, Long d) {
 }
 
 Scene scene_of(FilmFormula film, double density = 1e11) {
-  Scene scene = paper_scene(PaperSurface::medium);
-  scene.surface.summit_density = density;
-  scene.closures.film = film;
-  if (!film_law(film).is_of_lines) return scene;
-  scene.bodies = {};
-  scene.bodies.effective_modulus = 107.9e9;
-  scene.bodies.radius_x = 9.5e-3;
-  scene.bodies.length = 5e-4;
-  return scene;
+  return scene_of_law(film, film_law(film).is_of_lines ? ContactShape::line : ContactShape::circle,
+                      density);
 }
 constexpr std::array formulas_of_none{FilmFormula::nijenbanning_venner_moes, FilmFormula::moes_line,
                                       FilmFormula::ertel_grubin};

@@ -214,9 +214,10 @@ Json roelands_rule() {
 // if the contact is a line, then closures.film is a law of lines, else it is none of them
 Json film_rule() {
   Json of_lines = Json::array(), of_points = Json::array();
-  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
-    (film_law(static_cast<FilmFormula>(i)).is_of_lines ? of_lines : of_points)
-        .push_back(film_formula_words[i]);
+  for (const NamedFilmLaw& named : named_film_laws) {
+    if (named.of(true) != nullptr) of_lines.push_back(named.word);
+    if (named.of(false) != nullptr) of_points.push_back(named.word);
+  }
   const Json condition = Json::parse(R"({"properties": {"bodies": {"required": ["length"]}}})");
   const auto film = [](const Json& words) {
     return Json{{"properties",
@@ -231,9 +232,8 @@ Json film_rule() {
 // if closures.film is no law that does without α, then lubricant.pressure_viscosity > 0
 Json rise_rule() {
   Json without = Json::array();
-  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
-    if (film_law(static_cast<FilmFormula>(i)).material_exponent.p == 0)
-      without.push_back(film_formula_words[i]);
+  for (const NamedFilmLaw& named : named_film_laws)
+    if (named.law->takes_constant_viscosity()) without.push_back(named.word);
   Json condition = Json::parse(R"({"not": {"required": ["closures"], "properties": {"closures": {
     "required": ["film"]}}}})");
   condition["not"]["properties"]["closures"]["properties"]["film"]["enum"] = without;

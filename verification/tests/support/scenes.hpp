@@ -56,6 +56,20 @@ inline Scene paper_scene(PaperSurface surface,
   return scene;
 }
 
+// The paper's middle surface with another density of summits on a contact of a shape, by a law.
+inline Scene scene_of_law(FilmFormula film, ContactShape shape, double density = 1e11) {
+  Scene scene = paper_scene(PaperSurface::medium);
+  scene.surface.summit_density = density;
+  scene.closures.film = film;
+  if (shape == ContactShape::circle) return scene;
+  scene.bodies = {};
+  scene.bodies.effective_modulus = 107.9e9;
+  scene.bodies.radius_x = 9.5e-3;
+  if (shape == ContactShape::line) scene.bodies.length = 5e-4;
+  if (shape == ContactShape::ellipse) scene.bodies.radius_y = 2e-2;
+  return scene;
+}
+
 // The paper's surface behind an inlet whose oil starves it within the scene's speeds.
 inline Scene starved_scene(PaperSurface surface, StarvationClosure closure,
                            SupplyKind supply = SupplyKind::inlet_film_ratio,

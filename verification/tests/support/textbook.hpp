@@ -159,6 +159,7 @@ inline constexpr FilmFit film_fits[] = {{2.69, 0.67, 0.53, -0.067, 0.61, 0.73},
                                         {2.922, 0.692, 0.47, -0.166, 0, 0},
                                         {1.95, 8.0 / 11, 8.0 / 11, -1.0 / 11, 0, 0},
                                         {},
+                                        {},
                                         {}};
 static_assert(std::size(film_fits) == named_film_laws.size());
 

@@ -129,11 +129,11 @@ void check_numbers(const Scene& scene) {
           "R or R_x > 0", id);
   require(shape != ContactShape::ellipse || is_positive(bodies.radius_y), "R_y > 0", id);
   require(shape != ContactShape::line || is_positive(bodies.length), "L > 0", id);
-  require(film_law(closures.film).is_of_lines == (shape == ContactShape::line),
+  require(film_law(scene).is_of_lines == (shape == ContactShape::line),
           "the film law is of the contact's shape", id);
   require(is_positive(bodies.ellipticity), "ellipticity > 0", id);
   require(is_positive(lubricant.viscosity), "viscosity > 0", id);
-  const bool needs_rise = film_law(closures.film).material_exponent.p != 0;
+  const bool needs_rise = !film_law(scene).takes_constant_viscosity();
   require(needs_rise ? is_positive(lubricant.pressure_viscosity)
                      : is_not_negative(lubricant.pressure_viscosity),
           "pressure_viscosity > 0, or 0 where the law does without", id);
