@@ -8,6 +8,7 @@ import json
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -17,6 +18,8 @@ SWEEP_PROGRAM = PROGRAM + "_sweep"  # which `tribocheck sweep` becomes
 TIMEOUT = 280 * max(1, os.getloadavg()[0] / os.cpu_count())
 
 ENVIRONMENT = dict(os.environ)
+# `python3` is the interpreter of these tests for all that they start, not a version manager's script, which starts far more slowly.
+ENVIRONMENT["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 # Under nohup, or in the background of a shell, a process ignores these signals, and so would the programs that it starts.
 for one, way in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL), (signal.SIGQUIT, signal.SIG_DFL)):
     signal.signal(one, way)

@@ -204,7 +204,7 @@ class OfTheReadmes(unittest.TestCase):
     def answered(self, text):
         """A line after "$", run by a shell in the folder, and what the page shows below it."""
         (line, shown), = re.findall(r"(?s)```\n\$ ([^\n]*)\n(.*?)```", text)
-        environment = {**ENVIRONMENT, "PATH": f"{os.path.dirname(PROGRAM)}:{os.environ['PATH']}"}
+        environment = {**ENVIRONMENT, "PATH": f"{os.path.dirname(PROGRAM)}:{ENVIRONMENT['PATH']}"}
         done = subprocess.run(["sh", "-c", line], cwd=os.path.dirname(self.scene), env=environment, timeout=TIMEOUT,
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)

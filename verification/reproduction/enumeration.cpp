@@ -129,7 +129,7 @@ class Enumerator {
     for (std::size_t number = 0; number < inlet_count; ++number) {
       Reading reading;
       set_inlet(reading, number);
-      inlets_.emplace_back(reading);
+      inlets_.emplace_back(reading, true);
     }
     for (std::vector<ItemMask>* const masks :
          {&result.items, &result.claims, &result.refined, &result.undecided})

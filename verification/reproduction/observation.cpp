@@ -444,11 +444,7 @@ std::vector<double> speed_grid(double from, double to) {
 }
 
 FloodedCurve flooded_curve(const ReadContact& contact, const std::vector<double>& speeds) {
-  FloodedCurve curve{contact, {}};
-  curve.film_parameter.reserve(speeds.size());
-  for (const double speed : speeds)
-    curve.film_parameter.push_back(contact.flooded_film_parameter(speed));
-  return curve;
+  return {contact, contact.flooded_film_parameters(speeds)};
 }
 
 StarvedCurve starved_curve(const FloodedCurve& flooded, const ReadInlet& inlet,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tribo/batch.hpp"
 #include "tribo/bracketed_root.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
@@ -44,6 +45,9 @@ InletCurve<double> curve_of(const Reading& reading) {
   return {closure, reading.is(Switch::gap, 1) ? std::numbers::pi / 4 : 1};
 }
 
+// The nodes of InletLengths. The paper's films, at all its speeds, lie within.
+constexpr double least_log_r = -12, greatest_log_r = 4, nodes_a_unit = 32;
+
 // E11: equations 1.12 to 1.14 as printed give h*/h_oil = (2/π) arctan(2.7ψ) and
 // h_oil/h* = 1 + ψ^{3/2}/c, so that the ratio does not depend on the flooded film.
 double printed_constant(const InletCurve<double>& curve) {
@@ -70,7 +74,33 @@ FilmLaw film_law(const Reading& reading) {
   return law;
 }
 
-ReadInlet::ReadInlet(const Reading& reading) : rule_(reading.inlet()), curve_(curve_of(reading)) {
+InletLengths::InletLengths(const InletCurve<double>& curve) : curve_(curve) {
+  for (int node = 0; node <= (greatest_log_r - least_log_r) * nodes_a_unit; ++node) {
+    const double t = curve.log_inlet_length(std::exp(least_log_r + node / nodes_a_unit));
+    log_length_.push_back(t);
+    step_slope_.push_back(-1 / (nodes_a_unit * curve.slope_of_log_inverse_r(t)));
+  }
+}
+
+double InletLengths::log_length(double flooded_over_inlet) const {
+  const double log_r = std::log(flooded_over_inlet);
+  const double place = (log_r - least_log_r) * nodes_a_unit;
+  if (!(place >= 0 && place < static_cast<double>(log_length_.size() - 1)))
+    return curve_.log_inlet_length(flooded_over_inlet);
+  // Hermite's cubic, and its slope for the step.
+  const auto i = static_cast<std::size_t>(place);
+  const double x = place - static_cast<double>(i);
+  const double rise = log_length_[i + 1] - log_length_[i];
+  const double a = step_slope_[i] - rise, b = rise - step_slope_[i + 1];
+  const double t = log_length_[i] + x * (rise + (1 - x) * (a * (1 - x) + b * x));
+  const double slope = rise + (1 - 2 * x) * (a * (1 - x) + b * x) + x * (1 - x) * (b - a);
+  return t + slope * nodes_a_unit * (curve_.log_inverse_r(t) + log_r);
+}
+
+ReadInlet::ReadInlet(const Reading& reading, bool of_many)
+    : rule_(reading.inlet()), curve_(curve_of(reading)) {
+  if (of_many && is_implicit(curve_.closure) && rule_ != InletRule::as_printed)
+    lengths_.emplace(curve_);
   if (rule_ == InletRule::as_printed)
     constant_film_ = printed_constant(curve_);
   else if (const double r = curve_.at_film_maximum(); r == r)
@@ -79,11 +109,15 @@ ReadInlet::ReadInlet(const Reading& reading) : rule_(reading.inlet()), curve_(cu
 
 double ReadInlet::film_ratio(double flooded_over_inlet) const {
   if (rule_ == InletRule::as_printed) return constant_film_ / flooded_over_inlet;
+  if (lengths_) return wolveridge_film_ratio(std::exp(lengths_->log_length(flooded_over_inlet)));
   return curve_.film_ratio(flooded_over_inlet);
 }
 
 double ReadInlet::slope(double flooded_over_inlet) const {
-  return rule_ == InletRule::as_printed ? -1 : curve_.slope(flooded_over_inlet);
+  if (rule_ == InletRule::as_printed) return -1;
+  if (!lengths_) return curve_.slope(flooded_over_inlet);
+  const double t = lengths_->log_length(flooded_over_inlet);
+  return -curve_.slope_of_log_y(t) / curve_.slope_of_log_inverse_r(t);
 }
 
 double ReadInlet::departure(double departure) const {
@@ -107,9 +141,20 @@ ReadContact::ReadContact(const Scene& scene, const Reading& reading, double film
       asperities_(asperities_of(scene, reading)),
       sharing_(asperities_.model, asperities_.stiffness, asperities_.offset) {}
 
+double ReadContact::smooth_film_parameter(double speed) const {
+  return film_at_unit_speed_ * decimal_power(speed, sharing_.film().speed_exponent);
+}
+
 double ReadContact::flooded_film_parameter(double speed) const {
-  return sharing_.film_parameter(film_at_unit_speed_ *
-                                 decimal_power(speed, sharing_.film().speed_exponent));
+  return sharing_.film_parameter(smooth_film_parameter(speed));
+}
+
+std::vector<double> ReadContact::flooded_film_parameters(std::span<const double> speeds) const {
+  std::vector<double> smooth, found(speeds.size());
+  smooth.reserve(speeds.size());
+  for (const double speed : speeds) smooth.push_back(smooth_film_parameter(speed));
+  film_parameter(sharing_, smooth, found);
+  return found;
 }
 
 double ReadContact::asperity_share(double film_parameter) const {

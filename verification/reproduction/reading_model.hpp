@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "reproduction/reading.hpp"
@@ -27,10 +28,26 @@ FrictionLaw friction_law(const Reading& reading);
 // The film law of a reading, by its choices of E_HD, of u and of the constant.
 FilmLaw film_law(const Reading& reading);
 
+// ln ψ over ln r, of a closure whose y needs a root: from a table and one step of Newton's method,
+// where the root takes a dozen evaluations. Enumerations ask for millions of films behind one
+// inlet.
+class InletLengths {
+ public:
+  explicit InletLengths(const InletCurve<double>& curve);
+
+  // ln ψ at r > 0. Error: 4 ε × (10 + |ln ψ|).
+  double log_length(double flooded_over_inlet) const;
+
+ private:
+  InletCurve<double> curve_;
+  std::vector<double> log_length_, step_slope_;  // at the nodes; the slope times their distance
+};
+
 // The starved inlet of a reading: the model's with the reading's gap, or the inlet as printed.
 class ReadInlet {
  public:
-  explicit ReadInlet(const Reading& reading);
+  // `of_many`: with InletLengths where the closure needs a root.
+  explicit ReadInlet(const Reading& reading, bool of_many = false);
 
   // y = h*/h_ff at r = h_ff/h_oil > 0; 0 where the film has collapsed.
   double film_ratio(double flooded_over_inlet) const;
@@ -45,6 +62,7 @@ class ReadInlet {
  private:
   InletRule rule_;
   InletCurve<double> curve_;
+  std::optional<InletLengths> lengths_;
   std::optional<double> maximum_;
   double constant_film_ = 0;  // h*/h_oil of as_printed
 };
@@ -79,6 +97,8 @@ class ReadContact {
 
   // λ of the flooded film at a speed, the only root to find; `flooded` below stands for this λ.
   double flooded_film_parameter(double speed) const;
+  // The same at each speed, to the last bit.
+  std::vector<double> flooded_film_parameters(std::span<const double> speeds) const;
   ContactPoint point(double speed, double flooded, const ReadInlet& inlet) const;
   ContactPoint point(double speed, const ReadInlet& inlet) const {
     return point(speed, flooded_film_parameter(speed), inlet);
@@ -99,6 +119,7 @@ class ReadContact {
   double film_at_unit_speed() const { return film_at_unit_speed_; }
 
  private:
+  double smooth_film_parameter(double speed) const;  // λ₀
   double asperity_share(double film_parameter) const;
 
   double inlet_film_ratio_;

@@ -159,11 +159,21 @@ TEST(ReadInlets, AreTheModelsClosuresWithTheLineContactsGap) {
        {1, StarvationClosure::starved_inlet},
        {2, StarvationClosure::printed_exponents}}};
   for (const auto& [choice, closure] : rules) {
-    const ReadInlet inlet(with(Switch::inlet, choice));
+    const ReadInlet inlet(with(Switch::inlet, choice)), of_many(with(Switch::inlet, choice), true);
     const InletLaw<double> law{closure, 3};
     for (const double r : {1e-4, 0.01, 0.3, 0.6, 0.9, 0.999}) {
       EXPECT_TRUE(is_close(inlet.film_ratio(r), law.film_ratio(r), 1e-13, {{"r", r}}));
       EXPECT_TRUE(is_close(inlet.slope(r), law.slope(r), 1e-11, {{"r", r}}));
+    }
+    // Within the table and beyond its ends.
+    Sampler sampler(45);
+    for (int i = 0; i < 2000; ++i) {
+      const double r =
+          sampler.log_uniform(1e-8, closure == StarvationClosure::flooded_inlet ? 0.999 : 1e4);
+      // A film that falls as r^−7 is as much more sensitive to ln r.
+      EXPECT_TRUE(is_close(of_many.film_ratio(r), law.film_ratio(r),
+                           5e-15 * (1 + std::abs(law.slope(r))), {{"r", r}}));
+      EXPECT_TRUE(is_close(of_many.slope(r), law.slope(r), 1e-11, {{"r", r}}));
     }
     for (const OnsetChoice& onset : onset_choices) {
       if (onset.rule != OnsetRule::film_departure) continue;
