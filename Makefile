@@ -193,11 +193,8 @@ references: ## make the tables of reference/exact and reference/ehl anew, and ro
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_between.csv --between
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_compressible.csv --compressible
 	build/release/reference/generators/generate_point_films reference/ehl/point_films.csv
-<<<<<<< HEAD
 	build/release/reference/generators/generate_point_films reference/ehl/point_films_compressible.csv --compressible
-=======
 	build/release/reference/generators/generate_point_films reference/ehl/point_films_between.csv --between
->>>>>>> n67
 
 references-check: ## make SAMPLE rows of each table again (default 8), and compare them
 	@.ci/deps build references

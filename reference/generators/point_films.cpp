@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes reference/ehl/point_films.csv, or with --between point_films_between.csv, row by row, or
-// makes a seeded sample of their cheap rows again and compares them within the errors that both
-// state.
+// Makes reference/ehl/point_films.csv row by row, or makes a seeded sample of its cheap rows again
+// and compares them within the errors that both state.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -41,12 +40,8 @@ struct Contact {
   }
 };
 
-<<<<<<< HEAD
-enum class Liquid : bool { barus, compressible };
+enum class Table : char { main, between, compressible };
 
-// In the order of the rows.
-std::vector<Contact> contacts(Liquid liquid) {
-=======
 // Circles between those of the table, in the order of the rows.
 std::vector<Contact> contacts_between() {
   std::vector<Contact> all;
@@ -61,11 +56,10 @@ std::vector<Contact> contacts_between() {
 }
 
 // In the order of the rows.
-std::vector<Contact> contacts(bool between) {
-  if (between) return contacts_between();
->>>>>>> n67
+std::vector<Contact> contacts(Table table) {
+  if (table == Table::between) return contacts_between();
   std::vector<Contact> all;
-  if (liquid == Liquid::compressible) {
+  if (table == Table::compressible) {
     for (const double m : {20., 50., 100., 200., 500., 1000.})
       for (const double l : {5., 10.}) all.push_back({1, m, l});
     return all;
@@ -87,8 +81,8 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-tribo::ehl::PointContact flooded(const Contact& c, Liquid liquid) {
-  if (liquid == Liquid::barus)
+tribo::ehl::PointContact flooded(const Contact& c, Table table) {
+  if (table != Table::compressible)
     return tribo::ehl::barus_point(c.load_number, c.material_number, c.radius_ratio);
   return tribo::ehl::point_contact_of(
       tribo::reference::compressible_conditions(c.load_number, c.material_number, c.radius_ratio));
@@ -106,13 +100,13 @@ double flooded_film(const Contact& c) {
   static double film = 0;
   if (last.key() != Contact{c.radius_ratio, c.load_number, c.material_number}.key()) {
     last = {c.radius_ratio, c.load_number, c.material_number};
-    film = solved(flooded(last, Liquid::barus)).central.value;
+    film = solved(flooded(last, Table::main)).central.value;
   }
   return film;
 }
 
-std::string row(const Contact& c, Liquid liquid) {
-  tribo::ehl::PointContact contact = flooded(c, liquid);
+std::string row(const Contact& c, Table table) {
+  tribo::ehl::PointContact contact = flooded(c, table);
   if (c.supply > 0) contact.inlet_film = c.supply * flooded_film(c);
   const double start = processor_seconds();
   const SolvedPoint films = solved(contact);
@@ -130,18 +124,13 @@ std::string row(const Contact& c, Liquid liquid) {
 }
 
 // `missing`: the rows that are not made yet, by their first columns.
-<<<<<<< HEAD
-std::string header(const std::string& rows, const std::string& missing, Liquid liquid) {
-  const bool is_barus = liquid == Liquid::barus;
-  return std::string("# quantity: films of smooth circular and elliptical contacts") +
-         (is_barus ? "" : " with a compressible liquid") +
-         ", solved\n"
-=======
-std::string header(const std::string& rows, const std::string& missing, bool between) {
+std::string header(const std::string& rows, const std::string& missing, Table table) {
+  const bool is_barus = table != Table::compressible;
   return std::string("# quantity: films of smooth circular ") +
-         (between ? "contacts, solved, between those of point_films.csv\n"
-                  : "and elliptical contacts, solved\n") +
->>>>>>> n67
+         (table == Table::main ? "and elliptical contacts, solved"
+          : is_barus           ? "contacts, solved, between those of point_films.csv"
+                               : "contacts with a compressible liquid, solved") +
+         "\n"
          "# definition: central, minimum and at_greatest_pressure are (h/R_x)(2U)^(-1/2) at x = y "
          "= 0, where h is least, and where p is greatest; load_number M = W(2U)^(-3/4) with W = "
          "F/(2E*R_x^2), material_number L = G(2U)^(1/4); radius_ratio R_y/R_x, x is the direction "
@@ -177,28 +166,16 @@ std::vector<std::string> rows_of(const std::filesystem::path& file) {
 
 // Adds the rows that the file lacks, small M first. Each is in the file once it is solved, so that
 // the next run goes on.
-<<<<<<< HEAD
-int add_rows(const std::filesystem::path& file, Liquid liquid) {
-  const std::vector<Contact> all = contacts(liquid);
+int add_rows(const std::filesystem::path& file, Table table) {
+  const std::vector<Contact> all = contacts(table);
   std::map<std::string, std::string> known;
   for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
   std::vector<Contact> missing;
-=======
-int add_rows(const std::filesystem::path& file, bool between) {
-  std::map<std::string, std::string> known;
-  for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
-  std::vector<Contact> missing;
-  const std::vector<Contact> all = contacts(between);
->>>>>>> n67
   for (const Contact& c : all)
     if (!known.contains(c.key())) missing.push_back(c);
   std::ranges::stable_sort(missing, {}, &Contact::load_number);
   for (const Contact& c : missing) {
-<<<<<<< HEAD
-    const std::string made = known[c.key()] = row(c, liquid);
-=======
-    const std::string made = known[c.key()] = row(c);
->>>>>>> n67
+    const std::string made = known[c.key()] = row(c, table);
     std::cerr << fmt::format("{} of {}: {}\n", known.size(), all.size(), made);
     std::string rows, still_missing;
     for (const Contact& one : all)
@@ -206,26 +183,15 @@ int add_rows(const std::filesystem::path& file, bool between) {
         rows += found->second + "\n";
       else
         still_missing += (still_missing.empty() ? "" : " ") + one.key();
-<<<<<<< HEAD
-    tribo::reference::write_whole(file, header(rows, still_missing, liquid) + columns + rows);
-=======
-    tribo::reference::write_whole(file, header(rows, still_missing, between) + columns + rows);
->>>>>>> n67
+    tribo::reference::write_whole(file, header(rows, still_missing, table) + columns + rows);
   }
   return 0;
 }
 
-<<<<<<< HEAD
-int check_sample(const std::filesystem::path& file, Liquid liquid, std::uint64_t seed, int count) {
+int check_sample(const std::filesystem::path& file, Table table, std::uint64_t seed, int count) {
   std::vector<std::string> cheap;
   std::vector<Contact> contacts_of_cheap;
-  const std::vector<Contact> all = contacts(liquid);
-=======
-int check_sample(const std::filesystem::path& file, std::uint64_t seed, int count, bool between) {
-  std::vector<std::string> cheap;
-  std::vector<Contact> contacts_of_cheap;
-  const std::vector<Contact> all = contacts(between);
->>>>>>> n67
+  const std::vector<Contact> all = contacts(table);
   for (const std::string& one : rows_of(file)) {
     const auto c = std::ranges::find(all, key_of(one), &Contact::key);
     if (c == all.end()) {
@@ -239,7 +205,7 @@ int check_sample(const std::filesystem::path& file, std::uint64_t seed, int coun
   }
   const auto again = [&](const std::vector<std::size_t>& places) {
     std::vector<std::string> made;
-    for (const std::size_t place : places) made.push_back(row(contacts_of_cheap[place], liquid));
+    for (const std::size_t place : places) made.push_back(row(contacts_of_cheap[place], table));
     return made;
   };
   const auto is_same = [](const std::string& committed, const std::string& made) {
@@ -261,24 +227,19 @@ int main(int argc, char** argv) {
   std::string file;
   int sample = 0;
   std::uint64_t seed = 1;
-  bool between = false;
   app.add_option("file", file, "where the table is, or goes")->required();
-  app.add_flag("--between", between,
-               "the table is that of contacts between, point_films_between.csv");
   app.add_option("--sample", sample, "make this many cheap rows again and compare them");
   app.add_option("--seed", seed, "of the sample");
-  bool is_compressible = false;
-  app.add_flag("--compressible", is_compressible,
-               "the table of a compressible liquid, for the formulas that were fitted to one");
+  Table table = Table::main;
+  app.add_flag_callback(
+      "--between", [&] { table = Table::between; }, "the table of contacts between those");
+  app.add_flag_callback(
+      "--compressible", [&] { table = Table::compressible; },
+      "the table of a compressible liquid, for the formulas that were fitted to one");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-<<<<<<< HEAD
-  const Liquid liquid = is_compressible ? Liquid::compressible : Liquid::barus;
-  return sample > 0 ? check_sample(file, liquid, seed, sample) : add_rows(file, liquid);
-=======
-  return sample > 0 ? check_sample(file, seed, sample, between) : add_rows(file, between);
->>>>>>> n67
+  return sample > 0 ? check_sample(file, table, seed, sample) : add_rows(file, table);
 }
