@@ -20,6 +20,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "ehl/fluid.hpp"
@@ -33,6 +34,9 @@ struct PointContact {
   double radius_ratio = 1;                                      // R_y/R_x > 0
   Fluid fluid = {};                                             // its exponent is ᾱ
   double inlet_film = std::numeric_limits<double>::infinity();  // H_oil > 0; ∞: flooded
+  // Liquid that each node at (X, Y) is given besides, in the unit of PlaneBalance. Contacts have
+  // none; it makes equations whose solution is known.
+  std::function<double(double x, double y)> source = {};
 
   bool is_starved() const { return std::isfinite(inlet_film); }
 };

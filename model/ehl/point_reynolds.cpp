@@ -90,6 +90,10 @@ PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
         slopes.by_pressure[of_next] += factor * driven.by_pressure[1];
       }
     }
+  if (contact.source)
+    for (int j = 0; j + 1 < ny; ++j)
+      for (int i = contact.is_starved() ? 0 : 1; i + 1 < nx; ++i)
+        balance.surplus[grid.node(i, j)] -= contact.source(grid.x(i), grid.y(j));
   if (!contact.is_starved()) return balance;
   for (int j = 0; j + 1 < ny; ++j) {
     balance.surplus[grid.node(0, j)] -= contact.inlet_film + missing[grid.node(0, j)];

@@ -197,11 +197,12 @@ class StiffenedRoots {
   HWY_ALIGN std::uint8_t is_known_[room];
 };
 
-// The shares at such a root: 1 − A = 1/γ.
+// The shares at such a root: 1 − A = 1/γ. It stands apart, so that other laws' kernels keep their
+// registers.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Shares<V> shares_at_stiffening(D d, Order order,
-                                          const detail::SurfaceNumbers<V>& surface,
-                                          V log_stiffening, V lambda) {
+HWY_NOINLINE Shares<V> shares_at_stiffening(D d, Order order,
+                                            const detail::SurfaceNumbers<V>& surface,
+                                            const V& log_stiffening, const V& lambda) {
   const V fluid = exponential(d, hn::Neg(log_stiffening));
   const V asperity =
       hn::IfThenElse(hn::Lt(fluid, hn::Set(d, 0.5)), hn::Sub(hn::Set(d, 1.0), fluid),
