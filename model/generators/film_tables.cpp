@@ -277,6 +277,18 @@ void add(Films& films, const std::vector<Row>& rows, const std::string& film, do
   }
 }
 
+// Takes out material numbers that few load numbers have: the flooded films beside starved ones.
+void keep_whole_columns(Films& films) {
+  std::map<double, std::size_t> loads;
+  std::set<double> all_loads;
+  for (const auto& [at, film] : films) {
+    ++loads[at.second];
+    all_loads.insert(at.first);
+  }
+  std::erase_if(films,
+                [&](const auto& one) { return 2 * loads[one.first.second] < all_loads.size(); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -291,6 +303,7 @@ int main(int argc, char** argv) try {
     add(of_lines, lines, film, 2.25);
     add(of_lines, between, film, 2.25);
     add(of_points, points, film, 10);
+    keep_whole_columns(of_points);
     const Rows line_rows(tribo::FilmForm::moes_line, of_lines);
     const Rows point_rows(tribo::FilmForm::nijenbanning_venner_moes, of_points);
     write_table(to, ("line_" + film).c_str(), line_rows, 48, 40);
