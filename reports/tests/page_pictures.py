@@ -193,10 +193,10 @@ class Data:
         panels = []
         for surface, rows in blocks(self.out / "data/paper_films.blocks.tsv"):
             last = surface == "rough"
-            found = [series("flooded film, solved" if last else "", GREY, column(rows, "speed", "flooded"))]
-            found += [series(name if last else "", colour, column(rows, "speed", name)) for name, colour in self.CLOSURES.items()]
-            found.append(series("starved film, solved" if last else "", 0, column(rows, "speed", "film/layer"), True))
-            found += [series(title if last else "", 0x7B3294, [(x, 0.06) for x, _ in self.mark(event, surface, "GT", "film")])
+            found = [series("flooded film, solved" if last else None, GREY, column(rows, "speed", "flooded"))]
+            found += [series(name if last else None, colour, column(rows, "speed", name)) for name, colour in self.CLOSURES.items()]
+            found.append(series("starved film, solved" if last else None, 0, column(rows, "speed", "film/layer"), True))
+            found += [series(title if last else None, 0x7B3294, [(x, 0.06) for x, _ in self.mark(event, surface, "GT", "film")])
                       for title, event in (("onset, reported", "reported"), ("onset (film maximum)", "onset"))]
             panels.append((True, False, found, True))
         return panels

@@ -484,7 +484,7 @@ def film_starved(report):
         row("within the films' errors", lambda one: f"{sig(one['film_departure']['low'], 3)} to {sig(one['film_departure']['high'], 3)}"),
         *(row(f"the same by {name}", departure(name)) for name in closures),
         row("solved: greatest film", lambda one: "none" if one["film_maximum"] is None else sig(one["film_maximum"], 3)),
-        row("steps of speed in which the film rises", lambda one: f"{one['rises']} of {one['speeds'] - 1}"),
+        row("steps of speed in which the film rises by more than its errors", lambda one: f"{one['rises']} of {one['speeds'] - 1}"),
         row("greatest film by flooded_inlet", lambda one: sig(one["closures"]["flooded_inlet"]["film_maximum"], 3)),
         row("no film by flooded_inlet from", lambda one: sig(one["closures"]["flooded_inlet"]["collapse"], 3)),
         row("solved: least friction", lambda one: sig(one["friction_minimum"], 3))])

@@ -38,9 +38,9 @@ do for [i=1:3] {
     set xlabel "entrainment speed u (m/s)" offset 0, x_words
     set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse samplen 3.5 spacing 1.25 font small noenhanced
   }
-  plot table index i - 1 using 1:4 with lines linewidth 1.2 linecolor rgb 0x666666 title "flooded film, solved", \
+  plot table index i - 1 using 1:4 with lines linewidth 1.4 linecolor rgb 0x666666 title "flooded film, solved", \
     for [k=1:4] table index i - 1 using 1:(column(k + 4)) with lines linestyle k linecolor rgb colour(k) title word(closures, k), \
-    table index i - 1 using 1:2:3 with yerrorbars pointtype 7 pointsize 0.8*outline linewidth 1.2 linecolor rgb 0x000000 \
+    table index i - 1 using 1:2:3 with yerrorbars pointtype 7 pointsize 0.8*outline linewidth 1.3 linecolor rgb 0x000000 \
       title "starved film, solved", \
     marks using (mark("reported", s, 1)):(0.06) with points pointtype 8 pointsize 1.7*outline linewidth 1.4 linecolor rgb 0x7B3294 \
       title "onset, reported", \

@@ -29,16 +29,16 @@ set format x ""
 set yrange [0:1.05]
 set ylabel "starved over flooded film ℛ (–)" offset y_words - 1, 0
 plot for [k=1:4] curves using 1:(column(k + 1)) with lines linestyle k linecolor rgb colour(k) notitle, \
-  for [i=0:contacts-1] table index i using 1:2:3 with yerrorbars pointtype i + 1 pointsize 0.9*outline linewidth 1.1 linecolor rgb 0x000000 notitle
+  for [i=0:contacts-1] table index i using 1:2:3 with yerrorbars pointtype i + 1 pointsize 0.9*outline linewidth 1.3 linecolor rgb 0x000000 notitle
 unset title
 set tmargin at screen bottom + panel
 set bmargin at screen bottom
 set format x "%g"
 set xlabel "layer of oil over the flooded film ρ (–)" offset 0, x_words
-set yrange [1.5:6]
+set yrange [2:5]
 set ylabel "exponent γ of Damiens (–)" offset y_words - 1, 0
 set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 5 Left reverse samplen 3 spacing 1.2 font small noenhanced
 plot for [k=1:4] keyentry with lines linestyle k linecolor rgb colour(k) title word(closures, k), \
-  for [i=0:contacts-1] table index i using 1:4 with linespoints pointtype i + 1 pointsize 0.9*outline linewidth 0.8 linecolor rgb 0x444444 \
+  for [i=0:contacts-1] table index i using 1:4 with linespoints pointtype i + 1 pointsize 0.9*outline linewidth 1.3 linecolor rgb 0x444444 \
     title columnheader(1)
 unset multiplot
