@@ -34,8 +34,8 @@ struct PointContact {
   double radius_ratio = 1;                                      // R_y/R_x > 0
   Fluid fluid = {};                                             // its exponent is ᾱ
   double inlet_film = std::numeric_limits<double>::infinity();  // H_oil > 0; ∞: flooded
-  // Liquid that each node at (X, Y) is given besides, in the unit of PlaneBalance. Contacts have
-  // none; it makes equations whose solution is known.
+  // More liquid for each node at (X, Y), in the unit of PlaneBalance. Contacts have none: with it
+  // the equations of a test have a solution that is known.
   std::function<double(double x, double y)> source = {};
 
   bool is_starved() const { return std::isfinite(inlet_film); }

@@ -328,8 +328,8 @@ class PointProblem {
         std::move(missing));
   }
 
-  // Suction where a gap is no longer full sucks empty what lies behind it in a row, as far as there
-  // is less pressure than that; a step alone would find the next few nodes of them.
+  // Where a step finds suction, the gap is no longer full. This empties at once the nodes behind it
+  // in a row whose pressure is less than that suction; a step alone would find only the next few.
   void empty_behind_suction(VectorXd& pressure) const {
     for (int j = 0; j < parts_.grid.count_y(); ++j) {
       double suction = 0;
@@ -501,19 +501,19 @@ PointFilm solve_flooded_from_nothing(const PointContact& contact, const PlaneGri
   return film_of(newton, grid, 0);
 }
 
-// A liquid that pressure thickens strongly may leave no way from dry contact to the film; the films
-// of liquids that it thickens ever more do.
-PointFilm solve_by_thinner_liquids(const PointContact& contact, const PlaneGrid& grid,
-                                   const Watch& watch) {
+// From dry contact there may be no way to the film of a liquid that pressure thickens strongly. The
+// way leads over liquids that pressure thickens ever more, each from the film of the one before.
+PointFilm solve_by_weaker_liquids(const PointContact& contact, const PlaneGrid& grid,
+                                  const Watch& watch) {
   constexpr int liquids = 5;
   PointFilm film;
   for (int k = 1; k <= liquids; ++k) {
-    PointContact thinner = contact;
+    PointContact weaker = contact;
     const double share = 0.5 + 0.5 * k / liquids;
-    thinner.material_number *= share;
-    thinner.fluid.exponent *= share;
-    film = k == 1 ? solve_flooded_from_nothing(thinner, grid, watch)
-                  : solve_on(thinner, grid, film, watch);
+    weaker.material_number *= share;
+    weaker.fluid.exponent *= share;
+    film = k == 1 ? solve_flooded_from_nothing(weaker, grid, watch)
+                  : solve_on(weaker, grid, film, watch);
     if (film.outcome != Outcome::solved) break;
   }
   return film;
@@ -527,7 +527,7 @@ PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
   fuller.inlet_film = std::numeric_limits<double>::infinity();
   PointFilm film = solve_flooded_from_nothing(fuller, grid, watch);
   if (film.outcome == Outcome::not_converged && contact.fluid.exponent > 0)
-    film = solve_by_thinner_liquids(fuller, grid, watch);
+    film = solve_by_weaker_liquids(fuller, grid, watch);
   if (!contact.is_starved() || film.outcome != Outcome::solved) return film;
   // Where the whole way does not lead to the film, layers that are ever thinner do.
   PointFilm starved;

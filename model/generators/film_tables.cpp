@@ -6,8 +6,8 @@
 // Nijenbanning, Venner and Moes' of circles, in the reading that is nearer to the solved films), as
 // bicubic pieces over ln M and ln(1 + L) whose slopes at the rows are those of cubic splines
 // (not-a-knot) along the rows of one L and of one M. A piece is there where the rows at its four
-// corners are. Of pieces over L, over its root, with flatter slopes and without the formula each
-// was further from films solved between the rows.
+// corners are. Pieces over L or over its root, flatter slopes, and
+// pieces without the formula were each further from films solved between the rows.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -298,7 +298,7 @@ int main(int argc, char** argv) try {
   to << "// Made by model/generators/film_tables.cpp of the rows of reference/ehl.\n";
   for (const std::string film : {"central", "minimum"}) {
     // Below these M a central film in a liquid of high L rises with M, and falls with γ: load
-    // sharing would have two roots.
+    // sharing would have several roots.
     Films of_lines, of_points;
     add(of_lines, lines, film, 2.25);
     add(of_lines, between, film, 2.25);

@@ -193,7 +193,8 @@ HWY_INLINE Rises<V> bent(const Rises<V>& a, V c) {
 }
 
 // A step of fourth order on g, by the inverse of its Taylor series. With −ln A and −ln w = py, both
-// 0 or more, g = ln(1 − e^{−v}) + u: v is −ln A in the film's form, and u the other one.
+// 0 or more, g = ln(1 − e^{−v}) + u: in the film's form v is −ln A and u is −ln w, in the floor's
+// v is −ln w and u is −ln A.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Step<D> step_by(D d, V film_power, V flooded, const Iterate<V>& from,
                            const Rises<V>& of_share, V share, V w, hn::Mask<D> by_floor,

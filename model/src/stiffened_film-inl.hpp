@@ -20,8 +20,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
 
-// ln λ, its slopes in z and in s, and its second derivative in z: where an exponent of a norm
-// changes that leaves out the change, as no root depends on it.
+// ln λ, its slopes in z and in s, and its second derivative in z, in which the change of a norm's
+// exponent is left out: no root depends on it.
 template <class D>
 struct LogFilm {
   using V = hn::Vec<D>;

@@ -31,10 +31,10 @@ HWY_INLINE V log_speed_of(D d, V speed) {
                         hn::Set(d, std::numeric_limits<double>::quiet_NaN()));
 }
 
-// Up to sharing_block points on their way to the root. A step is functions of a vector of points,
-// each of which runs over all vectors with an open point before the next: the chain of all is
-// longer than a processor looks ahead. contact_at(i) gives the numbers of the contacts of the
-// vector of points that starts at i.
+// Up to sharing_block points on their way to the root. A step is split into functions of a vector
+// of points. Each runs over all vectors with an open point before the next one starts: the chain of
+// all is longer than a processor looks ahead. contact_at(i) gives the numbers of the contacts of
+// the vector of points that starts at i.
 template <class D, class ContactAt>
 class StiffenedRoots {
  public:

@@ -191,11 +191,12 @@ class Data:
 
     def paper_films(self):
         panels = []
-        for surface, rows in blocks(self.out / "data/paper_films.blocks.tsv"):
+        films = dict(blocks(self.out / "data/paper_films.blocks.tsv"))
+        for surface, rows in blocks(self.out / "data/paper_closures.blocks.tsv"):
             last = surface == "rough"
             found = [series("flooded film, solved" if last else None, GREY, column(rows, "speed", "flooded"))]
             found += [series(name if last else None, colour, column(rows, "speed", name)) for name, colour in self.CLOSURES.items()]
-            found.append(series("starved film, solved" if last else None, 0, column(rows, "speed", "film/layer"), True))
+            found.append(series("starved film, solved" if last else None, 0, column(films[surface], "speed", "film/layer"), True))
             found += [series(title if last else None, 0x7B3294, [(x, 0.06) for x, _ in self.mark(event, surface, "GT", "film")])
                       for title, event in (("onset, reported", "reported"), ("onset (film maximum)", "onset"))]
             panels.append((True, False, found, True))

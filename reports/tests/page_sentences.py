@@ -218,9 +218,11 @@ def of_starved_films(report):
     reported = {row["surface"]: row["reported"] for row in report["paper"]["comparisons"]["onset_speed"]["rows"]
                 if (row["model"], row["criterion"]) == ("GT", "film_maximum")}
     if all(one["film_maximum"] is None for one in surfaces):
-        yield f"has no maximum and does not collapse: up to {whole(surfaces[0]['fastest'])} m/s it rises towards the layer."
+        yield f"has no maximum and does not collapse up to {whole(surfaces[0]['fastest'])} m/s."
     yield ("It is 5 % thinner than the flooded film from " + ", ".join(f"{sig(one['film_departure']['speed'], 3)} ({one['surface']})" for one in surfaces) +
            " m/s on; the paper reports the onset of starvation at " + ", ".join(whole(reported[one["surface"]]) for one in surfaces) + " m/s.")
+    yield (f"At {whole(surfaces[0]['fastest'])} m/s it is {percent(surfaces[0]['greatest_of_layer'], 2)} of the layer on the smooth surface, and "
+           f"{percent(surfaces[-1]['greatest_of_layer'], 2)} on the rough one")
     exponents = [one["exponent"][end] for one in supplies for end in ("least", "greatest")]
     yield f"is right for all layers: it takes {sig(min(exponents), 2)} to {sig(max(exponents), 2)}."
     yield (f"The contacts have M = {', '.join(map(whole, report['starved_films']['loads']))} and "

@@ -488,8 +488,8 @@ def film_starved(report):
         row("greatest film by flooded_inlet", lambda one: sig(one["closures"]["flooded_inlet"]["film_maximum"], 3)),
         row("no film by flooded_inlet from", lambda one: sig(one["closures"]["flooded_inlet"]["collapse"], 3)),
         row("solved: least friction", lambda one: sig(one["friction_minimum"], 3))])
-    yield ("Deviations of the closures from the solved ratio of films", ["ρ", "ℛ, solved", "its error up to", "γ of Damiens", *closures],
-           [[whole(one["supply"]), span(one["ratio"], 4), sig(one["error"], 1), span(one["exponent"], 3),
+    yield ("Deviations of the closures from the solved ratio of films", ["ρ", "ℛ, solved", "its error, up to", "γ of Damiens", *closures],
+           [[whole(one["supply"]), span(one["ratio"], 4), sig(one["error"], 1), f"{span(one['exponent'], 2)}, ± {sig(one['exponent']['error'], 1)}",
              *(f"{signed(one['closures'][name]['least'])[:-2]} to {signed(one['closures'][name]['greatest'])}" for name in closures)]
             for one in report["starved_films"]["supplies"]])
 

@@ -45,7 +45,7 @@ CONTACT_DATA = [f"data/{kind}{contact}{end}" for kind, end in (("contact_", ".ts
                 for contact in CONTACTS] + ["data/contact_marks.tsv"]
 LINE_DATA = ["data/line_film_errors.tsv", "data/line_film_labels.blocks.tsv", "data/line_film_profile.tsv",
              "data/line_film_tracks.blocks.tsv"]
-STARVED_DATA = ["data/paper_films.blocks.tsv", "data/starved_closures.tsv", "data/starved_ratios.blocks.tsv"]
+STARVED_DATA = ["data/paper_closures.blocks.tsv", "data/paper_films.blocks.tsv", "data/starved_closures.tsv", "data/starved_ratios.blocks.tsv"]
 LEDGER_DATA = [f"data/ledger{name}" for name in (".csv", "_law.tsv", "_scores.tsv", "_surfaces.tsv")]
 SWEEP_DATA = [f"data/sweep/{figure}.blocks.tsv" for figure in SWEEP_FIGURES]
 RESULTS = ["sweep/onset_uncertainty.h5"]

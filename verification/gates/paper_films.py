@@ -3,7 +3,7 @@
 """Solves the starved films of the paper's three surfaces over their speeds, for the report.
 
 `tribocheck film` solves the flooded and the starved film of smooth faces at each speed. Its ratio then stands in for
-the scene's closure of starvation: Damiens' closure, with the exponent by which it gives the solved ratio, and the film
+the scene's closure of starvation: Damiens' closure, with the exponent chosen so that it gives the solved ratio, and the film
 law that is nearest to the solved flooded films, give the shares of the load and the friction. One contact takes ten
 seconds to a minute, all of them a quarter of an hour on one core. A contact that is done stays in build/paper_films/<the
 program's digest>, so that a run that was stopped goes on where it was. Then the script writes what came out, with
@@ -54,7 +54,7 @@ def solved(program, scene, speed, folder):
     if not kept.exists():
         done = told(program, "film", at_speed(scene, speed), "--tolerance", str(TOLERANCE))
         if not done.stdout:
-            raise SystemExit(f"`tribocheck film` told nothing of the speed {speed} m/s")
+            raise SystemExit(f"`tribocheck film` gave no result at the speed {speed} m/s")
         kept.with_suffix(".part").write_text(done.stdout)
         kept.with_suffix(".part").rename(kept)
     film = json.loads(kept.read_text())["films"][0]
@@ -65,7 +65,7 @@ def solved(program, scene, speed, folder):
     exponent = row["damiens_exponent"]
     closure = "" if exponent is None else f'starvation = "damiens"\ndamiens_exponent = {exponent}\n'
     mixed = re.sub(r"(?m)^starvation = .*\n?", f'{closure}film = "{FILM_LAW}"\n', at_speed(scene, speed))
-    if exponent is None:  # the ratio is the layer's own, or all of it
+    if exponent is None:  # the ratio is the layer's or 1 within its error: no exponent gives it
         return row
     point = json.loads(told(program, "solve", mixed).stdout)["points"][0]
     return row | {name: point[name] for name in SHARES}

@@ -28,9 +28,9 @@ struct SurfaceNumbers {
   T film_at_unit_speed;
 };
 
-// What the film of a law without fixed exponents follows from at 1 m/s and γ = 1 (moes_film.hpp):
-// ln λ by each limit that the law joins. Of solved films ln M stands in place of the first, and L
-// of the second.
+// The numbers from which the film of a law without fixed exponents follows at 1 m/s and γ = 1
+// (moes_film.hpp): ln λ by each limit that the law joins. Solved films have ln M in place of the
+// first, and L in place of the second.
 template <class T>
 struct FilmNumbers {
   T rigid, elastic, rigid_piezoviscous, elastic_piezoviscous;

@@ -20,7 +20,7 @@ enum class FilmForm : std::uint8_t {
   moes_line,                 // moes_line.hpp
   nijenbanning_venner_moes,  // nijenbanning_venner_moes.hpp, the default reading
   solved,                    // solved_films.hpp, the central film
-  solved_minimum             // the least film, likewise
+  solved_minimum             // the least film, by the same tables
 };
 
 // A row, and what follows from it. A law that is no power has exponents of a typical elastic
@@ -44,7 +44,8 @@ struct FilmLaw {
   double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
-  // divided by it, and W stays: h = h₀ γ^{a−b}. Of a law that is no power no film's is greater.
+  // divided by it, and W stays: h = h₀ γ^{a−b}. A law without fixed exponents has
+  // here a bound of what its films have.
   Fraction sharing_exponent = speed_exponent - material_exponent;
   // The two exponents in the form that the engine takes.
   Exponent speed_power = speed_exponent;
@@ -198,7 +199,7 @@ inline constexpr auto film_formula_words = [] {
   return words;
 }();
 
-// Of a word with two laws that of points.
+// A word with two laws gives that of points.
 constexpr const FilmLaw& film_law(FilmFormula formula) {
   return *named_film_laws[static_cast<std::size_t>(formula)].law;
 }

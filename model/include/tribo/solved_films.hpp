@@ -35,7 +35,8 @@ struct FilmTable {
 // The table of a law whose form is solved or solved_minimum.
 const FilmTable& film_table(const FilmLaw& law);
 
-// The part that a film between rows may be off by, besides theirs; of lines below L = 1 it is 2e-3.
+// Relative error of the interpolation, besides that of the rows. Two ranges have a greater one:
+// circles below L = 2.5 2.5e-2 (the central film), lines below L = 1 2e-3 (the least film).
 inline constexpr double solved_point_interpolation = 5e-3,
                         solved_point_minimum_interpolation = 15e-3;
 inline constexpr double solved_line_interpolation = 2e-3, solved_line_minimum_interpolation = 5e-4;
@@ -72,7 +73,7 @@ std::size_t step_at(const T& x, std::size_t steps) {
 
 }  // namespace detail
 
-// Is the film at ln M and L between rows?
+// Do ln M and L lie in the rectangle of the table? A film may still lack there.
 template <class T>
 bool is_within(const FilmTable& table, const T& log_load, const T& material) {
   return log_load >= T(table.first_load) && log_load <= T(table.last_load()) && material >= 0 &&

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Solved starved films of the paper's surfaces over their layer of oil, beside the closures: a panel a surface, over one axis.
 table = data."paper_films.blocks.tsv"
+curves = data."paper_closures.blocks.tsv"
 marks = data."marks.tsv"
 mark(event, surface, y) = strcol(1) eq event && strcol(2) eq surface && strcol(3) eq "GT" ? column(y + 3) : NaN
 surfaces = "smooth medium rough"
@@ -38,8 +39,8 @@ do for [i=1:3] {
     set xlabel "entrainment speed u (m/s)" offset 0, x_words
     set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse samplen 3.5 spacing 1.25 font small noenhanced
   }
-  plot table index i - 1 using 1:4 with lines linewidth 1.4 linecolor rgb 0x666666 title "flooded film, solved", \
-    for [k=1:4] table index i - 1 using 1:(column(k + 4)) with lines linestyle k linecolor rgb colour(k) title word(closures, k), \
+  plot curves index i - 1 using 1:2 with lines linewidth 1.4 linecolor rgb 0x666666 title "flooded film, solved", \
+    for [k=1:4] curves index i - 1 using 1:(column(k + 2)) with lines linestyle k linecolor rgb colour(k) title word(closures, k), \
     table index i - 1 using 1:2:3 with yerrorbars pointtype 7 pointsize 0.8*outline linewidth 1.3 linecolor rgb 0x000000 \
       title "starved film, solved", \
     marks using (mark("reported", s, 1)):(0.06) with points pointtype 8 pointsize 1.7*outline linewidth 1.4 linecolor rgb 0x7B3294 \

@@ -12,6 +12,7 @@ CLOSURES = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
 DEPARTURE = 0.05  # of the criterion film_departure
 SURFACES = ("smooth", "medium", "rough")
 LEAST_SUPPLY, GREATEST_SUPPLY, SUPPLY_STEPS = 0.2, 5.0, 160
+CURVE_STEPS = 200  # over the speeds of a surface
 SEARCH_STEPS = 500  # between the neighbours of the greatest point
 LEAST_EXPONENT, GREATEST_EXPONENT = 0.1, 50.0
 
@@ -58,7 +59,9 @@ def table_of(places):
         for supply, (film, error) in sorted(of.items()):
             ratio = film / flooded[0]
             off = ratio * (error / film + flooded[1] / flooded[0])
-            points.append({"supply": supply, "ratio": ratio, "error": off, "exponent": damiens_exponent(supply, ratio)})
+            exponent, less = damiens_exponent(supply, ratio), damiens_exponent(supply, ratio - off)
+            points.append({"supply": supply, "ratio": ratio, "error": off, "exponent": exponent,
+                           "exponent_error": None if exponent is None or less is None else exponent - less})
         contacts.append({"load_number": load, "material_number": material, "points": points})
     if not contacts:
         raise Missing("reference/ehl/point_films.csv has no starved films")
@@ -83,7 +86,9 @@ def judged(program, contacts):
         ratios, exponents = [one["ratio"] for one in points], [one["exponent"] for one in points if one["exponent"] is not None]
         row = {"supply": supply, "contacts": len(points), "ratio": {"least": min(ratios), "greatest": max(ratios)},
                "error": max(one["error"] for one in points),
-               "exponent": {"least": min(exponents, default=None), "greatest": max(exponents, default=None)}, "closures": {}}
+               "exponent": {"least": min(exponents, default=None), "greatest": max(exponents, default=None),
+                            "error": max((one["exponent_error"] for one in points if one["exponent_error"] is not None), default=None)},
+               "closures": {}}
         for closure in CLOSURES:
             off = [given[closure, supply] / ratio - 1 for ratio in ratios]
             row["closures"][closure] = {"least": min(off), "greatest": max(off)}
@@ -164,7 +169,9 @@ def surface_of(name, points):
         "closures": {closure: {"departs_before": points[0]["closures"][closure] < level,
                                "film_departure": falls_below(points, lambda one, of=closure: one["closures"][of], level),
                                "film_maximum": greatest_within(points, film_of(closure)),
-                               "collapse": next((one["speed"] for one in points if one["closures"][closure] == 0), None)}
+                               # flooded_inlet alone has none: where the flooded film is as thick as the layer
+                               "collapse": None if all(one["closures"][closure] > 0 for one in points) else
+                               falls_below(points, lambda one: one["layer"] / one["flooded"], 1)}
                      for closure in CLOSURES}}
 
 
@@ -178,14 +185,25 @@ def surfaces_of(baseline):
     return found
 
 
-def film_blocks(surfaces):
-    heading = "\t".join(["speed", "film/layer", "its error", "flooded", *CLOSURES])
-    text = [f"# solved films of the paper's surfaces over the layer of oil at the inlet, each surface a block\n# {heading}\n"]
+def blocks(what, heading, rows_of_surfaces):
+    return f"# {what}, each surface a block\n# " + "\t".join(heading) + "\n" + "\n\n".join(
+        f'"{name}"\n' + "".join("\t".join(map(exact, row)) + "\n" for row in rows) for name, rows in rows_of_surfaces.items())
+
+
+def film_files(program, surfaces):
+    yield ("data/paper_films.blocks.tsv", blocks(
+        "solved films of the paper's surfaces over the layer of oil at the inlet", ["speed", "film/layer", "its error"],
+        {name: [(one["speed"], one["film"] / one["layer"], one["error"] / one["layer"]) for one in points]
+         for name, points in surfaces.items()}))
+    curves = {}
     for name, points in surfaces.items():
-        rows = [(one["speed"], one["film"] / one["layer"], one["error"] / one["layer"], one["flooded"] / one["layer"],
-                 *(one["closures"][closure] * one["flooded"] / one["layer"] for closure in CLOSURES)) for one in points]
-        text.append(f'"{name}"\n' + "".join("\t".join(map(exact, row)) + "\n" for row in rows))
-    return text[0] + "\n\n".join(text[1:])
+        places, thick = [math.log(one["speed"]) for one in points], [math.log(one["flooded"] / one["layer"]) for one in points]
+        at = [places[0] + (places[-1] - places[0]) * step / CURVE_STEPS for step in range(CURVE_STEPS + 1)]
+        flooded = [math.exp(interpolated(places, thick, place)) for place in at]
+        given = [ratios_of(program, [(closure, 1 / one) for one in flooded]) for closure in CLOSURES]
+        curves[name] = [(math.exp(place), film, *(ratio * film for ratio in ratios)) for place, film, *ratios in zip(at, flooded, *given)]
+    yield ("data/paper_closures.blocks.tsv", blocks(
+        "films of the paper's surfaces over the layer of oil, by closures at the solved flooded film", ["speed", "flooded", *CLOSURES], curves))
 
 
 def ratio_files(program, contacts):
@@ -208,6 +226,5 @@ def starved_films(asked):
     told = [surface_of(name, points) for name, points in surfaces.items()]
     numbers = {"materials": sorted({one["material_number"] for one in contacts}), "loads": sorted({one["load_number"] for one in contacts}),
                "departure": DEPARTURE, "supplies": judged(asked.program, contacts), "surfaces": told}
-    return Group(numbers, [finding("starved_films", "film-starved", "paper", "differs" if any(
-        one["film_maximum"] is None for one in told) else "holds")],
-        files=[("data/paper_films.blocks.tsv", film_blocks(surfaces)), *ratio_files(asked.program, contacts)])
+    return Group(numbers, [finding("starved_films", "film-starved", "paper", "measured")],
+                 files=[*film_files(asked.program, surfaces), *ratio_files(asked.program, contacts)])
