@@ -173,7 +173,9 @@ class StiffenedRoots {
     hn::Store(hn::IfThenElse(lanes, z, hn::Load(d_, log_stiffening_ + i)), d_, log_stiffening_ + i);
   }
 
-  static constexpr std::size_t room = sharing_block + hn::MaxLanes(D());
+  // A vector has at most 8 lanes; with room for 8 more each array fills whole vectors.
+  static constexpr std::size_t room = sharing_block + 8;
+  static_assert(hn::MaxLanes(D()) <= 8);
   D d_;
   Order order_;
   const FilmLaw& law_;

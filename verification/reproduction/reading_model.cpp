@@ -149,10 +149,10 @@ double ReadContact::flooded_film_parameter(double speed) const {
   return sharing_.film_parameter(smooth_film_parameter(speed));
 }
 
-std::vector<double> ReadContact::flooded_film_parameters(std::span<const double> speeds) const {
-  std::vector<double> smooth, found(speeds.size());
-  smooth.reserve(speeds.size());
-  for (const double speed : speeds) smooth.push_back(smooth_film_parameter(speed));
+std::vector<double> ReadContact::flooded_film_parameters(std::span<const double> at) const {
+  std::vector<double> smooth, found(at.size());
+  smooth.reserve(at.size());
+  for (const double speed : at) smooth.push_back(smooth_film_parameter(speed));
   film_parameter(sharing_, smooth, found);
   return found;
 }
