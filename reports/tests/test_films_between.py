@@ -8,7 +8,7 @@ import unittest
 from program import ProgramTest, run, scene
 from sweeps import SweepTest, opened
 
-REASON = ("Moes' M or L, with load sharing, is outside the table of solved films: closures.film = \"solved\" has no film "
+REASON = ("Moes' M or L with load sharing is outside the table of solved films, so that closures.film = \"solved\" has no film "
           "there")
 
 

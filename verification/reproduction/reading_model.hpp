@@ -97,8 +97,8 @@ class ReadContact {
 
   // λ of the flooded film at a speed, the only root to find; `flooded` below stands for this λ.
   double flooded_film_parameter(double speed) const;
-  // The same at each speed, to the last bit.
-  std::vector<double> flooded_film_parameters(std::span<const double> speeds) const;
+  // The same at each of some speeds, to the last bit.
+  std::vector<double> flooded_film_parameters(std::span<const double> at) const;
   ContactPoint point(double speed, double flooded, const ReadInlet& inlet) const;
   ContactPoint point(double speed, const ReadInlet& inlet) const {
     return point(speed, flooded_film_parameter(speed), inlet);

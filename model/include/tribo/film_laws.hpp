@@ -44,8 +44,8 @@ struct FilmLaw {
   double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
-  // divided by it, and W stays: h = h₀ γ^{a−b}. A law without fixed exponents has
-  // here a bound of what its films have.
+  // divided by it, and W stays: h = h₀ γ^{a−b}. Laws without fixed
+  // exponents have a bound of their films' here.
   Fraction sharing_exponent = speed_exponent - material_exponent;
   // The two exponents in the form that the engine takes.
   Exponent speed_power = speed_exponent;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What a layer of oil leaves of the flooded film, solved and by the closures; and the exponent by which Damiens' closure is right.
+# The starved over the flooded film, solved and by the closures, over the layer of oil; and the exponent by which Damiens' closure is right.
 table = data."starved_ratios.blocks.tsv"
 curves = data."starved_closures.tsv"
 stats table using 1 nooutput name "supplies"

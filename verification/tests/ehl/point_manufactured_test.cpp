@@ -85,7 +85,7 @@ Errors errors_of(ehl::PointContact contact, double least) {
   for (std::size_t level = 0; level < 3; ++level) {
     const int cells = 12 << level;
     const ehl::PlaneGrid grid{3 * cells / 2, 3 * cells / 2, 3 * cells / 2, 1. / cells, 1. / cells};
-    // What flows out of the surroundings of a node, so that no liquid is lost between nodes.
+    // The flow out of the surroundings of a node, so that no liquid is lost between nodes.
     contact.source = [&](double x, double y) {
       const double h = grid.dx / 2;
       // Without liquid there is no pressure outside of r = 1.
