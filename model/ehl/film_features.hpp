@@ -20,6 +20,7 @@ struct FilmFeatures {
   bool has_spike = false;               // a second maximum of P, downstream of a minimum
   double spike_pressure = 0;            // P at its top
   double spike_place = 0;               // X of its top
+  double integral = 0;                  // of PointOptions::integrand
 };
 
 FilmFeatures features_of(const LineContact& contact, const LineFilm& film);

@@ -36,7 +36,8 @@ double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
     // The error from the grid's ends falls with the third power of its length: 3/2 times the length
     // leaves 0.3 of it.
     const double domain = 1.5 * std::fabs(larger.*feature / grids.front().*feature - 1);
-    solved.domain_error = std::fmax(solved.domain_error, domain);
+    if (feature != &FilmFeatures::integral)
+      solved.domain_error = std::fmax(solved.domain_error, domain);
     if (share > 0) part = std::fmax(part, domain / share);
     e.error += domain * std::fabs(e.value);
     return e;
@@ -44,7 +45,22 @@ double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
   solved.central = estimate(&FilmFeatures::central, 0.25);
   solved.minimum = estimate(&FilmFeatures::minimum, 0.5, minimum_share);
   solved.at_greatest_pressure = estimate(&FilmFeatures::at_greatest_pressure, 0.25, 0);
+  if (grids.back().integral > 0) solved.integral = estimate(&FilmFeatures::integral, 0.25, 0);
   return part;
+}
+
+// What is read off a film, with the integral that is asked for.
+FilmFeatures features_of(const PointFilm& film, const PointOptions& options) {
+  FilmFeatures found = ehl::features_of(film);
+  if (!options.integrand) return found;
+  const PlaneGrid& grid = film.grid;
+  for (int j = 0; j < grid.count_y(); ++j)
+    for (int i = 0; i < grid.count_x(); ++i) {
+      const Eigen::Index node = grid.node(i, j);
+      if (film.pressure[node] > 0)
+        found.integral += grid.area(j) * options.integrand(film.pressure[node], film.film[node]);
+    }
+  return found;
 }
 
 // Whether the liquid of a starved contact reaches an end of the grid ahead or beside the contact.
@@ -94,12 +110,12 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
         grid.count_x() - 1, grid.beside);
     return solved;
   }
-  std::vector<FilmFeatures> grids{features_of(film)};
+  std::vector<FilmFeatures> grids{features_of(film, options)};
   FilmFeatures larger = grids.front();  // a starved contact's meniscus is on the grid
   if (!contact.is_starved()) {
     const PointFilm longer = solve_on(contact, grid_for(contact, cells, 1.5), film, watch);
     if (failed(longer)) return solved;
-    larger = features_of(longer);
+    larger = features_of(longer, options);
   }
   double domain_part = 0;  // of worst_of()
   const auto is_met = [&] {
@@ -110,7 +126,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     PointFilm finer = solve_on(contact, grid, film, watch);
     if (failed(finer)) break;
     film = std::move(finer);
-    grids.push_back(features_of(film));
+    grids.push_back(features_of(film, options));
     if (grids.size() < 3) continue;
     domain_part = estimate_all(solved, grids, larger);
     if (is_met() || worst_of(solved) < 1.25 * domain_part) break;  // a finer grid does not help

@@ -2,6 +2,7 @@
 // A point contact solved to a stated error: as solved_film.hpp has it for lines, on plane grids.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "ehl/point_film.hpp"
@@ -15,6 +16,8 @@ struct PointOptions {
   // where that pressure is one's, moves with the grid.
   double tolerance = 1e-3;
   Eigen::Index greatest_nodes = 400'000;  // of the finest grid
+  // A function of P > 0 and H that is integrated over X and Y where there is pressure; empty: none.
+  std::function<double(double pressure, double film)> integrand = {};
 };
 
 struct SolvedPoint {
@@ -25,6 +28,7 @@ struct SolvedPoint {
   PointFilm film;  // on the finest grid that was solved
   int grids = 0;
   Estimate central, minimum, at_greatest_pressure;  // H
+  Estimate integral;  // of PointOptions::integrand; it states its error alone
   // The relative error from the ends of the grid, the greatest of the three; the errors above
   // include it.
   double domain_error = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the tables of tribo/solved_films.hpp of the rows of reference/ehl, at each build:
+// Makes the tables of tribo/solved_films.hpp and solved_inlet.hpp of the rows of reference/ehl, at
+// each build:
 // `film_tables line_films.csv line_films_between.csv point_films.csv film_tables.inc`.
 //
 // Between the rows it takes ln(solved/formula), by the formula of all regimes (Moes' of lines,
@@ -8,6 +9,9 @@
 // (not-a-knot) along the rows of one L and of one M. A piece is there where the rows at its four
 // corners are. Pieces over L or over its root, flatter slopes, and
 // pieces without the formula were each further from films solved between the rows.
+//
+// Of starved films it takes the ln γ by which Damiens' film would be that of a row, as cubic
+// splines along ln r, along ln(1 + L) and along ln M, where the rows of all r, L and M are.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -289,6 +293,126 @@ void keep_whole_columns(Films& films) {
                 [&](const auto& one) { return 2 * loads[one.first.second] < all_loads.size(); });
 }
 
+// ln γ, at which (1 + r^γ)^{−1/γ} is y.
+double log_exponent(double r, double y) {
+  const double greatest = std::fmin(1, 1 / r);
+  if (!(y < greatest)) throw std::runtime_error("a starved film is not thinner than its limits");
+  double low = std::log(0.1), high = std::log(100.);
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (low + high) / 2, exponent = std::exp(middle);
+    const double found = std::exp(-std::log1p(std::pow(r, exponent)) / exponent);
+    (found < y ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+// A cubic spline through y over x (spline_slopes), at t within.
+double spline_at(const std::vector<double>& x, const std::vector<double>& y, double t) {
+  const std::vector<double> slopes = spline_slopes(x, y);
+  const auto next = std::upper_bound(x.begin(), x.end(), t);
+  const auto i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(next - x.begin() - 1, 0, std::ssize(x) - 2));
+  const double h = x[i + 1] - x[i];
+  return tribo::detail::CubicWeights<double>((t - x[i]) / h)
+      .value(y[i], h * slopes[i], y[i + 1], h * slopes[i + 1]);
+}
+
+// γ of the starved rows, by M, L and ln r.
+class InletRows {
+ public:
+  explicit InletRows(const std::vector<Row>& rows) {
+    std::map<std::pair<double, double>, double> flooded;
+    std::map<std::pair<double, double>, std::map<double, double>> starved;  // ln γ by ln r
+    const auto at = [](const Row& row, const char* name) {
+      const auto found = row.find(name);
+      return found == row.end() || found->second.empty() ? none : std::stod(found->second);
+    };
+    for (const Row& row : rows) {
+      const double supply = at(row, "supply"), film = at(row, "central");
+      const std::pair key{at(row, "load_number"), at(row, "material_number")};
+      if (at(row, "radius_ratio") != 1 || std::isnan(film)) continue;
+      if (std::isnan(supply))
+        flooded[key] = film;
+      else
+        starved[key][-std::log(supply)] = film;
+    }
+    // Load numbers whose material numbers and ratios are all there
+    std::map<double, std::size_t> count;
+    std::set<double> materials;
+    std::size_t most = 0;
+    for (auto& [key, films] : starved) {
+      materials.insert(key.second);
+      most = std::max(most, count[key.first] += films.size());
+    }
+    for (const double l : materials) material_.push_back(std::log1p(l));
+    for (const auto& [m, films] : count)
+      if (films == most) load_.push_back(std::log(m));
+    for (const auto& [m, films] : count) {
+      if (films != most) continue;
+      auto& plane = exponent_.emplace_back();
+      for (const double l : materials) {
+        auto& line = plane.emplace_back();
+        ratio_.clear();
+        for (const auto& [log_r, film] : starved.at({m, l})) {
+          ratio_.push_back(log_r);
+          line.push_back(log_exponent(std::exp(log_r), film / flooded.at({m, l})));
+        }
+      }
+    }
+  }
+
+  double first_load() const { return load_.front(); }
+  double last_load() const { return load_.back(); }
+  double first_material() const { return std::expm1(material_.front()); }
+  double last_material() const { return std::expm1(material_.back()); }
+  double first_ratio() const { return ratio_.front(); }
+  double last_ratio() const { return ratio_.back(); }
+
+  double at(double log_load, double material, double log_ratio) const {
+    std::vector<double> by_load;
+    for (const auto& plane : exponent_) {
+      std::vector<double> by_material;
+      for (const auto& line : plane) by_material.push_back(spline_at(ratio_, line, log_ratio));
+      by_load.push_back(spline_at(material_, by_material, std::log1p(material)));
+    }
+    return std::exp(spline_at(load_, by_load, log_load));
+  }
+
+ private:
+  std::vector<double> load_, material_, ratio_;             // ln M, ln(1 + L) and ln r
+  std::vector<std::vector<std::vector<double>>> exponent_;  // ln γ
+};
+
+void write_inlet_table(std::ostream& to, const InletRows& rows) {
+  constexpr std::size_t loads = 16, materials = 20, ratios = 40;  // steps
+  const auto step = [](double first, double last, std::size_t steps) {
+    return (last - first) / static_cast<double>(steps);
+  };
+  const double by_load = step(rows.first_load(), rows.last_load(), loads),
+               by_material = step(rows.first_material(), rows.last_material(), materials),
+               by_ratio = step(rows.first_ratio(), rows.last_ratio(), ratios);
+  const auto node = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return rows.at(rows.first_load() + by_load * static_cast<double>(i),
+                   rows.first_material() + by_material * static_cast<double>(j),
+                   rows.first_ratio() + by_ratio * static_cast<double>(k));
+  };
+  char text[300];
+  to << "alignas(64) constexpr double inlet_nodes[][4] = {\n";
+  for (std::size_t i = 0; i <= loads; ++i)
+    for (std::size_t j = 0; j < materials; ++j)
+      for (std::size_t k = 0; k < ratios; ++k) {
+        std::snprintf(text, sizeof text, "{%a, %a, %a, %a},\n", node(i, j, k), node(i, j, k + 1),
+                      node(i, j + 1, k), node(i, j + 1, k + 1));
+        to << text;
+      }
+  std::snprintf(text, sizeof text,
+                "constexpr InletTable inlet_exponents{%a, %a, %a, %a, %a, %a, %zu, %zu, %zu, "
+                "inlet_nodes};\n",
+                rows.first_load(), by_load, rows.first_material(), by_material, rows.first_ratio(),
+                by_ratio, loads, materials, ratios);
+  to << "};\n" << text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -309,6 +433,7 @@ int main(int argc, char** argv) try {
     write_table(to, ("line_" + film).c_str(), line_rows, 48, 40);
     write_table(to, ("point_" + film).c_str(), point_rows, 48, 30);
   }
+  write_inlet_table(to, InletRows(points));
   to.close();
   if (!to) throw std::runtime_error(std::string(argv[4]) + " cannot be written");
   return 0;

@@ -87,6 +87,22 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
        joined(fitting, " or ") + (is_line ? "; `tribocheck film` tells how far off each is" : "")});
 }
 
+// Refuses starved films between solved ones where the film is by another law, or of another contact.
+void check_inlet(const Scene& scene, Problems& problems) {
+  if (scene.closures.starvation != StarvationClosure::solved) return;
+  if (scene.bodies.shape() != ContactShape::circle)
+    problems.error("closures.starvation",
+                   {Fault::together, "\"solved\"",
+                    ": the contact is no circle, and starved films of circles alone are a table",
+                    "reduced_radius, or another law of the inlet"});
+  else if (scene.closures.film != FilmFormula::solved)
+    problems.error("closures.starvation",
+                   {Fault::together, "\"solved\"",
+                    " with closures.film = \"" + std::string(film_word(scene)) +
+                        "\": starved films were solved beside flooded ones",
+                    "closures.film = \"solved\", or another law of the inlet"});
+}
+
 // Refuses a viscosity that does not rise with pressure for a law whose film would be 0, or whose
 // law of the least film has none; and an ellipse that is given by its k for a law that takes radii.
 void check_rise(const Scene& scene, Problems& problems) {
@@ -237,6 +253,7 @@ std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film
   if (use == SceneUse::line_film) check_line(scene.bodies, problems);
   if (!is_of_solved_films(use)) {
     check_film(scene, film_is_given, problems);
+    check_inlet(scene, problems);
     if (!problems.any()) check_rise(scene, problems);
   }
   check_profile(scene, problems);

@@ -374,7 +374,7 @@ constexpr auto rows = std::to_array<Row>({
     choice_row("closures.asperity", asperity_model_words, "model of the rough contact",
                at<&Scene::closures, &Closures::asperity>),
     choice_row(
-        "closures.starvation", starvation_closure_words, "rule for the film behind a starved inlet",
+        "closures.starvation", starvation_words, "rule for the film behind a starved inlet",
         at_own<nullptr, &Scene::closures, &Closures::starvation, &Closures::gives_starvation>),
     choice_row("closures.film", film_formula_words, "law of the flooded film",
                at<&Scene::closures, &Closures::film>),

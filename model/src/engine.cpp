@@ -228,7 +228,7 @@ void completed(const detail::ContactWords& words, const detail::ContactNumbers<d
                             hn::Lt(of(0), of(inlet.collapsed ? 1 : 0))};
   if (needs.is_starved && shares && numbers.surface.hazard > 0)
     state.deficit =
-        starvation(d, inlet_law(words, contact), of(inlet.flooded_over_inlet), true).deficit;
+        starvation(d, words, contact, of(film.speed), of(inlet.flooded_over_inlet), true).deficit;
   NoWork none;
   complete(d, words, contact, needs, shares, flooded, state, to, 0, 1, none);
 }

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "tribo/solved_films.hpp"
+#include "tribo/solved_inlet.hpp"
 
 namespace tribo {
 namespace {
@@ -15,5 +16,7 @@ const FilmTable& film_table(const FilmLaw& law) {
   if (law.form == FilmForm::solved_minimum) return law.is_of_lines ? line_minimum : point_minimum;
   return law.is_of_lines ? line_central : point_central;
 }
+
+const InletTable& inlet_table() { return inlet_exponents; }
 
 }  // namespace tribo

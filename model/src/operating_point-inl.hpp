@@ -51,6 +51,26 @@ HWY_INLINE V inlet_film_parameter(SupplyKind supply, const detail::ContactNumber
   return hn::Div(film, contact.summit_height_sd);
 }
 
+// The inlet's effect on a film of r = h_ff/h_oil at a speed.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Starvation<D> starvation(D d, const detail::ContactWords& words,
+                                    const detail::ContactNumbers<V>& contact, V speed, V r,
+                                    bool needs_deficit) {
+  if (words.closure != StarvationClosure::solved)
+    return starvation(d, inlet_law(words, contact), r, needs_deficit);
+  const V s = log_speed_of(d, speed);
+  const V log_load = hn::NegMulAdd(s, hn::Set(d, 0.75), contact.film.rigid);
+  const V material = hn::Mul(contact.film.elastic, exponential(d, hn::Mul(s, hn::Set(d, 0.25))));
+  const V exponent = solved_inlet_exponent(d, inlet_table(), log_load, material, logarithm(d, r));
+  const auto is_known = hn::Eq(exponent, exponent);
+  Starvation<D> state =
+      damiens(d, r, hn::IfThenElse(is_known, exponent, hn::Set(d, 1.0)), needs_deficit);
+  const V nan = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
+  state.film_ratio = hn::IfThenElse(is_known, state.film_ratio, nan);
+  state.deficit = hn::IfThenElse(is_known, state.deficit, nan);
+  return state;
+}
+
 // The inlet's effect on a film. r = h_ff/h_oil.
 template <class D>
 struct InletLanes {
@@ -64,7 +84,7 @@ HWY_INLINE InletLanes<D> inlet_of(D d, const detail::ContactWords& words,
   const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
   if (words.supply == SupplyKind::flooded) return {{one, zero, hn::Lt(one, zero)}, zero};
   const V r = hn::Div(film_parameter, inlet_film_parameter(words.supply, contact, speed));
-  return {starvation(d, inlet_law(words, contact), r, needs_deficit), r};
+  return {starvation(d, words, contact, speed, r, needs_deficit), r};
 }
 
 // The shares at the starved film λ*: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is

@@ -4,6 +4,8 @@
 #include <hwy/highway.h>
 
 #include "elementary-inl.hpp"
+#include "stiffened_film-inl.hpp"
+#include "tribo/solved_inlet.hpp"
 #include "tribo/starvation.hpp"
 
 #if defined(TRIBO_STARVATION) == defined(HWY_TARGET_TOGGLE)
@@ -135,6 +137,44 @@ HWY_INLINE Starvation<D> starvation(D d, const InletLaw<V>& law, V r, bool needs
         collapsed, one, hn::Mul(hn::Set(d, two_over_pi<double>()), arc_tangent(d, inverse)));
   }
   return state;
+}
+
+// γ of starved films between solved ones; NaN beyond their table.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V solved_inlet_exponent(D d, const InletTable& table, V log_load, V material,
+                                   V log_ratio) {
+  const auto within = [&](V at, double low, double high) HWY_ATTR {
+    return hn::Min(hn::Max(at, hn::Set(d, low)), hn::Set(d, high));
+  };
+  const V x = within(log_load, table.first_load, table.last_load());
+  const V y = within(material, table.first_material, table.last_material());
+  const V z = within(log_ratio, table.first_ratio, table.last_ratio());
+  const auto steps = [&](V at, double first, double step) HWY_ATTR {
+    return hn::Mul(hn::Sub(at, hn::Set(d, first)), hn::Set(d, 1 / step));
+  };
+  const V in_load = steps(x, table.first_load, table.load_step),
+          in_material = steps(y, table.first_material, table.material_step),
+          in_ratio = steps(z, table.first_ratio, table.ratio_step);
+  const V i = step_of(d, in_load, table.load_steps);
+  const V j = step_of(d, in_material, table.material_steps);
+  const V k = step_of(d, in_ratio, table.ratio_steps);
+  const auto whole = [&](std::size_t n) HWY_ATTR { return hn::Set(d, static_cast<double>(n)); };
+  const auto index = whole_number(
+      d, hn::MulAdd(hn::MulAdd(i, whole(table.material_steps), j), whole(table.ratio_steps), k));
+  const auto between = [&](V part, V low, V high)
+                           HWY_ATTR { return hn::MulAdd(hn::Sub(high, low), part, low); };
+  const auto at_load = [&](Integers<D> row) HWY_ATTR {
+    V g[4];
+    load_rows(d, table.nodes[0], row, g);
+    const V part = hn::Sub(in_ratio, k);
+    return between(hn::Sub(in_material, j), between(part, g[0], g[1]), between(part, g[2], g[3]));
+  };
+  const hn::RebindToUnsigned<D> bits;
+  const auto next =
+      hn::Add(index, hn::Set(bits, std::uint64_t{table.material_steps * table.ratio_steps}));
+  const V exponent = between(hn::Sub(in_load, i), at_load(index), at_load(next));
+  const auto is_known = hn::And(hn::Eq(x, log_load), hn::Eq(y, material));
+  return hn::IfThenElse(is_known, exponent, hn::Set(d, std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace tribo::HWY_NAMESPACE

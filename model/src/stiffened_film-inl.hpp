@@ -145,12 +145,27 @@ class CubicLanes {
   Cubic<V> end_, from_, to_;
 };
 
+// The step that holds t, of a table whose steps have a length of 1, as a number.
+inline constexpr double whole_shifter = 0x1.8p52;  // its sum with a number is a whole number
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V step_of(D d, V t, std::size_t steps) {
+  const V shifter = hn::Set(d, whole_shifter), last = hn::Set(d, static_cast<double>(steps - 1));
+  const V whole = hn::Sub(hn::Add(hn::Sub(t, hn::Set(d, 0.5)), shifter), shifter);
+  return hn::Min(hn::Max(whole, hn::Zero(d)), last);
+}
+// A whole number from 0 on as the index of a row.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Integers<D> whole_number(D d, V number) {
+  const hn::RebindToUnsigned<D> bits;
+  const V shifter = hn::Set(d, whole_shifter);
+  return hn::Sub(hn::BitCast(bits, hn::Add(number, shifter)), hn::BitCast(bits, shifter));
+}
+
 // A solved film; straight on beyond the table.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LogFilm<D> film_in_table(D d, const FilmTable& table, bool is_line,
                                     const detail::FilmNumbers<V>& film, V log_scale, V s, V z) {
   const hn::RebindToUnsigned<D> bits;
-  const V zero = hn::Zero(d);
   // ln M falls as m(s + z), L as its power s/4 − 3z/4.
   const V m = hn::Set(d, is_line ? 0.5 : 0.75), quarter = hn::Set(d, 0.25);
   const V three_quarters = hn::Set(d, 0.75);
@@ -163,16 +178,10 @@ HWY_INLINE LogFilm<D> film_in_table(D d, const FilmTable& table, bool is_line,
   const double by_load_step = 1 / table.load_step, by_material_step = 1 / table.material_step;
   const V x = hn::Mul(hn::Sub(load, hn::Set(d, table.first_load)), hn::Set(d, by_load_step));
   const V y = hn::Mul(material, hn::Set(d, by_material_step));
-  // The steps that hold them: whole numbers, also as the low bits of a shifted number
-  const V shifter = hn::Set(d, 0x1.8p52), half = hn::Set(d, 0.5);
-  const auto step_of = [&](V t, std::size_t steps) HWY_ATTR {
-    const V last = hn::Set(d, static_cast<double>(steps - 1));
-    return hn::Min(hn::Max(hn::Sub(hn::Add(hn::Sub(t, half), shifter), shifter), zero), last);
-  };
-  const V i = step_of(x, table.load_steps), j = step_of(y, table.material_steps);
-  const V place = hn::MulAdd(i, hn::Set(d, static_cast<double>(table.material_steps + 1)), j);
+  const V half = hn::Set(d, 0.5);
+  const V i = step_of(d, x, table.load_steps), j = step_of(d, y, table.material_steps);
   const auto index =
-      hn::Sub(hn::BitCast(bits, hn::Add(place, shifter)), hn::BitCast(bits, shifter));
+      whole_number(d, hn::MulAdd(i, hn::Set(d, static_cast<double>(table.material_steps + 1)), j));
   const double* const base = table.nodes[0];
   V n00[4], n01[4], n10[4], n11[4];
   const auto beside = hn::Add(index, hn::Set(bits, std::uint64_t{table.material_steps + 1}));

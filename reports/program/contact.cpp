@@ -217,7 +217,7 @@ Facts lubricant_of(const Asked& asked) {
   if (asked.scene.supply.kind != SupplyKind::flooded) {
     const StarvationClosure closure = asked.scene.closures.starvation;
     facts.push_back({"starvation", "", "law of the inlet with little oil",
-                     starvation_closure_words[static_cast<std::size_t>(closure)]});
+                     starvation_words[static_cast<std::size_t>(closure)]});
     if (!asked.scene.closures.gives_starvation) facts.back().note = is_default;
   }
   return facts;

@@ -247,7 +247,8 @@ FilmCase given_case(const Scene& scene, const ehl::FilmConditions& conditions,
   film.ellipticity = conditions.is_line() ? unknown.value : scale.ellipticity;
   film.tolerance = settings.tolerance > 0 ? settings.tolerance : conditions.is_line() ? 1e-4 : 1e-3;
   film.inlet_film = conditions.is_starved() ? conditions.inlet_film : unknown.value;
-  film.flooded_central = film.film_ratio = film.spike_pressure = film.spike_place = unknown;
+  film.flooded_central = film.film_ratio = film.friction = film.spike_pressure = film.spike_place =
+      unknown;
   film.damiens_exponent = unknown.value;
   return film;
 }
@@ -281,9 +282,28 @@ void solve_line(FilmCase& film, const ehl::FilmConditions& conditions, const ehl
   of_fits.tolerance = std::fmax(options.tolerance, 1e-4);
   set_formulas(film, solved, conditions, of_fits, watch);
   if (!film.is_solved) return;
+  film.no_friction = "integrated over circles and ellipses alone";
   film.cells = static_cast<int>(solved.film.x.size()) - 1;
   set_spike(film, solved, contact, scale);
   set_profile(film, solved.film, scale);
+}
+
+// The shear stress of a solved film by the scene's law, over p₀, of P and H; empty where the scene
+// lacks a number of that law. Its viscosity is that of the liquid that was solved.
+std::function<double(double, double)> shear_stress_of(const Scene& scene,
+                                                      const ehl::FilmConditions& conditions) {
+  if (!scene.lubricant.eyring_stress) return {};
+  return
+      [=, scale = ehl::scale_of(conditions), fluid = scene.friction.fluid,
+       limit = *scene.lubricant.eyring_stress,
+       sliding = scene.friction.slide_roll_ratio * conditions.speed](double pressure, double film) {
+        const double thickening =
+            log_viscosity_ratio(conditions.viscosity_law, conditions.viscosity,
+                                conditions.pressure_viscosity, pressure * scale.peak_pressure);
+        return fluid_shear_stress(fluid, limit, conditions.viscosity, thickening, sliding,
+                                  film * scale.film) /
+               scale.peak_pressure;
+      };
 }
 
 void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditions,
@@ -291,7 +311,9 @@ void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditi
   const ehl::FilmScale scale = ehl::scale_of(conditions);
   const ehl::PointContact contact = ehl::point_contact_of(conditions);
   const ehl::PointOptions options{.tolerance = film.tolerance};
-  const ehl::SolvedPoint solved = ehl::solve_point_film(contact, options, watch);
+  ehl::PointOptions with_friction = options;
+  with_friction.integrand = shear_stress_of(scene, conditions);
+  const ehl::SolvedPoint solved = ehl::solve_point_film(contact, with_friction, watch);
   set_films(film, contact, solved, scale.film);
   if (!conditions.is_starved()) {
     set_point_formulas(film, conditions, solved);
@@ -306,6 +328,11 @@ void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditi
       film.reason += (film.reason.empty() ? "" : "; ") + ("the flooded film: " + flooded.reason);
   }
   if (!film.is_solved) return;
+  if (with_friction.integrand)
+    film.friction = times(solved.integral, scale.half_width * scale.half_width *
+                                               scale.peak_pressure / conditions.load);
+  else
+    film.no_friction = "friction needs lubricant.eyring_stress";
   film.no_spike = "not given for circles and ellipses, whose grids do not resolve it";
   film.cells = solved.film.grid.count_x() - 1;
   film.cells_across = 2 * solved.film.grid.beside;

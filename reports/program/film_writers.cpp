@@ -26,7 +26,7 @@ using nlohmann::ordered_json;
 struct Quantity {
   std::string_view name, words, unit;
   Measured FilmCase::*value;
-  enum : std::uint8_t { of_film, of_supply, of_spike } kind;
+  enum : std::uint8_t { of_film, of_supply, of_friction, of_spike } kind;
 };
 constexpr auto quantities = std::to_array<Quantity>({
     {"central_film", "central film", "m", &FilmCase::central, Quantity::of_film},
@@ -36,6 +36,8 @@ constexpr auto quantities = std::to_array<Quantity>({
     {"flooded_central_film", "central film, flooded inlet", "m", &FilmCase::flooded_central,
      Quantity::of_supply},
     {"film_ratio", "central film over that one", "-", &FilmCase::film_ratio, Quantity::of_supply},
+    {"friction", "friction coefficient of the oil", "-", &FilmCase::friction,
+     Quantity::of_friction},
     {"spike_pressure", "pressure of the spike", "Pa", &FilmCase::spike_pressure,
      Quantity::of_spike},
     {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, Quantity::of_spike},
@@ -207,6 +209,13 @@ void append_notes(Text& to, const FilmCase& film) {
                         : "a flooded inlet",
       film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
       film.viscosity == "barus" ? "Barus" : "Roelands"));
+  if (std::isfinite(film.friction.value))
+    note(
+        "friction: the shear stress by friction.fluid and lubricant.eyring_stress, of the liquid "
+        "at "
+        "each place's own pressure, summed over the contact; the film is that of a Newtonian "
+        "liquid "
+        "all the same");
   note(
       film.is_line()
           ? "deviation: the formula against the film solved for the liquid that it was fitted to, "
@@ -286,8 +295,10 @@ ordered_json film_json(const FilmCase& film, bool with_profile) {
       continue;
     }
     json[name] = nullptr;
-    undefined[name] =
-        one.kind == Quantity::of_spike && film.is_solved ? film.no_spike : film.reason;
+    undefined[name] = !film.is_solved                     ? film.reason
+                      : one.kind == Quantity::of_spike    ? film.no_spike
+                      : one.kind == Quantity::of_friction ? film.no_friction
+                                                          : film.reason;
   }
   json["formulas"] = ordered_json::array();
   for (const FormulaFilm& one : film.formulas)

@@ -70,7 +70,7 @@ std::vector<Column> columns(std::string_view format) {
 }
 
 std::string_view law_of(const Scene& scene) {
-  return starvation_closure_words[static_cast<std::size_t>(scene.closures.starvation)];
+  return starvation_words[static_cast<std::size_t>(scene.closures.starvation)];
 }
 
 std::string title_of(const Scene& scene) {
@@ -103,7 +103,7 @@ std::string by_other_laws(const Scene& scene, OnsetCriterion criterion, double d
         checked(onset(MixedContact<double>(other), other, criterion, departure));
     if (found.exists)
       told += fmt::format("{}{} m/s by {}", told.empty() ? "" : ", ", readable(found.speed),
-                          starvation_closure_words[static_cast<std::size_t>(law)]);
+                          starvation_words[static_cast<std::size_t>(law)]);
   }
   return told.empty() ? told : told + ", another law of the inlet: closures.starvation";
 }

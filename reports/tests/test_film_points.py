@@ -2,6 +2,7 @@
 """film: circles and ellipses, flooded and starved, their fields and pictures."""
 
 import csv
+import math
 import os
 import re
 import unittest
@@ -153,6 +154,34 @@ class Points(FilmTest):
                 self.assertEqual(file.attrs[number], found[number])
             return {(x, y): (p, h) for y, *rows in zip(file["y"], file["pressure"], file["film"])
                     for x, p, h in zip(file["x"], *rows)}, found
+
+    def test_friction_is_the_shear_stress_of_all_places_over_the_load(self):
+        for fluid, viscosity in (("eyring", "barus"), ("limiting", "roelands")):
+            tree = self.point(20, 5)
+            tree["lubricant"]["eyring_stress"] = 5e6
+            tree["friction"] = {"fluid": fluid, "viscosity": viscosity, "slide_roll_ratio": 0.2}
+            fields, found = self.fields(tree, "ball.csv")
+            oil, speed, load = tree["lubricant"], tree["speed"], tree["load"]
+
+            def stress(pressure, film):
+                log_scale = math.log(oil["viscosity"]) + 9.67
+                z = oil["pressure_viscosity"]*1.96e8/log_scale
+                thickening = (oil["pressure_viscosity"]*pressure if viscosity == "barus" else
+                              log_scale*((1 + pressure/1.96e8)**z - 1))
+                x = oil["viscosity"]*math.exp(thickening)*0.2*speed/film/5e6
+                return 5e6*(math.asinh(x) if fluid == "eyring" else 1 - math.exp(-x))
+
+            places = sorted({x for x, _ in fields}), sorted({y for _, y in fields})
+            cell = math.prod((one[-1] - one[0])/(len(one) - 1) for one in places)
+            expected = cell*sum(stress(*at) for at in fields.values() if at[0] > 0)/load
+            friction = found["friction"]
+            # The finest grid is nearly as good as the value that all grids lead to.
+            self.assertAlmostEqual(friction["value"], expected, delta=3*friction["error"])
+            self.assertLess(friction["error"], 0.1*expected)
+        del tree["lubricant"]["eyring_stress"]
+        found = self.film(tree, "--tolerance", "1e-2")
+        self.assertIsNone(found["friction"])
+        self.assertIn("eyring_stress", found["undefined"]["friction"])
 
     def test_fields_are_those_of_the_whole_contact_and_the_same_in_both_formats(self):
         tree = self.point(20, 5, 2)

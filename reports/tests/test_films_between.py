@@ -8,7 +8,7 @@ import unittest
 from program import ProgramTest, run, scene
 from sweeps import SweepTest, opened
 
-REASON = ("Moes' M or L with load sharing is outside the table of solved films, so that closures.film = \"solved\" has no film "
+REASON = ("Moes' M or L is outside the tables of solved films, so that \"solved\" in closures has no film "
           "there")
 
 
@@ -62,6 +62,36 @@ class FilmsBetween(ProgramTest):
         onsets = self.answer("onset", tree, "--format", "json").json()["onsets"]
         top = [one for one in onsets if one["criterion"] == "film_maximum"][0]
         self.assertTrue(0.05 < top["speed"] < 3)
+
+    def test_starved_films_are_solved_beside_flooded_ones_alone(self):
+        starved = {"supply": {"inlet_film": "500 nm"}, "closures": {"film": "solved", "starvation": "solved"}}
+        for changes, reason in ((
+                {"closures": {"film": "nijenbanning_venner_moes", "starvation": "solved"}},
+                "closures.starvation: \"solved\" is not allowed with closures.film = \"nijenbanning_venner_moes\": starved films "
+                "were solved beside flooded ones"),
+                ({"bodies": {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 5e-3}},
+                 "the contact is no circle, and starved films of circles alone are a table")):
+            tree = scene(**{**starved, "speed": 1, **changes})
+            result = run("solve", self.folder.write("scene.toml", tree))
+            self.assertEqual(result.code, 2)
+            self.assertIn(reason, result.err)
+
+    def test_starved_films_between_solved_ones(self):
+        tree = solved(speed=[0.001, 0.8, 50], outputs=["film", "film_flooded", "inlet"], supply={"inlet_film": "400 nm"})
+        tree["closures"]["starvation"] = "solved"
+        points = self.answer("solve", tree, "--format", "json").json()["points"]
+        self.assertEqual([point["film"] is None for point in points], [True, False, True])
+        self.assertEqual(points[0]["undefined"]["film"], REASON)
+        film = points[1]["film"]
+        self.assertTrue(0.5*min(points[1]["film_flooded"], 4e-7) < film < min(points[1]["film_flooded"], 4e-7))
+        line = json.loads(run("stream", stdin=json.dumps({**tree, "speed": 0.8}) + "\n").out)
+        self.assertEqual(line["film"], film)
+        found = {one["criterion"]: one for one in
+                 self.answer("onset", tree, "--format", "json").json()["onsets"]}
+        self.assertIn("no maximum within", found["film_maximum"]["undefined"]["speed"])
+        tree["speed"] = found["film_departure"]["speed"]
+        at = self.answer("solve", tree, "--format", "json").json()["points"][0]
+        self.assertAlmostEqual(at["film"]/at["film_flooded"], 0.95, delta=1e-9)
 
 
 SWEEP = """id = "between"

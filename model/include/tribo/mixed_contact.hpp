@@ -14,6 +14,7 @@
 #include "tribo/moes_film.hpp"
 #include "tribo/operating_point.hpp"
 #include "tribo/scene.hpp"
+#include "tribo/solved_inlet.hpp"
 #include "tribo/starvation.hpp"
 #include "tribo/thermal_reduction.hpp"
 
@@ -105,6 +106,15 @@ class MixedContact {
   const LoadSharing<T>& sharing() const { return sharing_; }
   const FilmLaw& film() const { return *film_; }
   const InletLaw<T>& inlet_law() const { return inlet_law_; }
+  // The law of the inlet at a speed in m/s and r: of starved films between solved ones Damiens'
+  // with the γ there, which is NaN beyond their table.
+  InletLaw<T> inlet_law(const T& speed, const T& r) const {
+    using std::log;
+    if (inlet_law_.closure != StarvationClosure::solved) return inlet_law_;
+    const auto [load, material] = moes_film_.numbers(speed, T(1));
+    return {StarvationClosure::damiens,
+            solved_inlet_exponent(inlet_table(), T(log(load)), material, T(log(r)))};
+  }
   const T& summit_height_sd() const { return summit_height_sd_; }
   SupplyKind supply() const { return supply_; }
   // q of a scene with inlet_flow, m²/s.
@@ -175,7 +185,7 @@ class MixedContact {
     const T r = film.shares.film_parameter / inlet_film_parameter(film.speed);
     const bool collapsed = inlet_law_.closure == StarvationClosure::flooded_inlet && r >= 1;
     if (collapsed) return {T(0), r, true};
-    return {inlet_law_.film_ratio(r), r, false};
+    return {inlet_law(film.speed, r).film_ratio(r), r, false};
   }
 
   // All outputs of a set at speed u > 0 in m/s.
@@ -227,8 +237,8 @@ class MixedContact {
   // λ(1 − y). This avoids a difference of nearly equal numbers. The deficit is 1 − y.
   LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet) const {
     const bool is_near = is_near_floor(flooded);
-    return starved_shares(flooded, inlet,
-                          is_near ? inlet_law_.deficit(inlet.flooded_over_inlet) : T(0));
+    const T& r = inlet.flooded_over_inlet;
+    return starved_shares(flooded, inlet, is_near ? inlet_law(flooded.speed, r).deficit(r) : T(0));
   }
   LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
                                const T& deficit) const {

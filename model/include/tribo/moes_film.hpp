@@ -119,6 +119,17 @@ class MoesFilm {
     film_ = radius_x * root / height;
   }
 
+  // M and L at a speed in m/s, and γ.
+  struct Numbers {
+    T load, material;
+  };
+  Numbers numbers(const T& speed, const T& stiffening) const {
+    using std::sqrt;
+    const T root = sqrt(T(speed * stiffening)), fourth_root = sqrt(root);
+    return {load_number_ / (law_->is_of_lines ? root : T(root * fourth_root)),
+            material_number_ * fourth_root / stiffening};
+  }
+
   // At a speed in m/s, and γ; λ is NaN beyond a table of solved films.
   At at(const T& speed, const T& stiffening) const {
     At film = continued(speed, stiffening);
@@ -130,10 +141,9 @@ class MoesFilm {
   At continued(const T& speed, const T& stiffening) const {
     using std::log;
     using std::sqrt;
-    const T root = sqrt(T(speed * stiffening)), fourth_root = sqrt(root);
+    const T root = sqrt(T(speed * stiffening));
     const bool is_line = law_->is_of_lines;
-    const T load = load_number_ / (is_line ? root : T(root * fourth_root));
-    const T material = material_number_ * fourth_root / stiffening;
+    const auto [load, material] = numbers(speed, stiffening);
     FilmNumber<T> number;
     bool is_known = true;
     if (law_->is_solved()) {

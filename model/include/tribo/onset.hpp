@@ -73,6 +73,7 @@ struct InletOnsets {
 template <class T>
 InletOnsets<T> inlet_onsets(const InletLaw<T>& law, const T& departure, OnsetCriterion criterion) {
   InletOnsets<T> onsets{quiet_nan<T>(), quiet_nan<T>(), departure, quiet_nan<T>()};
+  if (law.closure == StarvationClosure::solved) return onsets;  // they depend on the contact
   if (criterion == OnsetCriterion::film_departure)
     onsets.film_departure = law.at_departure(departure);
   if (criterion != OnsetCriterion::film_maximum && criterion != OnsetCriterion::asperity_minimum)
@@ -110,10 +111,11 @@ Onset<T> onset_at(OnsetCriterion criterion, const MixedContact<T>& contact,
 
 inline constexpr std::string_view fully_flooded = "the inlet is fully flooded: no supply is given";
 inline constexpr std::string_view beyond_solved_films =
-    "no film between solved ones meets it: closures.film = \"solved\" has a table of M and L";
+    "no film between solved ones meets it: closures.film and closures.starvation = \"solved\" have "
+    "tables of M and L";
 
-// Coordinates between which a film between solved ones is known, to 1/50 in ln u; NaN where none
-// is.
+// Coordinates between which a film between solved ones, starved or not, is known, to 1/50 in ln u;
+// NaN where none is.
 template <class T>
 struct KnownWalk {
   T first, last;
@@ -128,7 +130,8 @@ KnownWalk<T> known_walk(const MixedContact<T>& contact, const StribeckWalk<T>& w
         (contact.numbers().film.rigid - film_table(contact.film()).first_load) / m;
     for (int i = 0; i < 5000 && is_finite(fastest); ++i) {
       const double s = fastest - 0.02 * i;
-      const double film = walk.at(s).flooded.shares.film_parameter;
+      const WalkPoint<double> point = walk.at(s);
+      const double film = point.flooded.shares.film_parameter * point.inlet.film_ratio;
       if (film == film) {
         known.first = s;
         if (known.last != known.last) known.last = s;
@@ -240,35 +243,6 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   return best;
 }
 
-template <class T>
-Onset<T> film_maximum(OnsetCriterion criterion, const MixedContact<T>& contact,
-                      const InletOnsets<T>& inlet) {
-  if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
-  if (contact.supply() == SupplyKind::inlet_flow)
-    return film_maximum_at_constant_flow(criterion, contact);
-  const T r = inlet.film_maximum;
-  if (r != r)
-    return no_onset<T>(criterion,
-                       "with this closure the film rises towards h_oil without a maximum");
-  return onset_at_ratio(criterion, contact, r, inlet.film_ratio_at_maximum);
-}
-
-template <class T>
-Onset<T> film_departure(const MixedContact<T>& contact, const InletOnsets<T>& inlet) {
-  using std::log;
-  constexpr OnsetCriterion criterion = OnsetCriterion::film_departure;
-  if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
-  const T& r = inlet.film_departure;
-  const T& departure = inlet.departure;
-  if (contact.supply() != SupplyKind::inlet_flow)
-    return onset_at_ratio(criterion, contact, r, T(1 - departure));
-  const StribeckWalk<T> walk(contact);
-  const T coordinate = coordinate_at_flow_ratio(contact, walk, T(log(r)));
-  if (coordinate != coordinate) return no_onset<T>(criterion, beyond_solved_films);
-  const WalkPoint<T> point = walk.at(coordinate);
-  return onset_at(criterion, contact, point.flooded, T(1 - departure));
-}
-
 // The argument of the least value of f in (low, high), by golden section, to `width`. It cannot be
 // found to less than about √ε of the scale on which f varies, as f is flat at a minimum.
 template <class T, class Function>
@@ -294,6 +268,92 @@ T golden_section_minimum(Function&& f, T low, T high, const T& width) {
     }
   }
   return (low + high) / 2;
+}
+
+// The argument of the least interior minimum of f between two coordinates; NaN where none is. It
+// looks at `count` + 1 places, next(i, before) being the i-th.
+template <class T, class Function, class Next>
+T least_interior_minimum(Function&& f, const T& first, int count, Next&& next) {
+  using std::sqrt;
+  T s[3] = {}, value[3] = {};
+  T lowest = quiet_nan<T>(), lowest_at = quiet_nan<T>();
+  s[2] = first;
+  for (int i = 0; i <= count; ++i) {
+    s[0] = s[1], value[0] = value[1];
+    s[1] = s[2], value[1] = value[2];
+    s[2] = next(i, s[2]);
+    value[2] = f(s[2]);
+    const T margin = 1 + 1000 * epsilon<T>();  // what lies within rounding is a plateau
+    const bool is_minimum = i >= 2 && value[1] * margin < value[0] && value[1] * margin < value[2];
+    if (!is_minimum || value[1] >= lowest) continue;
+    lowest = value[1];
+    lowest_at = golden_section_minimum(f, s[0], s[2], T(sqrt(epsilon<T>()) / 4));
+  }
+  return lowest_at;
+}
+
+// The greatest interior maximum of a starved film between solved ones.
+template <class T>
+Onset<T> film_maximum_of_solved_inlet(OnsetCriterion criterion, const MixedContact<T>& contact) {
+  const StribeckWalk<T> walk(contact);
+  const KnownWalk<T> known = known_walk(contact, walk);
+  if (known.first != known.first) return no_onset<T>(criterion, beyond_solved_films);
+  constexpr int a_unit = 50;  // places for each factor e in speed
+  int count = 4;
+  while (count < 5000 && T(count) < a_unit * (known.last - known.first)) ++count;
+  const auto thinness = [&](const T& s) {
+    const WalkPoint<T> point = walk.at(s);
+    return T(1 / (point.flooded.shares.film_parameter * point.inlet.film_ratio));
+  };
+  const T step = (known.last - known.first) / T(count);
+  const T top = least_interior_minimum(
+      thinness, known.first, count, [&](int i, const T&) { return T(known.first + T(i) * step); });
+  if (top != top)
+    return no_onset<T>(criterion, "the film has no maximum within the table of starved films");
+  const WalkPoint<T> point = walk.at(top);
+  return onset_at(criterion, contact, point.flooded, point.inlet.film_ratio);
+}
+
+template <class T>
+Onset<T> film_maximum(OnsetCriterion criterion, const MixedContact<T>& contact,
+                      const InletOnsets<T>& inlet) {
+  if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
+  if (contact.inlet_law().closure == StarvationClosure::solved)
+    return film_maximum_of_solved_inlet(criterion, contact);
+  if (contact.supply() == SupplyKind::inlet_flow)
+    return film_maximum_at_constant_flow(criterion, contact);
+  const T r = inlet.film_maximum;
+  if (r != r)
+    return no_onset<T>(criterion,
+                       "with this closure the film rises towards h_oil without a maximum");
+  return onset_at_ratio(criterion, contact, r, inlet.film_ratio_at_maximum);
+}
+
+template <class T>
+Onset<T> film_departure(const MixedContact<T>& contact, const InletOnsets<T>& inlet) {
+  using std::log;
+  constexpr OnsetCriterion criterion = OnsetCriterion::film_departure;
+  if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
+  const T& r = inlet.film_departure;
+  const T& departure = inlet.departure;
+  if (contact.inlet_law().closure == StarvationClosure::solved) {
+    const StribeckWalk<T> walk(contact);
+    const KnownWalk<T> known = known_walk(contact, walk);
+    const auto excess = [&](const T& s) {
+      return T(walk.at(s).inlet.film_ratio - (1 - departure));
+    };
+    const T there = bracketed_root(excess, known.first, known.last, epsilon<T>());
+    if (there != there) return no_onset<T>(criterion, beyond_solved_films);
+    const WalkPoint<T> point = walk.at(there);
+    return onset_at(criterion, contact, point.flooded, point.inlet.film_ratio);
+  }
+  if (contact.supply() != SupplyKind::inlet_flow)
+    return onset_at_ratio(criterion, contact, r, T(1 - departure));
+  const StribeckWalk<T> walk(contact);
+  const T coordinate = coordinate_at_flow_ratio(contact, walk, T(log(r)));
+  if (coordinate != coordinate) return no_onset<T>(criterion, beyond_solved_films);
+  const WalkPoint<T> point = walk.at(coordinate);
+  return onset_at(criterion, contact, point.flooded, T(1 - departure));
 }
 
 // Speeds a scene spans; low = high = 0 where it has none.
@@ -334,23 +394,12 @@ Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
   // least 200 points, and at most 5000, where the range of speeds is absurdly wide.
   const double width = std::log(span.high) - std::log(span.low);
   const int count = std::clamp(static_cast<int>(50 * width), 200, 5000);
-  T s[3] = {}, f[3] = {};
-  T lowest = quiet_nan<T>();
-  T lowest_at = 0;
-  s[2] = walk.near(T(span.low));
-  for (int i = 0; i <= count; ++i) {
-    s[0] = s[1], f[0] = f[1];
-    s[1] = s[2], f[1] = f[2];
-    const T step = (last - first) / T(count);
-    s[2] = walk.walk_to(s[2], T(first + T(i) * step), T(step / 10));
-    f[2] = friction(s[2]);
-    const T margin = 1 + 1000 * epsilon<T>();  // what lies within rounding is a plateau
-    const bool is_minimum = i >= 2 && f[1] * margin < f[0] && f[1] * margin < f[2];
-    if (!is_minimum || f[1] >= lowest) continue;
-    lowest = f[1];
-    lowest_at = golden_section_minimum(friction, s[0], s[2], T(sqrt(epsilon<T>()) / 4));
-  }
-  if (lowest != lowest)
+  const T step = (last - first) / T(count);
+  const T lowest_at =
+      least_interior_minimum(friction, walk.near(T(span.low)), count, [&](int i, const T& before) {
+        return walk.walk_to(before, T(first + T(i) * step), T(step / 10));
+      });
+  if (lowest_at != lowest_at)
     return no_onset<T>(criterion, "friction has no interior minimum over the scene's speeds");
   const WalkPoint<T> point = walk.at(lowest_at);
   return onset_at(criterion, contact, point.flooded, point.inlet.film_ratio);

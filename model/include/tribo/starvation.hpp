@@ -7,6 +7,8 @@
 //   starved_inlet      1/r = y + ψ^{3/2}/c              Crook at the starved film
 //   printed_exponents  1/r = y + ψ^{3/2} y^{−5/4}/c     the exponents as printed (a reading)
 //   damiens            y = (1 + r^γ)^{−1/γ}
+//   solved             Damiens' y with a γ of M, L and r from solved films (solved_inlet.hpp): no
+//                      function of r alone, so that InletLaw does not have it
 //
 // Source: A. W. Crook: The lubrication of rollers. Phil. Trans. R. Soc. Lond. A 250 (1958) 387;
 // P. E. Wolveridge, K. P. Baglin, J. F. Archard: The starved lubrication of cylinders in line
@@ -15,6 +17,7 @@
 // doi 10.1115/1.1631020.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -29,10 +32,17 @@ enum class StarvationClosure : std::uint8_t {
   flooded_inlet,
   starved_inlet,
   printed_exponents,
-  damiens
+  damiens,
+  solved
 };
-inline constexpr auto starvation_closure_words = std::to_array<std::string_view>(
-    {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"});
+// The words of a scene; those of closures that are functions of r alone come first.
+inline constexpr auto starvation_words = std::to_array<std::string_view>(
+    {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens", "solved"});
+inline constexpr auto starvation_closure_words = [] {
+  std::array<std::string_view, starvation_words.size() - 1> words;
+  std::copy_n(starvation_words.begin(), words.size(), words.begin());
+  return words;
+}();
 
 inline constexpr Contract starvation_ratio_contract{16, 0};
 

@@ -43,6 +43,7 @@ class SceneText {
       text.set("speed.from", "1e-4").set("speed.to", "3");
     }
     for (const FieldGroup group : scene_field_groups()) text.take_set_with(group, field.path);
+    if (field.path == "closures.starvation") text.set("closures.film", "\"solved\"");
     if (field.path == "bodies.length") text.set("closures.film", "\"dowson_toyoda_central\"");
     return text.set(field.path, good_value(field));
   }

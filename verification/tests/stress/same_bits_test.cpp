@@ -54,8 +54,8 @@ Points points() {
       for (std::size_t i = 0; i < 40; ++i) speeds.push_back(scene.speeds[5 * i]);
       all.add(scene, speeds);
     }
-  // Laws without fixed exponents, of each shape, with and without a floor, beyond the table of
-  // solved films too.
+  // Laws without fixed exponents, of each shape, with and without a floor, beyond the tables of
+  // solved films too; and starved films between solved ones.
   for (const double density : {1e11, 2e12})
     for (const auto& [film, shape] :
          {std::pair{FilmFormula::nijenbanning_venner_moes, ContactShape::circle},
@@ -63,9 +63,13 @@ Points points() {
           {FilmFormula::moes_line, ContactShape::line},
           {FilmFormula::solved, ContactShape::circle},
           {FilmFormula::solved, ContactShape::line}}) {
-      const Scene scene = scene_of_law(film, shape, density);
+      Scene scene = scene_of_law(film, shape, density);
       std::vector<double> speeds;
       for (double speed = 1e-7; speed < 30; speed *= 1.9) speeds.push_back(speed);
+      all.add(scene, speeds);
+      if (film != FilmFormula::solved || shape != ContactShape::circle) continue;
+      scene.closures.starvation = StarvationClosure::solved;
+      scene.supply = {SupplyKind::inlet_film, 5e-7};
       all.add(scene, speeds);
     }
   return all;

@@ -120,6 +120,8 @@ inline double starved_over_flooded(const Scene& scene, double flooded, double in
       return rho / std::pow(1 + std::pow(rho, scene.closures.damiens_exponent),
                             1 / scene.closures.damiens_exponent);
     }
+    case StarvationClosure::solved:
+      break;  // no closed form
   }
   return 0;
 }
