@@ -87,7 +87,8 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
        joined(fitting, " or ") + (is_line ? "; `tribocheck film` tells how far off each is" : "")});
 }
 
-// Refuses starved films between solved ones where the film is by another law, or of another contact.
+// Refuses starved films between solved ones where the film is by another law, or of another
+// contact.
 void check_inlet(const Scene& scene, Problems& problems) {
   if (scene.closures.starvation != StarvationClosure::solved) return;
   if (scene.bodies.shape() != ContactShape::circle)

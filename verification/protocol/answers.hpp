@@ -30,7 +30,8 @@ inline constexpr std::string_view film_collapsed =
 inline constexpr std::string_view unknown_summits =
     "Λ is below 3: the faces touch, and Rq alone does not say what their summits carry";
 inline constexpr std::string_view beyond_solved_films =
-    "Moes' M or L is outside the tables of solved films, so that \"solved\" in closures has no film "
+    "Moes' M or L is outside the tables of solved films, so that \"solved\" in closures has no "
+    "film "
     "there";
 
 // An output of an operating point as every format shows it. It is one of three: a reason why it is
