@@ -103,10 +103,18 @@ Mistake with_fields(const MistakeEntry& entry) {
   });
 }
 
+// The words that a field has whatever the others are: solved starved films need solved flooded
+// ones.
+std::vector<std::string_view> words_alone(const Field& field) {
+  std::vector<std::string_view> words(field.info->choices.begin(), field.info->choices.end());
+  std::erase(words, starvation_words[static_cast<std::size_t>(StarvationClosure::solved)]);
+  return words;
+}
+
 std::vector<Mistake> swaps_of(const MistakeEntry& entry) {
   std::vector<Mistake> all;
   const Field field = field_at(entry.swapped);
-  const auto& words = field.info->choices;
+  const std::vector<std::string_view> words = words_alone(field);
   for (const std::string_view asked : words)
     for (const std::string_view given : words)
       if (asked != given)
@@ -122,7 +130,7 @@ std::vector<Mistake> swaps_of(const MistakeEntry& entry) {
 std::vector<Mistake> defaults_of(const MistakeEntry& entry) {
   std::vector<Mistake> all;
   const Field field = field_at(entry.left_out);
-  for (const std::string_view given : field.info->choices)
+  for (const std::string_view given : words_alone(field))
     if (given != field.info->default_text)
       all.push_back(
           changed(with_words(entry, given, {}), {entry.left_out}, [=](Question& question) {
