@@ -223,7 +223,7 @@ def of_point_films(report):
         return f"{best(quantity, i)['liquids'][i]['contacts_within']} of {found['liquids'][i]['contacts']}"
     part, worst = percent(found["within"], 2), 100 * best("minimum", 0)["liquids"][0]["worst"]["error"]
     yield (f"Of the central film, {best('central', 0)['name']} is the closest where the liquid is Barus' and incompressible (within {part} at {within('central', 0)} contacts), "
-           f"and {best('central', 1)['name']} where it is Roelands' and compressible ({within('central', 1)}). The closest of the least film are within it at "
+           f"and {best('central', 1)['name']} where it is Roelands' and compressible ({within('central', 1)}). The closest formulas of the least film are that near at "
            f"{within('minimum', 0)} and {within('minimum', 1)}, and off by up to {'+' if worst > 0 else ''}{sig(worst, 2)} %.")
     yield f"U is that of steel with α = {whole(1e9 * found['pressure_viscosity'])}/GPa and E* = {whole(1e-9 * found['effective_modulus'])} GPa."
     barus, oil = (one["greatest_error"] for one in found["liquids"])
