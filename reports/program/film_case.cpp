@@ -12,6 +12,7 @@
 
 #include "ehl/film_conditions.hpp"
 #include "ehl/line_formulas.hpp"
+#include "ehl/point_formulas.hpp"
 #include "ehl/point_needs.hpp"
 #include "ehl/solved_film.hpp"
 #include "ehl/solved_point.hpp"
@@ -134,11 +135,17 @@ void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved,
   }
 }
 
-// The laws of point contacts, of which no text at hand tells the liquid, beside the films of a
-// flooded contact.
+// The laws of point contacts and further readings of them, of which no text at hand tells the
+// liquid, beside the films of a flooded contact.
 void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
                         const ehl::SolvedPoint& flooded) {
   const double unit = ehl::scale_of(c).film;
+  const auto add = [&](std::string_view name, ehl::FilmQuantity quantity, double length) {
+    const bool is_minimum = quantity == ehl::FilmQuantity::minimum;
+    const double solved = unit * (is_minimum ? flooded.minimum.value : flooded.central.value);
+    film.formulas.push_back({name, stands_for(quantity), ehl::name(ehl::FitLiquid::unknown), length,
+                             unknown.value, length / solved - 1});
+  };
   for (const NamedFilmLaw& named : named_film_laws) {
     if (named.law->is_of_lines || named.law->is_solved()) continue;
     double length = unknown.value;
@@ -152,13 +159,12 @@ void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
       length = film_thickness(*named.law, c.speed, c.viscosity,
                               c.pressure_viscosity > 0 ? c.pressure_viscosity : 1., c.load,
                               c.effective_modulus, c.radius, film.ellipticity);
-    const bool is_minimum = named.word.ends_with("_minimum");
-    const double solved = unit * (is_minimum ? flooded.minimum.value : flooded.central.value);
-    film.formulas.push_back(
-        {named.word,
-         stands_for(is_minimum ? ehl::FilmQuantity::minimum : ehl::FilmQuantity::central),
-         ehl::name(ehl::FitLiquid::unknown), length, unknown.value, length / solved - 1});
+    add(named.word,
+        named.word.ends_with("_minimum") ? ehl::FilmQuantity::minimum : ehl::FilmQuantity::central,
+        length);
   }
+  for (const ehl::PointFormula& formula : ehl::point_formulas)
+    add(formula.name, formula.quantity, ehl::film_thickness(formula, c));
 }
 
 // Sets the flooded film of a starved contact beside its own, and each closure's ratio of the two.
@@ -227,6 +233,7 @@ std::vector<std::string_view> film_formula_names() {
   for (const ehl::LineFormula& formula : ehl::line_formulas) names.push_back(formula.name);
   for (const NamedFilmLaw& named : named_film_laws)
     if (!named.law->is_of_lines && !named.law->is_solved()) names.push_back(named.word);
+  for (const ehl::PointFormula& formula : ehl::point_formulas) names.push_back(formula.name);
   return names;
 }
 

@@ -31,7 +31,7 @@ struct Measured {
 };
 
 struct FormulaFilm {
-  std::string_view name;        // as in the catalogue of functions
+  std::string_view name;        // of a law as scenes have it; of a reading its own
   std::string_view stands_for;  // central_film, minimum_film or film_at_greatest_pressure
   std::string_view fitted_to;   // the liquid, as ehl::name(FitLiquid) has it
   double film;                  // m

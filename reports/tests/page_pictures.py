@@ -11,7 +11,7 @@ import re
 
 from page_tables import quantile, sig
 from report_files import table
-from svg_plots import NEAR, Axis, absent, contours, looks, number, read, texts
+from svg_plots import NEAR, Axis, absent, contours, fills_of, looks, number, read, texts
 
 COLOURS = {"rough": 0xD86400, "medium": 0x006B50, "smooth": 0x003468, "ball_on_flat": 0x003468, "bearing_outer_ring": 0x006B50,
            "gear_flank": 0xD86400}
@@ -32,6 +32,7 @@ AXES = {  # titles of the axes: the x axis, and the y axis of each panel
     "readings_by_score": ("claims reproduced, of 17", "readings"), "onset_distribution": ("onset speed (m/s)",),
     "sensitivity_onset_film_maximum_speed": ("part of the variance",),
     "line_film_errors": ("load number M (–)", "material number L (–)", "error of the formula's film (%): (formula − solved)/solved"),
+    "point_film_errors": ("load number M (–)", "liquid, and material number L (–)", "error of the formula's film (%)"),
     "line_film_profile": ("place across the contact x/b (–); the surfaces move to the right", "pressure p/p0 (–)", "film h (µm)"),
     "ellipse_fits": ("ratio of the radii α = Ry/Rx", "|error| of k (%)", "|error| of ax (%)", "|error| of p0 (%)"),
     "paper_films": (SPEED, "smooth: h*/hoil (–)", "medium: h*/hoil (–)", "rough: h*/hoil (–)"),
@@ -323,6 +324,44 @@ def map_differences(path, data):
         yield from (f"{name}: no track at {one}" for one in absent(wanted, strokes["tracks"])[:1])
 
 
+def cell_differences(path, data):
+    """The nine panels of cells: at each M, liquid and L stands a cell, blue where the formula's film is too thin and orange where it is too
+    thick, the stronger the farther off, with the error as its number; and there are no others."""
+    plots = [one for one in read(path)[0] if "2000" in one.labels["x"]]
+    found, written = dict(blocks(data.out / "data/point_film_errors.blocks.tsv")), texts(path)
+    order = [one["name"] for one in data.report["point_films"]["formulas"]]
+    panels = [order[i] for i in (0, 2, 3, 6, 4, 7, 1, 8, 5)]  # the powers to the left, Nijenbanning's readings to the right
+    if len(plots) != len(panels) or set(found) != set(panels):
+        yield f"{len(plots)} panels of {len(found)} formulas"
+        return
+    for at, (plot, name) in enumerate(zip(plots, panels)):
+        across, rows = Axis(plot.labels["x"], True), plots[at - at % 2].labels["y"]  # only the left panels name their rows
+        corners = plot.series[0].lines
+        cells = [tuple(f(one[i] for one in corners[n:n + 4]) for i in (0, 1) for f in (min, max)) for n in range(0, len(corners), 4)]
+        fills = fills_of(path, at)
+        if len(cells) != len(found[name]) or len(fills) != len(cells):
+            yield f"{name}: {len(cells)} cells of {len(found[name])} errors"
+            continue
+        seen = []
+        for row in found[name]:
+            x, y, error = across.place(float(row["load number M"])), rows[f"{row['liquid']} {row['material number L']}"], float(row["error"])
+            here = [(cell, fill) for cell, fill in zip(cells, fills) if cell[0] < x < cell[1] and cell[2] < y < cell[3]]
+            text = "0" if abs(error) < 0.5 else f"{'−' if error < 0 else '+'}{abs(error):.0f}"
+            if len(here) != 1:
+                yield f"{name}: {len(here)} cells at {row}"
+                continue
+            (left, right, top, bottom), fill = here[0]
+            warmth = (fill >> 16) - (fill & 0xFF)  # red less blue
+            seen.append((error, warmth))
+            if abs(error) > 1 and (warmth > 0) != (error > 0):
+                yield f"{name}: the colour {fill:#x} at {row}"
+            if not any(one == text and left < a < right and top < b < bottom for one, a, b in written):
+                yield f"{name}: no {text} at {row}"
+        for sign in (-1, 1):  # one scale: warmth grows with the error
+            ordered = sorted((sign * error, sign * warmth) for error, warmth in seen if sign * error > 0)
+            yield from (f"{name}: the colours of {a} and {b} are out of order" for a, b in itertools.pairwise(ordered) if a[1] > b[1] + 2)
+
+
 def differing(plot, box, across, up, wanted, leaves):
     """One panel: titles, colours, points that are not drawn, and what is drawn where no point is."""
     left, right, top, bottom = box
@@ -359,6 +398,8 @@ def differences(path, name, data):
     said += looks(path)
     if name == "line_film_errors":
         return said + list(map_differences(path, data))
+    if name == "point_film_errors":
+        return said + list(cell_differences(path, data))
     panels = getattr(data, name)() if hasattr(data, name) else data.work(name)
     plots, axes = read(path)
     if len(plots) != len(panels):

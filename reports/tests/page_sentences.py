@@ -213,6 +213,24 @@ def drawn(report):
     yield f"the onsets of {many(scenes[0]['cases'])} cases of each surface"
 
 
+def of_point_films(report):
+    found = report["point_films"]
+
+    def best(quantity, i):
+        return min((one for one in found["formulas"] if one["quantity"] == quantity), key=lambda one: one["liquids"][i]["median_size"])
+
+    def within(quantity, i):
+        return f"{best(quantity, i)['liquids'][i]['contacts_within']} of {found['liquids'][i]['contacts']}"
+    part, worst = percent(found["within"], 2), 100 * best("minimum", 0)["liquids"][0]["worst"]["error"]
+    yield (f"Of the central film, {best('central', 0)['name']} is the closest where the liquid is Barus' and incompressible (within {part} at {within('central', 0)} contacts), "
+           f"and {best('central', 1)['name']} where it is Roelands' and compressible ({within('central', 1)}). The closest formulas of the least film are that near at "
+           f"{within('minimum', 0)} and {within('minimum', 1)}, and off by up to {'+' if worst > 0 else ''}{sig(worst, 2)} %.")
+    yield f"U is that of steel with α = {whole(1e9 * found['pressure_viscosity'])}/GPa and E* = {whole(1e-9 * found['effective_modulus'])} GPa."
+    barus, oil = (one["greatest_error"] for one in found["liquids"])
+    yield (f"may be off by {percent(barus['central'], 1)} (Barus) and {percent(oil['central'], 1)} (Roelands) in the middle, the least films by "
+           f"{percent(barus['minimum'], 2)} and {percent(oil['minimum'], 1)} at most")
+
+
 def of_starved_films(report):
     surfaces, supplies = report["starved_films"]["surfaces"], report["starved_films"]["supplies"]
     reported = {row["surface"]: row["reported"] for row in report["paper"]["comparisons"]["onset_speed"]["rows"]
@@ -360,5 +378,5 @@ def software(report):
 
 
 def promised(report):
-    for section in (paper, of_ledger, drawn, of_films, of_starved_films, software):
+    for section in (paper, of_ledger, drawn, of_films, of_point_films, of_starved_films, software):
         yield from section(report)

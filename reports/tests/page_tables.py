@@ -460,6 +460,27 @@ def film_solved(report):
              f"{signed(one['elastic_viscous']['least']['error'])} to {signed(one['elastic_viscous']['greatest']['error'])}"] for one in report["line_films"]["formulas"]])
 
 
+def film_points(report):
+    found = report["point_films"]
+
+    def signed(part):
+        return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
+
+    def span(of, name):
+        least, greatest = (whole(of[f"{end}_{name}"]) for end in ("least", "greatest"))
+        return least if least == greatest else f"{least} to {greatest}"
+
+    def block(of, contacts):
+        if of["within"] is None:
+            return "none"
+        return f"M = {span(of['within'], 'load')}, L = {span(of['within'], 'material')}; {of['contacts_within']} of {contacts}"
+    yield ("Errors of the formulas over the solved circles",
+           ["formula", "liquid", "median error", "greatest error", f"within {percent(found['within'], 2)}"],
+           [[one["name"], {"barus, incompressible": "Barus", "roelands, compressible": "Roelands"}[of["liquid"]], signed(of["median"]),
+             f"{signed(of['worst']['error'])} at M = {whole(of['worst']['load_number'])}, L = {whole(of['worst']['material_number'])}",
+             block(of, liquid["contacts"])] for one in found["formulas"] for of, liquid in zip(one["liquids"], found["liquids"], strict=True)])
+
+
 def film_starved(report):
     closures = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
 
@@ -613,7 +634,7 @@ def not_run(report):
                [[one["what"], one["why"], one["how_to"]] for one in report["not_run"]])
 
 
-SECTIONS = (first, comparison, claims, readings, requirements, uncertainty, misprints, model, contacts, film_solved, film_starved, verification,
+SECTIONS = (first, comparison, claims, readings, requirements, uncertainty, misprints, model, contacts, film_solved, film_points, film_starved, verification,
             worst_inputs, mutants, planted_faults, diagnosis, work_precision, skipped_work, gates, sweep_speed, environment, not_run)
 
 

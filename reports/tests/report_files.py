@@ -27,8 +27,9 @@ SWEEP_FIGURES = ["onset_distribution", "sensitivity_onset_film_maximum_speed"]
 LEDGER_FIGURES = ["onset_against_roughness", "share_against_roughness", "readings_by_score"]
 CONTACT_FIGURES = ["stribeck_of_machines"]
 LINE_FIGURES = ["line_film_errors", "line_film_profile"]
+POINT_FIGURES = ["point_film_errors"]
 STARVED_FIGURES = ["paper_films", "starved_ratios"]
-FIGURES = PAPER_FIGURES + LEDGER_FIGURES + SWEEP_FIGURES + CONTACT_FIGURES + LINE_FIGURES + STARVED_FIGURES
+FIGURES = PAPER_FIGURES + LEDGER_FIGURES + SWEEP_FIGURES + CONTACT_FIGURES + LINE_FIGURES + POINT_FIGURES + STARVED_FIGURES
 DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] + [f"data/scenes/{scene}.toml" for scene in SCENES] +
               [f"data/figure_04_{name}.tsv"
                for name in ("flooded", "starved_inlet", "damiens", "guides", "marks")] +
@@ -45,6 +46,7 @@ CONTACT_DATA = [f"data/{kind}{contact}{end}" for kind, end in (("contact_", ".ts
                 for contact in CONTACTS] + ["data/contact_marks.tsv"]
 LINE_DATA = ["data/line_film_errors.tsv", "data/line_film_labels.blocks.tsv", "data/line_film_profile.tsv",
              "data/line_film_tracks.blocks.tsv"]
+POINT_DATA = ["data/point_film_errors.blocks.tsv"]
 STARVED_DATA = ["data/paper_closures.blocks.tsv", "data/paper_films.blocks.tsv", "data/starved_closures.tsv", "data/starved_ratios.blocks.tsv"]
 LEDGER_DATA = [f"data/ledger{name}" for name in (".csv", "_law.tsv", "_scores.tsv", "_surfaces.tsv")]
 SWEEP_DATA = [f"data/sweep/{figure}.blocks.tsv" for figure in SWEEP_FIGURES]
@@ -52,13 +54,13 @@ RESULTS = ["sweep/onset_uncertainty.h5"]
 PICTURES = sorted(f"figures/{figure}.{kind}" for figure in FIGURES + WORK_FIGURES
                   for kind in ("svg", "png"))
 PAGES = ["index.html", "report.json", "report.md", "report.schema.json"]
-DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA + CONTACT_DATA + LINE_DATA + STARVED_DATA)
+DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA + CONTACT_DATA + LINE_DATA + POINT_DATA + STARVED_DATA)
 # The ledger of planted faults lacks new and changed ones until they are planted, and a sample of mutants grows by parts of an
 # hour; the page says so.
 FAULTS, MUTANTS = (json.loads((ROOT / f"reference/baselines/{name}.json").read_text()) for name in ("planted_faults", "mutants"))
 NOT_RUN = (len(FAULTS["faults"]) < FAULTS["catalogue"]) + any(one["ran"] < one["drawn"] for one in MUTANTS["score"]["rooms"])
 SECTIONS = ["figures", "comparison", "claims", "readings", "requirements", "uncertainty", "misprints", "model",
-            "contacts", "film-solved", "film-starved", "verification", "worst-inputs", "mutants", "planted-faults", "diagnosis", "work-precision", "skipped-work", "gates", "sweep-speed",
+            "contacts", "film-solved", "film-points", "film-starved", "verification", "worst-inputs", "mutants", "planted-faults", "diagnosis", "work-precision", "skipped-work", "gates", "sweep-speed",
             "references", "environment"]
 
 

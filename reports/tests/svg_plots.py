@@ -131,6 +131,12 @@ def texts(path):
             if one.find(SVG + "text") is not None and one.get("transform")]
 
 
+def fills_of(path, at):
+    """The colours of the filled shapes of a panel, in their order; panels count from 0."""
+    groups = [one for one in canvas_of(xml.parse(path).getroot()) if one.get("id", "").endswith(f"_plot_1{chr(ord('a') + at)}")]
+    return [rgb(one.get("fill")) for group in groups for one in group.iter(SVG + "polygon")]
+
+
 def absent(these, among):
     """The places that have none of the other places near them."""
     cells = {(round(x * 10) + i, round(y * 10) + j) for x, y in among for i in (-1, 0, 1) for j in (-1, 0, 1)}

@@ -13,6 +13,9 @@ from program import run
 from report_files import ROOT
 from test_film import MODULUS, RADIUS, VISCOSITY, FilmTest, film_number, line
 
+CHITTENDEN = ("chittenden_central_431", "chittenden_central_430", "chittenden_minimum_368")
+NIJENBANNING = ("nijenbanning_three_halves_of_s", "nijenbanning_ei_over_ep", "nijenbanning_ei_over_ep_of_s")
+
 
 class Points(FilmTest):
     def point(self, load_number, material_number, radius_ratio=1):
@@ -34,13 +37,24 @@ class Points(FilmTest):
         self.assertIn("circles and ellipses", found["undefined"]["spike_pressure"])
         self.assertEqual([one["name"] for one in found["formulas"]],
                          [*(f"hamrock_dowson_{kind}{film}" for kind in ("", "soft_") for film in ("central", "minimum")),
-                          "nijenbanning_venner_moes"])
+                          "nijenbanning_venner_moes", *CHITTENDEN, *NIJENBANNING])
         for one in found["formulas"]:
             self.assertIsNone(one["deviation_percent"])
             self.assertAlmostEqual(one["this_liquid_deviation_percent"],
                                    100*(one["film"]/found[one["stands_for"]]["value"] - 1), delta=1e-10)
         self.assertEqual(found["tolerance"], 1e-2)
         self.assertGreater(found["cells_across"], 0)
+
+    def test_chittendens_film_is_that_of_the_radii_in_the_cited_form(self):
+        found = self.film(self.point(20, 10, 2.5), "--tolerance", "1e-2")
+        films = {one["name"]: film_number(one["film"]) for one in found["formulas"]}
+        # U, G and W of the contact; a film number is (h/R)(2U)^(-1/2).
+        twice = VISCOSITY/(MODULUS*RADIUS)
+        powers = (twice/2)**0.68*(10*twice**-0.25)**0.49*(20*twice**0.75)**-0.073*twice**-0.5
+        side = 2.5**(2/3)
+        self.assertAlmostEqual(films["chittenden_central_431"], 4.31*powers*(1 - math.exp(-1.23*side)), delta=1e-9)
+        self.assertAlmostEqual(films["chittenden_minimum_368"], 3.68*powers*(1 - math.exp(-0.67*side)), delta=1e-9)
+        self.assertAlmostEqual(films["chittenden_central_430"], 4.30*powers*(1 - math.exp(-1.28*found["ellipticity"])), delta=1e-9)
 
     def test_a_ball_by_its_radius_is_the_circle_by_two(self):
         two = self.point(20, 5)
@@ -57,7 +71,7 @@ class Points(FilmTest):
     def test_a_constant_viscosity_has_films_of_soft_bodies_and_of_all_regimes(self):
         found = self.film(self.point(50, 0), "--tolerance", "1e-2")
         self.assertEqual([one["name"] for one in found["formulas"] if one["film"] is not None],
-                         ["hamrock_dowson_soft_central", "hamrock_dowson_soft_minimum", "nijenbanning_venner_moes"])
+                         ["hamrock_dowson_soft_central", "hamrock_dowson_soft_minimum", "nijenbanning_venner_moes", *NIJENBANNING])
 
     def test_the_shipped_ball_is_as_the_readme_says(self):
         ball = ROOT / "reference/scenes/ball_on_flat.toml"
@@ -133,7 +147,7 @@ class Points(FilmTest):
         for words in ("film thickness h (nm), × where least", "pressure p (GPa)", "at y = 0"):
             self.assertIn(words, text)
         self.assertEqual(text.count("<image"), 2)
-        for name in ("Hamrock–Dowson", "Nijenbanning et al."):  # of the least film and of the central one
+        for name in ("Chittenden et al.", "Nijenbanning et al."):  # of the least film and of the central one
             self.assertEqual(text.count(name), 1, name)
         self.assertNotIn(", soft", text)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page's own arithmetic at its limits: verdicts, agreement of two samples, parts below a speed, errors of maps, and starved
-films, on data made up."""
+"""The page's own arithmetic at its limits: verdicts, agreement of two samples, parts below a speed, errors of maps, ranges of formulas
+and starved films, on data made up."""
 import json
 import math
 import os
@@ -16,6 +16,7 @@ import ledger  # noqa: E402
 import line_films  # noqa: E402
 import onset_uncertainty  # noqa: E402
 import paper  # noqa: E402
+import point_films  # noqa: E402
 import starved_films  # noqa: E402
 from program import Program  # noqa: E402
 
@@ -114,6 +115,26 @@ class Maps(unittest.TestCase):
         self.assertEqual({name: round(error, 12) for name, error in found["greatest"].items()}, {first: 0.25, second: 0.5, **none})
         self.assertEqual({name: round(error, 12) for name, error in found["greatest_light"].items()}, {first: 0.2, second: 0.375, **none})
         self.assertEqual((found["points"], found["heavy_from"]), (4, heavy))
+
+
+class PointFilms(unittest.TestCase):
+    LOADS, MATERIALS = (5, 10, 20, 50, 100), (2.5, 5, 10)
+
+    def block(self, *beyond):
+        """The widest block where these places alone are off by more than a tenth."""
+        errors = {(load, material): 0.1 for load in self.LOADS for material in self.MATERIALS}
+        return point_films.widest_block(errors | dict.fromkeys(beyond, -0.1001))
+
+    def test_the_widest_block_has_no_contact_beyond(self):
+        def told(contacts, *ends):
+            return dict(zip(("contacts", "least_load", "greatest_load", "least_material", "greatest_material"), (contacts, *ends), strict=True))
+        self.assertEqual(self.block(), told(15, 5, 100, 2.5, 10))
+        self.assertEqual(self.block((5, 5)), told(12, 10, 100, 2.5, 10))
+        self.assertEqual(self.block((20, 10), (5, 10)), told(10, 5, 100, 2.5, 5))
+        self.assertEqual(self.block(*((load, material) for load in self.LOADS for material in (2.5, 10))), told(5, 5, 100, 5, 5))
+        self.assertEqual(self.block(*((load, material) for load in self.LOADS for material in self.MATERIALS if (load, material) != (20, 5))),
+                         told(1, 20, 20, 5, 5))
+        self.assertIsNone(self.block(*((load, material) for load in self.LOADS for material in self.MATERIALS)))
 
 
 class StarvedFilms(unittest.TestCase):

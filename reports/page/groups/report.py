@@ -29,6 +29,7 @@ import ledger  # noqa: E402
 import line_films  # noqa: E402
 import onset_uncertainty  # noqa: E402
 import paper  # noqa: E402
+import point_films  # noqa: E402
 import published  # noqa: E402
 import skipped_work  # noqa: E402
 import speed  # noqa: E402
@@ -55,6 +56,8 @@ GROUPS = {
     "contacts": Maker(contacts.contacts, "The checkout's folder `reference/scenes`", "solving the contacts of machines"),
     "line_films": Maker(line_films.line_films, "The checkout's folders `reference/ehl` and `reference/scenes`",
                         "solving films of line contacts"),
+    "point_films": Maker(point_films.point_films, "The checkout's folders `reference/ehl` and `reference/scenes`",
+                         "judging formulas of circles by solved films"),
     "starved_films": Maker(starved_films.starved_films, "`make paper-films`", "judging closures of starvation by solved films"),
     "certified": Maker(verification.certified, "The checkout's folder `reference/exact`, or `make references`,",
                        "holding the model to the certified tables"),

@@ -66,6 +66,7 @@ MOUSING = re.compile(r"""\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
 UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # gnuplot's command, which names a line without a name
+FAMILY = ' font-family="DejaVu Sans,Verdana,sans-serif"'  # of each text and each part of one
 INITIAL = ' stroke-linecap="butt" stroke-linejoin="miter"'  # the defaults of SVG
 EMPTY_GROUP = re.compile(r"<g\b[^>]*>\s*</g>\s*")
 AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|axis_ymin|axis_ymax|logaxis_x|logaxis_y)"
@@ -73,10 +74,11 @@ AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|a
 
 
 def without_scripts(svg):
-    """The picture without these traces. The attribute data-axes of its element has the values at the edges of the (last)
-    plot, so that the page can show the values under the pointer."""
+    """The picture without these traces, its fonts named once. The attribute data-axes of its element has the values at the edges of
+    the (last) plot, so that the page can show the values under the pointer."""
     axes = " ".join(f"{name}={value}" for name, value in AXES.findall(svg))
-    svg = UNNAMED.sub("", MOUSING.sub("", svg)).replace(INITIAL, "").replace("<svg", f'<svg data-axes="{axes}"', 1)
+    svg = UNNAMED.sub("", MOUSING.sub("", svg)).replace(INITIAL, "").replace(FAMILY, "")
+    svg = svg.replace("<svg", f'<svg data-axes="{axes}"{FAMILY}', 1)
     more = 1
     while more:  # a tenth of each file is empty groups
         svg, more = EMPTY_GROUP.subn("", svg)

@@ -17,7 +17,9 @@ NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginso
          "pan_hamrock_central": "Pan–Hamrock", "hamrock_dowson_central": "Hamrock–Dowson",
          "hamrock_dowson_minimum": "Hamrock–Dowson", "hamrock_dowson_soft_central": "Hamrock–Dowson, soft",
          "hamrock_dowson_soft_minimum": "Hamrock–Dowson, soft",
-         "nijenbanning_venner_moes": "Nijenbanning et al."}
+         **dict.fromkeys(("nijenbanning_venner_moes", "nijenbanning_three_halves_of_s", "nijenbanning_ei_over_ep",
+                          "nijenbanning_ei_over_ep_of_s"), "Nijenbanning et al."),
+         **dict.fromkeys(("chittenden_central_431", "chittenden_central_430", "chittenden_minimum_368"), "Chittenden et al.")}
 HEIGHT = 840
 MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # greatest, and what stands above and below a map, in points
 MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # the greatest of a map's colours, in central films and in Hertz' peaks
