@@ -290,7 +290,7 @@ void keep_whole_columns(Films& films) {
     all_loads.insert(at.first);
   }
   std::erase_if(films,
-                [&](const auto& one) { return 2 * loads[one.first.second] < all_loads.size(); });
+                [&](const auto& one) { return 2 * loads[one.first.second] <= all_loads.size(); });
 }
 
 // ln γ, at which (1 + r^γ)^{−1/γ} is y.
