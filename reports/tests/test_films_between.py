@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """closures.film = "solved": points with a film, points without one and why, ellipses, onsets, streams and sweeps."""
 
+import itertools
 import json
 import math
 import unittest
 
 from program import ProgramTest, run, scene
+from report_files import ROOT
 from sweeps import SweepTest, opened
 
 REASON = ("Moes' M or L is outside the tables of solved films, so that \"solved\" in closures has no film "
@@ -92,6 +94,24 @@ class FilmsBetween(ProgramTest):
         tree["speed"] = found["film_departure"]["speed"]
         at = self.answer("solve", tree, "--format", "json").json()["points"][0]
         self.assertAlmostEqual(at["film"]/at["film_flooded"], 0.95, delta=1e-9)
+
+    def test_they_have_the_ratios_of_the_films_solved_for_the_paper(self):
+        solved_films = json.loads((ROOT / "reference/baselines/paper_films.json").read_text())["surfaces"]
+        tree, held = solved(outputs=["film", "film_flooded"]), 0
+        tree["closures"]["starvation"] = "solved"
+        tree["load"] = 50
+        tree["lubricant"] |= {"viscosity": 0.0202, "pressure_viscosity": 2e-8}
+        tree["bodies"] = {"effective_modulus": 107.9e9, "reduced_radius": 9.5e-3}
+        del tree["surface"]
+        for film in itertools.chain.from_iterable(solved_films.values()):
+            tree |= {"speed": film["speed"], "supply": {"inlet_film": film["inlet_film"]}}
+            point = self.answer("solve", tree, "--format", "json").json()["points"][0]
+            self.assertEqual(point["film"] is not None, 20 <= film["load_number"] <= 2000, film)
+            if point["film"] is not None:
+                ratio = film["film_ratio"]
+                self.assertAlmostEqual(point["film"]/point["film_flooded"], ratio["value"], delta=ratio["error"] + 4e-3)
+                held += 1
+        self.assertGreater(held, 20)
 
 
 SWEEP = """id = "between"

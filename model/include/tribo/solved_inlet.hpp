@@ -33,10 +33,10 @@ struct InletTable {
 
 const InletTable& inlet_table();
 
-// Relative error of y = h*/h_ff by the interpolation, besides that of the rows: 5e-3 for r from 1/4
+// Relative error of y = h*/h_ff by the interpolation, besides that of the rows: 2e-3 for r from 1/4
 // to 4. Beyond, γ stays as it is at the end of r; y then differs from its limits, 1 and 1/r, by at
 // most 3e-2.
-inline constexpr double solved_inlet_interpolation = 5e-3;
+inline constexpr double solved_inlet_interpolation = 2e-3;
 
 // γ at ln M, L and ln r. NaN where M or L lie outside of the table.
 template <class T>
