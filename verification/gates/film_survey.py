@@ -150,8 +150,8 @@ def main():
             rows += [(futures[part], row) for row in part.result()]
             print(f"{done} of {len(parts)} parts", file=sys.stderr)
     rows.sort(key=lambda one: (one[0], int(one[1]["contact"])))
-    what = ("point contacts solved to 1e-3 up to M = 200, to 3e-3 beyond; some, on at most 150 000 nodes, held to cells of "
-            "half the size and a grid of twice the length" if arguments.points
+    what = ("point contacts solved to 1e-3 up to M = 200, to 3e-3 beyond; some, on at most 55 000 nodes up to M = 200, on at most "
+            "150 000 beyond, held to cells of half the size and a grid of twice the length" if arguments.points
             else "line contacts solved to four tolerances, held to their films to 1e-6")
     made = {"what": what, "commit": plant.commit(), "date": datetime.date.today().isoformat(),
             "environment": plant.environment(), "seed": arguments.seed,

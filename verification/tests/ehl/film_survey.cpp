@@ -2,7 +2,7 @@
 // Random contacts (sampled_contact.hpp): rows for verification/gates/film_survey.py, which judges
 // them. Lines are solved to four tolerances, and compared with their films to a tolerance of 1e-6;
 // their work is Newton's steps times cells. Points are drawn, or solved to the tolerance of the
-// contract, or, on at most 150 000 nodes, held to cells of half the size and a grid of twice the
+// contract, or, on few nodes (held_nodes), held to cells of half the size and a grid of twice the
 // length.
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -25,7 +25,8 @@ namespace {
 using namespace tribo;
 
 constexpr std::array<double, 4> tolerances{1e-5, 1e-4, 1e-3, 1e-2};
-constexpr Eigen::Index held_nodes = 150'000;
+// Held films end at these nodes: half the cells take four times as many.
+Eigen::Index held_nodes(double load_number) { return load_number > 200 ? 150'000 : 55'000; }
 constexpr std::array<const char*, 3> names{"central", "minimum", "at_greatest_pressure"};
 constexpr std::array<ehl::Estimate ehl::SolvedFilm::*, 3> films{
     &ehl::SolvedFilm::central, &ehl::SolvedFilm::minimum, &ehl::SolvedFilm::at_greatest_pressure};
@@ -130,7 +131,7 @@ void survey_points(std::string_view what, int first, int end, std::uint64_t seed
     if (i < first) continue;
     const ehl::PointContact& contact = drawn.contact;
     ehl::PointOptions options{.tolerance = contact.load_number > 200 ? 3e-3 : 1e-3};
-    if (what == "held") options.greatest_nodes = held_nodes;
+    if (what == "held") options.greatest_nodes = held_nodes(contact.load_number);
     const ehl::SolvedPoint solved =
         what == "drawn" ? ehl::SolvedPoint{} : ehl::solve_point_film(contact, options);
     const double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
