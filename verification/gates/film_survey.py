@@ -51,12 +51,12 @@ def rows_of_part(program, seed, what, first, end, folder, until=float("inf")):
 
 def judged(rows):
     """How many films were judged, which are off by more than they state, and by how much the others state too much. A
-    film counts where the error of the finer film is at most a third of its own."""
+    film counts where the error of the finer film is at most a third of its own, or where it is off by more than both."""
     cautions, outside = [], []
     for row in rows:
         for film in FILMS:
             stated, off, known = (float(row[f"{film}_{what}"]) for what in ("error", "off", "known"))
-            if not known < stated / 3:
+            if not known < stated / 3 and not off > stated + known:
                 continue
             cautions.append(stated / off if off > 0 else float("inf"))
             if off > stated:
@@ -137,9 +137,8 @@ def main():
         drawn = rows_of_part(arguments.program, arguments.seed, "drawn", 0, count, folder)
         chosen = to_be_held(drawn)
         # The cheap ones first; the others as they were drawn, so that those that are not run differ from no others.
-        order = sorted(drawn, key=lambda row: float(row["load_number"]) > 200)
-        contacts = [(what, int(row["contact"])) for row in order for what in ("solved", "held")
-                    if what == "solved" or row["contact"] in chosen]
+        contacts = [(what, int(row["contact"])) for is_dear in (False, True) for what in ("solved", "held") for row in drawn
+                    if (float(row["load_number"]) > 200) == is_dear and (what == "solved" or row["contact"] in chosen)]
         parts = [(what, one, one + 1) for what, one in contacts]
     else:
         parts = [("lines", first, min(first + PART, count)) for first in range(0, count, PART)]
