@@ -77,7 +77,7 @@ film-survey: build ## solve 300 random line contacts to four tolerances, judge t
 	verification/gates/film_survey.py build/release/verification/tests/film_survey \
 	  --out reference/baselines/film_survey.json
 
-point-survey: build ## solve 200 random point contacts, hold 60 to finer and longer grids: some two hours of one core, goes on where it was stopped
+point-survey: build ## solve 200 random point contacts, hold 60 to finer and longer grids: some three hours of one core, goes on where it was stopped
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target film_survey
 	verification/gates/film_survey.py build/release/verification/tests/film_survey --points \
