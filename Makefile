@@ -5,7 +5,7 @@ FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build film-survey paper-films references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -76,6 +76,12 @@ film-survey: build ## solve 300 random line contacts to four tolerances, judge t
 	cmake --build --preset release --target film_survey
 	verification/gates/film_survey.py build/release/verification/tests/film_survey \
 	  --out reference/baselines/film_survey.json
+
+point-survey: build ## solve 200 random point contacts, hold 60 to finer and longer grids: some three hours of one core, goes on where it was stopped
+	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
+	cmake --build --preset release --target film_survey
+	verification/gates/film_survey.py build/release/verification/tests/film_survey --points \
+	  --out reference/baselines/point_survey.json
 
 paper-films: build ## solve the starved films of the paper's surfaces over their speeds: a quarter of an hour on one core, goes on where it was stopped
 	verification/gates/paper_films.py build/release/tribocheck --out reference/baselines/paper_films.json

@@ -28,11 +28,12 @@ double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
                     const FilmFeatures& larger) {
   solved.domain_error = 0;
   double part = 0;
-  const auto estimate = [&](double FilmFeatures::*feature, double of_last, double share = 1) {
+  const auto estimate = [&](double FilmFeatures::*feature, const Caution& caution,
+                            double share = 1) {
     std::vector<double> values;
     values.reserve(grids.size());
     for (const FilmFeatures& f : grids) values.push_back(f.*feature);
-    Estimate e = estimate_of(values, {.of_last = of_last});
+    Estimate e = estimate_of(values, caution);
     // The error from the grid's ends falls with the third power of its length: 3/2 times the length
     // leaves 0.3 of it.
     const double domain = 1.5 * std::fabs(larger.*feature / grids.front().*feature - 1);
@@ -42,10 +43,14 @@ double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
     e.error += domain * std::fabs(e.value);
     return e;
   };
-  solved.central = estimate(&FilmFeatures::central, 0.25);
-  solved.minimum = estimate(&FilmFeatures::minimum, 0.5, minimum_share);
-  solved.at_greatest_pressure = estimate(&FilmFeatures::at_greatest_pressure, 0.25, 0);
-  if (grids.back().integral > 0) solved.integral = estimate(&FilmFeatures::integral, 0.25, 0);
+  constexpr Caution away_from_edge{.of_last = 0.25};
+  // Two of Richardson's values of the least film may agree by chance: its errors are less regular.
+  constexpr Caution at_edge{.of_last = 0.5, .of_change = 0.1};
+  solved.central = estimate(&FilmFeatures::central, away_from_edge);
+  solved.minimum = estimate(&FilmFeatures::minimum, at_edge, minimum_share);
+  solved.at_greatest_pressure = estimate(&FilmFeatures::at_greatest_pressure, away_from_edge, 0);
+  if (grids.back().integral > 0)
+    solved.integral = estimate(&FilmFeatures::integral, away_from_edge, 0);
   return part;
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "ehl/far_inlet.hpp"
+#include "ehl/film_features.hpp"
 #include "ehl/films.hpp"
 #include "ehl/plane_kernel.hpp"
 #include "ehl/point_reynolds.hpp"
@@ -263,6 +264,36 @@ TEST(SolvedPoint, ErrorsHoldAgainstAFinerGrid) {
   }
 }
 
+// Ellipses of whose error the grid's ends make the greater part: of the first in the least film, of
+// the second in the central film.
+TEST(SolvedPoint, LongerGridMovesItByNoMoreThanStated) {
+  for (const auto& [load, material, ratio] : {std::array{20., 5., 8.}, {50., 2., 4.}}) {
+    const ehl::PointContact contact = ehl::barus_point(load, material, ratio);
+    const ehl::SolvedPoint film =
+        ehl::solve_point_film(contact, {.tolerance = 1e-4, .greatest_nodes = 25'000});
+    ASSERT_EQ(film.outcome, ehl::Outcome::solved) << film.reason;
+    const ehl::PlaneGrid& finest = film.film.grid;
+    const int cells = 1 << (film.grids - 1);  // of the finest grid on one of the coarsest
+    const auto coarsest = [&](int longer) {
+      const ehl::PlaneGrid grid{longer * finest.ahead / cells, longer * finest.behind / cells,
+                                longer * finest.beside / cells, cells * finest.dx,
+                                cells * finest.dy};
+      const ehl::PointFilm solved = ehl::solve_on(contact, grid, film.film, {});
+      EXPECT_EQ(solved.outcome, ehl::Outcome::solved);
+      return ehl::features_of(solved);
+    };
+    const ehl::FilmFeatures before = coarsest(1), after = coarsest(3);
+    const auto check = [&](double ehl::FilmFeatures::*number, double error, const char* name) {
+      EXPECT_TRUE(is_within(after.*number / before.*number, 1, error))
+          << name << ", M = " << load << ", R_y/R_x = " << ratio;
+    };
+    check(&ehl::FilmFeatures::central, film.central.relative_error(), "central film");
+    check(&ehl::FilmFeatures::minimum, film.minimum.relative_error(), "least film");
+    check(&ehl::FilmFeatures::central, film.domain_error, "central film, by the ends alone");
+    check(&ehl::FilmFeatures::minimum, film.domain_error, "least film, by the ends alone");
+  }
+}
+
 // No load is lost, no node is under tension, and nothing flows out of a node with pressure.
 TEST(SolvedPoint, CarriesTheLoadAndBalancesTheFlowWithoutTension) {
   const ehl::PointContact contact = ehl::barus_point(20, 10);
@@ -297,7 +328,6 @@ TEST(SolvedPoint, RigidBodiesAndConstantViscosity) {
                         0.1 + unit * film.at_greatest_pressure.error));
 }
 
-// An ellipse that is far longer than wide has the film of the line with its peak pressure.
 // From dry contact Newton's method and the film in time do not reach the film of a liquid that
 // pressure thickens so strongly; it lies above that of a thinner liquid all the same.
 TEST(SolvedPoint, OfAStronglyThickenedLiquidIsFound) {
@@ -309,6 +339,7 @@ TEST(SolvedPoint, OfAStronglyThickenedLiquidIsFound) {
                            3e-3 / ehl::numbers_of(contact).film_number));
 }
 
+// An ellipse that is far longer than wide has the film of the line with its peak pressure.
 TEST(SolvedPoint, OfALongEllipseTendsToThatOfALine) {
   const ehl::PointContact contact = ehl::barus_point(200, 5, 30);
   const ehl::PointNumbers numbers = ehl::numbers_of(contact);

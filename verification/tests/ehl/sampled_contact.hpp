@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random line contacts with liquids that exist, for the survey and for its sample in the tests.
+// Random contacts for the survey and for its sample in the tests: lines with liquids that exist,
+// and points.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "ehl/line_contact.hpp"
+#include "ehl/point_film.hpp"
 
 namespace tribo::verification {
+
+// Numbers that a seed alone determines.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed) : random_(seed) {}
+
+  double part() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low * std::pow(high / low, part()); }
+
+ private:
+  std::mt19937_64 random_;
+};
 
 struct SampledContact {
   ehl::LineContact contact;
@@ -20,9 +35,9 @@ struct SampledContact {
 // in 5 to 40 /GPa. Where no part does, p₀ is the nearer end, and α follows, up to 59 /GPa, with
 // which Roelands' z is still 1.2 for a viscosity of 1 Pa·s; beyond, p₀ is more than 3 GPa. η₀ is
 // drawn from the part of 1e-3 to 1 Pa·s that leaves z at most 1.2.
-class ContactSampler {
+class ContactSampler : Draws {
  public:
-  explicit ContactSampler(std::uint64_t seed) : random_(seed) {}
+  using Draws::Draws;
 
   SampledContact next() {
     const double load_number = between(1, 1000), material_number = 25 * part();
@@ -48,12 +63,39 @@ class ContactSampler {
     if (drawn.is_compressible) fluid.density_pressure = pressure / 5.9e8;
     return drawn;
   }
+};
+
+struct SampledPoint {
+  ehl::PointContact contact;
+  double supply;  // the layer of liquid over the expected film of the flooded contact; 0: flooded
+};
+
+// Barus liquids without compression, in turn before a circle (M from 5 to 2000), before an ellipse
+// (M from 5 to 200, R_y/R_x from 1/4 to 8), L from 0 to 15, and, as a layer of 1/4 to 4 times the
+// film, before a circle (M from 20 to 2000, L from 2.5 to 12.5). M, R_y/R_x and the layer are even
+// in their logarithms.
+class PointSampler : Draws {
+ public:
+  using Draws::Draws;
+
+  SampledPoint next() {
+    const int kind = count_++ % 3;
+    SampledPoint drawn{};
+    if (kind < 2) {
+      const double load_number = between(5, kind == 0 ? 2000 : 200), material_number = 15 * part();
+      drawn.contact =
+          ehl::barus_point(load_number, material_number, kind == 0 ? 1 : between(0.25, 8));
+      return drawn;
+    }
+    const double load_number = between(20, 2000);
+    drawn.contact = ehl::barus_point(load_number, 2.5 + 10 * part());
+    drawn.supply = between(0.25, 4);
+    drawn.contact.inlet_film = drawn.supply * ehl::expected_film(drawn.contact);
+    return drawn;
+  }
 
  private:
-  double part() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low * std::pow(high / low, part()); }
-
-  std::mt19937_64 random_;
+  int count_ = 0;
 };
 
 }  // namespace tribo::verification
