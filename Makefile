@@ -158,7 +158,7 @@ bench-sweep: ## measure sweeps beside the kernels, threads, ranks, memory; write
 	cmake --build --preset release --target tribocheck tribocheck_bench_sweep
 	benchmarks/sweep/scaling.py build/release
 
-work-precision: ## measure true error against work, draw it: reports/out/work_precision; some five minutes; JOBS=RE chooses, as line_film
+work-precision: ## measure true error against work, draw it: reports/out/work_precision; some seven minutes; JOBS=RE chooses, as point_film
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck_work_precision

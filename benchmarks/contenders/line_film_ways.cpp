@@ -17,8 +17,8 @@ namespace {
 constexpr int coarse_cells = 128;
 constexpr double formula_speed_number = 1e-11;  // U
 
-LineFilmAnswer answer_of(const ehl::LineContact& contact, const ehl::LineFilm& film) {
-  LineFilmAnswer answer;
+FilmAnswer answer_of(const ehl::LineContact& contact, const ehl::LineFilm& film) {
+  FilmAnswer answer;
   answer.steps = film.steps;
   if (film.outcome != ehl::Outcome::solved) return answer;
   const ehl::FilmFeatures features = ehl::features_of(contact, film);
@@ -29,7 +29,7 @@ LineFilmAnswer answer_of(const ehl::LineContact& contact, const ehl::LineFilm& f
 }
 
 // Each grid has twice the cells of the one before, and starts from its film.
-LineFilmAnswer on_one_grid(const ehl::LineContact& contact, int cells) {
+FilmAnswer on_one_grid(const ehl::LineContact& contact, int cells) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   ehl::LineFilm film = coarse.film;
   for (int n = coarse_cells; n <= cells && film.outcome == ehl::Outcome::solved; n *= 2)
@@ -37,7 +37,7 @@ LineFilmAnswer on_one_grid(const ehl::LineContact& contact, int cells) {
   return answer_of(contact, film);
 }
 
-LineFilmAnswer dense(const ehl::LineContact& contact, int cells) {
+FilmAnswer dense(const ehl::LineContact& contact, int cells) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   ehl::LineFilm film = coarse.film;
   for (int n = coarse_cells; n <= cells && film.outcome == ehl::Outcome::solved; n *= 2) {
@@ -50,7 +50,7 @@ LineFilmAnswer dense(const ehl::LineContact& contact, int cells) {
 
 // On a uniform grid from X = −4, as textbooks have it, to X = 1.5; both ends lie further out where
 // the film reaches further.
-LineFilmAnswer uniform(const ehl::LineContact& contact, int cells) {
+FilmAnswer uniform(const ehl::LineContact& contact, int cells) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   const double reach = (ehl::scales_of(contact).outlet_end - 1) / 2;
   const double from = -4 * reach, to = 1 + reach / 2;
@@ -61,21 +61,21 @@ LineFilmAnswer uniform(const ehl::LineContact& contact, int cells) {
   return answer_of(contact, newton.run());
 }
 
-LineFilmAnswer solved_to(const ehl::LineContact& contact, double tolerance) {
+FilmAnswer solved_to(const ehl::LineContact& contact, double tolerance) {
   return film_numbers(
       contact, ehl::solve_line_film(contact, {.tolerance = tolerance, .greatest_cells = 16384}));
 }
 
-double LineFilmAnswer::*place_of(ehl::FilmQuantity quantity) {
-  if (quantity == ehl::FilmQuantity::central) return &LineFilmAnswer::central;
-  if (quantity == ehl::FilmQuantity::minimum) return &LineFilmAnswer::minimum;
-  return &LineFilmAnswer::at_greatest_pressure;
+double FilmAnswer::*place_of(ehl::FilmQuantity quantity) {
+  if (quantity == ehl::FilmQuantity::central) return &FilmAnswer::central;
+  if (quantity == ehl::FilmQuantity::minimum) return &FilmAnswer::minimum;
+  return &FilmAnswer::at_greatest_pressure;
 }
 
 }  // namespace
 
-LineFilmAnswer film_numbers(const ehl::LineContact& contact, const ehl::SolvedFilm& solved) {
-  LineFilmAnswer answer;
+FilmAnswer film_numbers(const ehl::LineContact& contact, const ehl::SolvedFilm& solved) {
+  FilmAnswer answer;
   answer.steps = solved.steps;
   if (solved.outcome != ehl::Outcome::solved) return answer;
   answer.central = contact.film_number(solved.central.value);
@@ -92,11 +92,11 @@ ehl::CoarseFilm coarse_film(const ehl::LineContact& contact) {
 std::vector<LineFilmWay> line_film_ways() {
   std::vector<LineFilmWay> ways;
   for (const ehl::LineFormula& formula : ehl::line_formulas) {
-    double LineFilmAnswer::*const place = place_of(formula.quantity);
+    double FilmAnswer::*const place = place_of(formula.quantity);
     ways.push_back(
         {"published fit", "published fit: " + std::string(formula.name), std::string(formula.name),
          place, [&formula, place](const ehl::LineContact& contact) {
-           LineFilmAnswer answer;
+           FilmAnswer answer;
            if (contact.material_number > 0)
              answer.*place = ehl::film_number(formula, contact.load_number, contact.material_number,
                                               formula_speed_number);

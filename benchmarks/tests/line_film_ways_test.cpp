@@ -14,7 +14,7 @@
 namespace tribo::benchmarks {
 namespace {
 
-LineFilmAnswer answer_of(const std::string& name, const ehl::LineContact& contact) {
+FilmAnswer answer_of(const std::string& name, const ehl::LineContact& contact) {
   for (const LineFilmWay& way : line_film_ways())
     if (way.name == name) return way.run(contact);
   ADD_FAILURE() << name << " is no way";
@@ -26,8 +26,8 @@ double apart(double a, double b) { return std::fabs(a / b - 1); }
 TEST(LineFilmWays, OfOneGridGiveOneFilm) {
   for (const double material_number : {0., 5., 10.}) {
     const ehl::LineContact contact = ehl::barus_contact(10, material_number);
-    const LineFilmAnswer ours = answer_of("one grid 256", contact);
-    const LineFilmAnswer dense = answer_of("dense LU, our grid 256", contact);
+    const FilmAnswer ours = answer_of("one grid 256", contact);
+    const FilmAnswer dense = answer_of("dense LU, our grid 256", contact);
     EXPECT_LT(apart(dense.central, ours.central), 1e-7);
     EXPECT_LT(apart(dense.minimum, ours.minimum), 1e-7);
     EXPECT_LT(apart(dense.at_greatest_pressure, ours.at_greatest_pressure), 1e-7);
@@ -44,7 +44,7 @@ TEST(LineFilmWays, OfDenseMatricesKeepTwoOfAllNodes) {
 
 TEST(LineFilmWays, AreOffByWhatIsKnown) {
   const ehl::LineContact contact = ehl::barus_contact(10, 5);
-  const LineFilmAnswer solved = answer_of("to 1e-04", contact);
+  const FilmAnswer solved = answer_of("to 1e-04", contact);
   EXPECT_LT(apart(answer_of("one grid 1024", contact).central, solved.central), 1e-3);
   EXPECT_LT(apart(answer_of("dense LU, uniform grid 1024", contact).central, solved.central), 0.02);
   EXPECT_LT(

@@ -153,13 +153,13 @@ TEST(Contenders, AreThoseOfTheBaselineAndAsFarOff) {
 // The films that all ways are judged by are those of these contacts.
 TEST(LineFilmErrors, AreJudgedAtFourContactsFromSoftToHighPressure) {
   const std::vector<std::pair<double, double>> expected{{1, 0}, {10, 5}, {100, 10}, {200, 20}};
-  const std::vector<JudgedContact> contacts = judged_contacts(1e-4);
+  const std::vector<JudgedFilm<ehl::LineContact>> contacts = judged_contacts(1e-4);
   ASSERT_EQ(contacts.size(), expected.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& [contact, exact] = contacts[i];
     EXPECT_EQ(contact.load_number, expected[i].first);
     EXPECT_EQ(contact.material_number, expected[i].second);
-    const LineFilmAnswer again =
+    const FilmAnswer again =
         film_numbers(contact, ehl::solve_line_film(contact, {.tolerance = 1e-3}));
     EXPECT_TRUE(verification::is_within(exact.central, again.central, 2e-3 * again.central));
     EXPECT_TRUE(verification::is_within(exact.minimum, again.minimum, 2e-3 * again.minimum));
@@ -167,7 +167,7 @@ TEST(LineFilmErrors, AreJudgedAtFourContactsFromSoftToHighPressure) {
 }
 
 TEST(LineFilmErrors, AreThoseOfTheNumbersThatAWayGives) {
-  const std::vector<JudgedContact> contacts{
+  const std::vector<JudgedFilm<ehl::LineContact>> contacts{
       {ehl::barus_contact(10, 0), {.central = 2, .minimum = 1, .at_greatest_pressure = 3}},
       {ehl::barus_contact(10, 5), {.central = 4, .minimum = 2, .at_greatest_pressure = 5}}};
   const auto factor_of = [&](const ehl::LineContact& contact) {
@@ -177,17 +177,17 @@ TEST(LineFilmErrors, AreThoseOfTheNumbersThatAWayGives) {
       {"solver", "s", "two numbers", nullptr,
        [&](const ehl::LineContact& contact) {
          const double f = factor_of(contact);
-         return LineFilmAnswer{2.04 * f, 0.95 * f, 300, f > 1 ? 5 : 2};
+         return FilmAnswer{2.04 * f, 0.95 * f, 300, f > 1 ? 5 : 2};
        }},
       {"solver", "s", "no minimum", nullptr,
        [&](const ehl::LineContact& contact) {
-         return LineFilmAnswer{2 * factor_of(contact), std::nan(""), 300, 1};
+         return FilmAnswer{2 * factor_of(contact), std::nan(""), 300, 1};
        }},
-      {"formula", "f", "at the greatest pressure", &LineFilmAnswer::at_greatest_pressure,
+      {"formula", "f", "at the greatest pressure", &FilmAnswer::at_greatest_pressure,
        [](const ehl::LineContact&) {
-         return LineFilmAnswer{1, 1, 5.5, 9};
+         return FilmAnswer{1, 1, 5.5, 9};
        }}};
-  const Rows rows = line_film_errors(ways, contacts, short_effort);
+  const Rows rows = film_errors("line_film", ways, contacts, short_effort);
   ASSERT_EQ(rows.size(), 3U);
   Rows without_time = rows;
   for (Row& row : without_time) {
@@ -233,7 +233,7 @@ TEST(LineFilmExponents, OfPowersAreThesePowers) {
                       {"kernel_ns", 3. * cells},
                       {"step_ns", 1e-3 * std::pow(cells, 2.5)},
                       {"bytes", 8. * cells * cells}});
-  const Rows rows = line_film_exponents(growth);
+  const Rows rows = film_exponents(growth);
   ASSERT_EQ(rows.size(), 3U);
   for (const auto& [at, expected] : {std::pair{0U, 1.}, {1U, 2.5}, {2U, 2.}}) {
     EXPECT_NEAR(rows[at].at("exponent").get<double>(), expected, 1e-9);

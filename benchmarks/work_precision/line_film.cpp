@@ -32,12 +32,14 @@ struct RelativeErrors {
   }
 };
 
-RelativeErrors judge(const LineFilmWay& way, const std::vector<JudgedContact>& contacts) {
+template <class Contact>
+RelativeErrors judge(const FilmWay<Contact>& way,
+                     const std::vector<JudgedFilm<Contact>>& contacts) {
   RelativeErrors errors;
-  for (const JudgedContact& one : contacts) {
+  for (const JudgedFilm<Contact>& one : contacts) {
     // The formulas are of liquids whose viscosity rises with pressure.
     if (way.quantity != nullptr && one.contact.material_number == 0) continue;
-    const LineFilmAnswer answer = way.run(one.contact);
+    const FilmAnswer answer = way.run(one.contact);
     errors.steps += answer.steps;
     if (way.quantity != nullptr) {
       errors.add(answer.*way.quantity, one.exact.*way.quantity);
@@ -51,8 +53,8 @@ RelativeErrors judge(const LineFilmWay& way, const std::vector<JudgedContact>& c
 
 }  // namespace
 
-std::vector<JudgedContact> judged_contacts(double tolerance) {
-  std::vector<JudgedContact> all;
+std::vector<JudgedFilm<ehl::LineContact>> judged_contacts(double tolerance) {
+  std::vector<JudgedFilm<ehl::LineContact>> all;
   for (const auto& [load_number, material_number] :
        {std::pair{1., 0.}, {10., 5.}, {100., 10.}, {200., 20.}}) {
     const ehl::LineContact contact = ehl::barus_contact(load_number, material_number);
@@ -64,8 +66,9 @@ std::vector<JudgedContact> judged_contacts(double tolerance) {
   return all;
 }
 
-Rows line_film_errors(const std::vector<LineFilmWay>& ways,
-                      const std::vector<JudgedContact>& contacts, const Effort& effort) {
+template <class Contact>
+Rows film_errors(const std::string& job, const std::vector<FilmWay<Contact>>& ways,
+                 const std::vector<JudgedFilm<Contact>>& contacts, const Effort& effort) {
   std::vector<RelativeErrors> errors;
   std::vector<double> seconds;
   std::vector<Timed> timed;
@@ -77,7 +80,7 @@ Rows line_film_errors(const std::vector<LineFilmWay>& ways,
     if (seconds.back() > slow) continue;
     repeated.push_back(i);
     timed.push_back({[&, i] {
-      for (const JudgedContact& one : contacts) ways[i].run(one.contact);
+      for (const JudgedFilm<Contact>& one : contacts) ways[i].run(one.contact);
     }});
   }
   const std::vector<double> medians =
@@ -95,7 +98,7 @@ Rows line_film_errors(const std::vector<LineFilmWay>& ways,
     }
     if (!is_formula)
       steps = four_digits(static_cast<double>(found.steps) / static_cast<double>(contacts.size()));
-    rows.push_back({{"job", "line_film"},
+    rows.push_back({{"job", job},
                     {"family", ways[i].family},
                     {"series", ways[i].series},
                     {"name", ways[i].name},
@@ -108,5 +111,10 @@ Rows line_film_errors(const std::vector<LineFilmWay>& ways,
   }
   return rows;
 }
+
+template Rows film_errors(const std::string&, const std::vector<FilmWay<ehl::LineContact>>&,
+                          const std::vector<JudgedFilm<ehl::LineContact>>&, const Effort&);
+template Rows film_errors(const std::string&, const std::vector<FilmWay<ehl::PointContact>>&,
+                          const std::vector<JudgedFilm<ehl::PointContact>>&, const Effort&);
 
 }  // namespace tribo::benchmarks

@@ -100,7 +100,7 @@ Rows line_film_growth(const Effort& effort) {
   return rows;
 }
 
-Rows line_film_exponents(const Rows& growth) {
+Rows film_exponents(const Rows& growth) {
   std::vector<std::string> solvers;
   for (const auto& row : growth)
     if (std::find(solvers.begin(), solvers.end(), row.at("solver")) == solvers.end())

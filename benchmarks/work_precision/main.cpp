@@ -51,23 +51,33 @@ Json environment() {
 }
 
 // Writes the tables of gnuplot. Returns parts of the baseline with a commit of their own, because
-// they can be measured alone.
-Json line_film_parts(const Arguments& arguments, const Effort& effort) {
-  step("films of line contacts: error against work");
-  const Rows errors = line_film_errors(line_film_ways(), judged_contacts(), effort);
-  step("films of line contacts: growth");
-  const Rows growth = line_film_growth(effort);
+// they can be measured alone. `films`: line_film or point_film.
+Json film_parts(const Arguments& arguments, const std::string& films, const Rows& errors,
+                const Rows& growth) {
   Json parts{
-      {"line_film_run",
+      {films + "_run",
        {{"commit", arguments.commit}, {"date", arguments.date}, {"environment", environment()}}}};
   for (const auto& [name, rows, series] :
-       {std::tuple{"line_film", errors, "series"},
-        {"line_film_growth", growth, "solver"},
-        {"line_film_exponents", line_film_exponents(growth), "solver"}}) {
+       {std::tuple{films, errors, "series"},
+        {films + "_growth", growth, "solver"},
+        {films + "_exponents", film_exponents(growth), "solver"}}) {
     write_text(arguments.out + '/' + name + ".blocks.tsv", tsv_blocks(rows, series));
     parts[name] = rows;
   }
   return parts;
+}
+
+Json line_film_parts(const Arguments& arguments, const Effort& effort) {
+  step("films of line contacts");
+  return film_parts(arguments, "line_film",
+                    film_errors("line_film", line_film_ways(), judged_contacts(), effort),
+                    line_film_growth(effort));
+}
+
+Json point_film_parts(const Arguments& arguments, const Effort& effort) {
+  step("films of point contacts");
+  return film_parts(arguments, "point_film", point_film_errors(judged_points(), effort),
+                    point_film_growth());
 }
 
 // Writes a row a line, so that a change can be read.
@@ -91,7 +101,7 @@ void write_json(const std::string& path, const Json& parts) {
 // The jobs to measure.
 struct Chosen {
   std::vector<Measured> jobs;
-  bool are_all_jobs, ranges, line_film;
+  bool are_all_jobs, ranges, line_film, point_film;
   Json baseline = Json::object();  // as it is, where a part of it stays
 };
 
@@ -107,19 +117,21 @@ std::regex expression(const std::string& text) {
 Chosen chosen_by(const Arguments& arguments) {
   const std::regex wanted = expression(arguments.jobs);
   const auto is_wanted = [&](const std::string& job) { return std::regex_search(job, wanted); };
-  Chosen chosen{all_jobs(Settings::swept), true, is_wanted("moment_5_2"), is_wanted("line_film")};
+  Chosen chosen{all_jobs(Settings::swept), true, is_wanted("moment_5_2"), is_wanted("line_film"),
+                is_wanted("point_film")};
   if (!arguments.plugin.empty())
     for (Measured& other : plugin_jobs(conformance::load_plugin(arguments.plugin)))
       chosen.jobs.push_back(std::move(other));
   chosen.are_all_jobs =
       std::erase_if(chosen.jobs, [&](const Measured& one) { return !is_wanted(one.job); }) == 0;
-  if (chosen.jobs.empty() && !chosen.line_film) {
+  if (chosen.jobs.empty() && !chosen.line_film && !chosen.point_film) {
     std::string names;
     for (const auto& [job, title] : job_titles()) names += job + ", ";
     throw std::runtime_error("--jobs: no job is called \"" + arguments.jobs + "\"; the jobs are " +
-                             names + "line_film");
+                             names + "line_film, point_film");
   }
-  if (arguments.baseline.empty() || (chosen.are_all_jobs && chosen.line_film)) return chosen;
+  if (arguments.baseline.empty() || (chosen.are_all_jobs && chosen.line_film && chosen.point_film))
+    return chosen;
   std::ifstream file(arguments.baseline);
   if (file) chosen.baseline = protocol::read_bounded_json<Json>(file);
   if (!file || !chosen.baseline.is_object())
@@ -157,11 +169,12 @@ void write_all(const Arguments& arguments, Chosen chosen, const Effort& effort) 
   Json parts = Json::object();
   if (!chosen.jobs.empty()) parts = work_parts(arguments, chosen, effort);
   if (chosen.are_all_jobs) baseline.update(parts);
-  if (chosen.line_film) {
-    const Json line_film = line_film_parts(arguments, effort);
-    parts.update(line_film);
-    baseline.update(line_film);
-  }
+  const auto add = [&](const Json& films) {
+    parts.update(films);
+    baseline.update(films);
+  };
+  if (chosen.line_film) add(line_film_parts(arguments, effort));
+  if (chosen.point_film) add(point_film_parts(arguments, effort));
   write_json(arguments.out + "/work_precision.json", parts);
   if (!arguments.baseline.empty()) write_json(arguments.baseline, baseline);
 }

@@ -2,10 +2,12 @@
 // The tables that are measured.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cases/jobs.hpp"
 #include "contenders/line_film_ways.hpp"
+#include "contenders/point_film_ways.hpp"
 #include "work_precision/table.hpp"
 #include "work_precision/timing.hpp"
 
@@ -18,27 +20,42 @@ Rows errors_against_work(std::vector<Measured> offered, const Effort& effort);
 // Greatest error of each way to F_{5/2} in ulp, by ranges of d.
 Rows errors_by_range();
 
-struct JudgedContact {
-  ehl::LineContact contact;
-  LineFilmAnswer exact;
+template <class Contact>
+struct JudgedFilm {
+  Contact contact;
+  FilmAnswer exact;
 };
 
 // Contacts from a nearly rigid one of constant viscosity to a heavy one of a very viscous liquid,
 // each with the extrapolated film of our solver on up to 16384 cells. Throws std::runtime_error.
-std::vector<JudgedContact> judged_contacts(double tolerance = 1e-9);
+std::vector<JudgedFilm<ehl::LineContact>> judged_contacts(double tolerance = 1e-9);
 
-// Films of line contacts: job, family, series, name, ns, steps, max_relative, mean_relative,
-// no_numbers, judged; a point is a contact. Formulas are not judged where the viscosity is
-// constant.
-Rows line_film_errors(const std::vector<LineFilmWay>& ways,
-                      const std::vector<JudgedContact>& contacts, const Effort& effort);
+// Films of line or of point contacts: job, family, series, name, ns, steps, max_relative,
+// mean_relative, no_numbers, judged; a point is a contact. Formulas are not judged where the
+// viscosity is constant.
+template <class Contact>
+Rows film_errors(const std::string& job, const std::vector<FilmWay<Contact>>& ways,
+                 const std::vector<JudgedFilm<Contact>>& contacts, const Effort& effort);
 
 // solver, cells, kernel_ns to fill the matrix of influences, step_ns for the linear equations of
 // one Newton step, bytes of both matrices.
 Rows line_film_growth(const Effort& effort);
 
+// Flooded circles, (M, L) = (20, 5) and (200, 10), each with the extrapolated film of our solver on
+// up to `greatest_nodes`, which it checks against the row of reference/ehl/point_films.csv within
+// the sum of both errors. Throws std::runtime_error.
+std::vector<JudgedFilm<ehl::PointContact>> judged_points(Eigen::Index greatest_nodes = 300'000);
+
+// The same columns as film_errors(); each series names the contact.
+Rows point_film_errors(const std::vector<JudgedFilm<ehl::PointContact>>& contacts,
+                       const Effort& effort);
+
+// The columns of line_film_growth(): the matrix of influences, a step of Newton's method, and the
+// memory that was in use at most, of ours up to so many nodes; cells of the half plane.
+Rows point_film_growth(Eigen::Index greatest_nodes = 80'000);
+
 // solver, quantity, exponent, uncertainty, from_cells, to_cells: least squares of the logarithms of
 // a growth over the cells, from 512 cells on; the uncertainty is its standard error.
-Rows line_film_exponents(const Rows& growth);
+Rows film_exponents(const Rows& growth);
 
 }  // namespace tribo::benchmarks

@@ -435,7 +435,8 @@ PointFilm film_of(const FilmNewton<PointProblem>& newton, const PlaneGrid& grid,
           .last_change = newton.last_change()};
 }
 
-// The pressure of a film at the nodes of another grid, by cubics along X and then along Y.
+}  // namespace
+
 VectorXd pressure_on(const PlaneGrid& grid, const PointFilm& film) {
   const PlaneGrid& from = film.grid;
   const auto places = [](int count, auto place) {
@@ -467,8 +468,6 @@ VectorXd pressure_on(const PlaneGrid& grid, const PointFilm& film) {
   }
   return pressure;
 }
-
-}  // namespace
 
 double expected_film(const PointContact& contact) {
   // The circle's limits, rounded: rigid (solved), elastic, and elastic in a liquid that pressure

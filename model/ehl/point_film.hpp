@@ -31,6 +31,9 @@ double expected_film(const PointContact& contact);
 // flatten.
 double reach_of(const PointContact& contact);
 
+// The pressure of a film at the nodes of another grid, by cubics along X and then along Y.
+Eigen::VectorXd pressure_on(const PlaneGrid& grid, const PointFilm& film);
+
 // Starts from the pressure of dry contact over a film of the expected thickness, and follows the
 // film in time until it is steady.
 PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,

@@ -13,6 +13,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -69,6 +70,16 @@ inline std::size_t read_at(int file, std::uint64_t offset, std::span<std::byte> 
     have += static_cast<std::size_t>(got);
   }
   return have;
+}
+
+// Writes all of a text where the file stands. Throws std::runtime_error, with the reason alone.
+inline void write_all(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) throw std::runtime_error(error_text(written < 0 ? errno : ENOSPC));
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
 }
 
 // Takes the lock of a file for this process alone. Some network file systems know no locks; a sweep

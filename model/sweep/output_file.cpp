@@ -190,14 +190,7 @@ PartFile::~PartFile() {
   if (!is_kept_ && place_.leads_to(file_)) place_.remove();
 }
 
-void PartFile::write(std::string_view content) const {
-  while (!content.empty()) {
-    const ssize_t written = ::write(file_, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) throw std::runtime_error(error_text(written < 0 ? errno : ENOSPC));
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
+void PartFile::write(std::string_view content) const { write_all(file_, content); }
 
 void PartFile::keep(const Replaceable& replaceable) {
   if (const int code = sync_error(file_)) throw std::runtime_error(error_text(code));

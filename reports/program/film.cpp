@@ -14,6 +14,7 @@
 #include "command.hpp"
 #include "film_case.hpp"
 #include "film_command.hpp"
+#include "kept_films.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 #include "picture.hpp"
@@ -22,6 +23,7 @@
 #include "stop_signal.hpp"
 #include "sweep/needs_text.hpp"
 #include "sweep/output_file.hpp"
+#include "sweep/plan.hpp"
 #include "table.hpp"
 #include "tribo/friction.hpp"
 
@@ -33,7 +35,7 @@ struct FilmArguments {
   FilmSettings settings;
   double speed = 0;  // 0: the scene's
   bool with_profile = false, estimate = false;
-  std::string picture, fields;
+  std::string picture, fields, keep;
   WriteFields write_fields = nullptr;
 };
 
@@ -84,19 +86,26 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
 
 class FilmRun {
  public:
-  // Claims the file of the fields, so that a place where it cannot be is told before the solve.
-  // Throws sweep::RunRefused where something else is there.
+  // Claims the files of fields and of films that are kept, so that a place where they cannot be is
+  // told before the solve. Throws sweep::RunRefused where something else is there.
   FilmRun(const FilmArguments& arguments, std::size_t total, OutputStream& output)
       : arguments_(arguments),
         total_(total),
         output_(output),
         writer_(arguments.scenes.format, arguments.with_profile, output.text()) {
     if (!arguments.fields.empty()) fields_.emplace(sweep::output_behind_links(arguments.fields));
+    if (!arguments.keep.empty()) kept_.emplace(sweep::output_behind_links(arguments.keep));
   }
 
-  // Solves and shows a film. Returns false where it was stopped.
+  // Solves and shows a film, or shows it as it was kept. Returns false where it was stopped.
   bool solve(const Scene& scene, double speed) {
     const std::string name = fmt::format("{} at {} m/s", scene.id, readable(speed));
+    if (const KeptFilm* const kept = kept_ ? kept_->find(key_of(scene, speed)) : nullptr) {
+      ++taken_;
+      print(kept->text);
+      tell(name, kept->reason);
+      return true;
+    }
     const FilmCase film = solve_film(scene, speed, arguments_.settings, [&](int cells, int step) {
       if (line_.is_due())
         line_.show(fmt::format("{} ({} of {}): grid of {} cells, step {} of Newton's method",
@@ -106,38 +115,66 @@ class FilmRun {
     line_.wipe();
     const bool is_stopped = stop_signal() != 0;
     if (!is_stopped || film.is_solved) add(film);
-    if (film.reason.empty()) ++done_;
     if (is_stopped) {
+      if (film.reason.empty()) ++done_;
       complain(
           fmt::format("stopped: {} of {} contacts are solved to the tolerance", done_, total_) +
           (film.reason.empty() ? "" : fmt::format("; {}: {}", name, film.reason)));
       return false;
     }
-    if (!film.reason.empty()) {
-      complain(name + ": " + film.reason);
-      all_solved_ = false;
-    }
+    if (kept_) keep(key_of(scene, speed), film);
+    tell(name, film.reason);
     return true;
   }
 
   int finish(const LoadedScenes& loaded) {
     writer_.finish(loaded.warnings.json());
     output_.flush();
+    if (taken_ > 0)
+      complain(fmt::format("{} of {} films are taken from {}", taken_, total_, arguments_.keep));
     if (stop_signal() != 0) return 128 + stop_signal();
     const int code = loaded.exit_code(arguments_.scenes);
     return code == exit_done && !all_solved_ ? exit_failed : code;
   }
 
  private:
+  std::string key_of(const Scene& scene, double speed) const {
+    return fmt::format("{} {} {} {}", sweep::numbers_version, arguments_.scenes.format,
+                       arguments_.with_profile, key_of_film(scene, speed, arguments_.settings));
+  }
+
+  void tell(const std::string& name, const std::string& reason) {
+    if (reason.empty()) {
+      ++done_;
+      return;
+    }
+    complain(name + ": " + reason);
+    all_solved_ = false;
+  }
+
   // A film is shown as soon as it is solved: the next one may take minutes.
-  void add(const FilmCase& film) {
+  void print(std::string_view film) {
     writer_.add(film);
     output_.flush();
+  }
+
+  void add(const FilmCase& film) {
+    print(writer_.text_of(film));
     if (!film.is_solved) return;
     if (fields_) write_fields(film);
     if (!arguments_.picture.empty() &&
         !draw_picture("film_picture.py", film_picture_json(film).dump(), arguments_.picture))
       all_solved_ = false;
+  }
+
+  void keep(const std::string& key, const FilmCase& film) {
+    try {
+      kept_->keep(key, {film.reason, writer_.text_of(film)});
+    } catch (const std::runtime_error& error) {
+      complain(error.what() + std::string("; the films from here on are not kept"));
+      kept_.reset();
+      all_solved_ = false;
+    }
   }
 
   void write_fields(const FilmCase& film) {
@@ -152,36 +189,85 @@ class FilmRun {
   }
 
   const FilmArguments& arguments_;
-  std::size_t total_, done_ = 0;
+  std::size_t total_, done_ = 0, taken_ = 0;
   bool all_solved_ = true;
   OutputStream& output_;
   FilmWriter writer_;
   std::optional<sweep::PartFile> fields_;
+  std::optional<KeptFilms> kept_;
   StepLine line_{std::chrono::milliseconds(500), std::chrono::milliseconds(100)};
+};
+
+std::string span(const std::string& from, const std::string& up_to) {
+  return from == up_to ? from : from + " to " + up_to;
+}
+
+// Contacts of a scene at speeds one after the other that are refused for one reason, whose numbers
+// may differ.
+class RefusedContacts {
+ public:
+  // Tells those so far where this contact is not one of them.
+  void add(Text& to, const Scene& scene, double speed, const FilmNeeds& needs) {
+    const std::string kind = without_numbers(needs.reason);
+    if (count_ > 0 && (kind != kind_ || scene.id != id_)) finish(to);
+    if (count_++ == 0) {
+      first_ = needs;
+      id_ = scene.id;
+      kind_ = kind;
+      from_ = readable(speed);
+    }
+    last_ = needs;
+    up_to_ = readable(speed);
+  }
+
+  void finish(Text& to) {
+    if (count_ == 0) return;
+    const auto numbers = [&](double FilmNeeds::*number) {
+      return span(readable(first_.*number), readable(last_.*number));
+    };
+    append(to, fmt::format("{} at {} m/s{}: M = {}, L = {}, {}, {}, to {}: refused{}: {}\n",
+                           printable(id_), span(from_, up_to_),
+                           count_ == 1 ? "" : fmt::format(" ({} speeds)", count_),
+                           numbers(&FilmNeeds::load_number), numbers(&FilmNeeds::material_number),
+                           first_.viscosity, first_.density, readable(first_.tolerance),
+                           count_ == 1 ? "" : ", the first because", first_.reason));
+    count_ = 0;
+  }
+
+ private:
+  static std::string without_numbers(std::string_view text) {
+    std::string kind;
+    for (const char c : text)
+      if (std::string_view("0123456789.+-e").find(c) == std::string_view::npos) kind += c;
+    return kind;
+  }
+
+  std::size_t count_ = 0;
+  FilmNeeds first_{}, last_{};
+  std::string id_, kind_, from_, up_to_;
 };
 
 // Tells what all contacts will take, and solves none.
 int estimate_films(const FilmArguments& arguments, const LoadedScenes& loaded,
                    OutputStream& output) {
   Text& to = output.text();
-  const auto span = [](const std::string& from, const std::string& up_to) {
-    return from == up_to ? from : from + " to " + up_to;
-  };
+  RefusedContacts refused;
   FilmNeeds::Grids least{}, most{};
   std::size_t count = 0;
   for (const Scene& scene : loaded.scenes)
     for (std::size_t i = 0; i < scene.speeds.size(); ++i) {
       const FilmNeeds needs = needs_of_film(scene, scene.speeds[i], arguments.settings);
-      append(to, fmt::format("{} at {} m/s: M = {}, L = {}, {}, {}, to {}: ", printable(scene.id),
-                             readable(scene.speeds[i]), readable(needs.load_number),
-                             readable(needs.material_number), needs.viscosity, needs.density,
-                             readable(needs.tolerance)));
       if (!needs.reason.empty()) {
-        append(to, "refused: " + needs.reason + "\n");
+        refused.add(to, scene, scene.speeds[i], needs);
         continue;
       }
+      refused.finish(to);
       append(to, fmt::format(
-                     "{} grids, the finest of {} nodes\n",
+                     "{} at {} m/s: M = {}, L = {}, {}, {}, to {}: {} grids, the finest of "
+                     "{} nodes\n",
+                     printable(scene.id), readable(scene.speeds[i]), readable(needs.load_number),
+                     readable(needs.material_number), needs.viscosity, needs.density,
+                     readable(needs.tolerance),
                      span(fmt::to_string(needs.least.count), fmt::to_string(needs.most.count)),
                      span(fmt::to_string(needs.least.nodes), fmt::to_string(needs.most.nodes))));
       ++count;
@@ -190,6 +276,7 @@ int estimate_films(const FilmArguments& arguments, const LoadedScenes& loaded,
         sum->memory = std::max(sum->memory, one->memory);
       }
     }
+  refused.finish(to);
   append(to, fmt::format("contacts {}\n", count));
   append(to, fmt::format("time   {} on 1 thread, roughly\n",
                          span(sweep::time_text(least.seconds), sweep::time_text(most.seconds))));
@@ -265,7 +352,9 @@ warning says so.
 
 A line takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
 200 contacts. Ctrl-C stops at the next step, which takes up to some ten seconds on fine plane grids,
-and what was solved is written.
+and what was solved is written. With --keep FILE each film is kept there too, as it is printed; the same
+command again, or one with more scenes or speeds, takes those films from the file and solves the others. A
+film that was kept in another --format, or with other settings, is solved anew.
 
 Exit code 0: done; 1: a contact was not solved, or not to the tolerance, or the picture is missing;
 2: bad usage or input; 130: stopped by Ctrl-C.
@@ -277,6 +366,7 @@ Example:
   tribocheck film reference/scenes/ball_on_flat.toml --speed 1 --picture ball.png --fields ball.h5
   tribocheck film reference/scenes/gear_flank.toml --speed 2 --density dowson_higginson
   tribocheck film reference/scenes/ball_on_flat.toml --estimate
+  tribocheck film reference/scenes/roller.toml --format csv --keep roller.films > films.csv
   tribocheck film reference/scenes/roller.toml --speed 0.5 --picture roller.png
   tribocheck film reference/scenes/roller.toml --profile --format csv > profiles.csv)";
 
@@ -319,15 +409,21 @@ Command film_command(CLI::App& program, WriteFields write) {
   app->add_flag("--estimate", arguments->estimate,
                 "print grids, time and memory that the films will take, and solve none");
   arguments->write_fields = write;
-  app->add_option(
-         "--fields", arguments->fields,
-         "write x, y, p(x, y) and h(x, y) of one circle or ellipse, as on the finest grid, "
-         "in SI units: a file .h5 (HDF5) or .csv")
-      ->check([](const std::string& name) {
-        return is_csv(name) || std::filesystem::path(name).extension() == ".h5"
-                   ? std::string()
-                   : name + " is not allowed; allowed: a name that ends in .h5 or .csv";
-      });
+  CLI::Option* const fields =
+      app->add_option(
+             "--fields", arguments->fields,
+             "write x, y, p(x, y) and h(x, y) of one circle or ellipse, as on the finest grid, "
+             "in SI units: a file .h5 (HDF5) or .csv")
+          ->check([](const std::string& name) {
+            return is_csv(name) || std::filesystem::path(name).extension() == ".h5"
+                       ? std::string()
+                       : name + " is not allowed; allowed: a name that ends in .h5 or .csv";
+          });
+  app->add_option("--keep", arguments->keep,
+                  "keep each film in this file as soon as it is solved, and take from it the films "
+                  "that an earlier run has kept")
+      ->excludes(fields)
+      ->excludes("--picture");
   return {app,
           [arguments](OutputStream& output) {
             arguments->settings.with_fields =
@@ -335,7 +431,7 @@ Command film_command(CLI::App& program, WriteFields write) {
             return solve_films(*arguments, output);
           },
           [arguments]() -> std::vector<Ignored> {
-            return {{{"--format", "--profile", "--picture", "--fields"},
+            return {{{"--format", "--profile", "--picture", "--fields", "--keep"},
                      arguments->estimate,
                      "with --estimate, which solves nothing"}};
           }};

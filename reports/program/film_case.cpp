@@ -383,6 +383,15 @@ FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& se
           contact.material_number, needs.reason,  on(needs.least_grids), on(needs.most_grids)};
 }
 
+std::string key_of_film(const Scene& scene, double speed, const FilmSettings& settings) {
+  const ehl::FilmConditions c = conditions_of(scene, speed, settings);
+  const FilmCase film = given_case(scene, c, settings);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", c.speed, c.viscosity,
+                     c.pressure_viscosity, c.load, c.effective_modulus, c.radius, c.radius_ratio,
+                     c.inlet_film, film.viscosity, film.density, film.tolerance,
+                     scene.closures.damiens_exponent, scene.id);
+}
+
 bool is_of_line(const Scene& scene) { return ehl::conditions_of(scene, 1).is_line(); }
 
 FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,

@@ -114,6 +114,10 @@ struct FilmNeeds {
 };
 FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& settings);
 
+// All numbers and words of a contact and of the settings on which its FilmCase depends: cases with
+// the same key are the same.
+std::string key_of_film(const Scene& scene, double speed, const FilmSettings& settings);
+
 // Whether a scene that was read with SceneUse::film is a line contact.
 bool is_of_line(const Scene& scene);
 
@@ -129,7 +133,8 @@ class FilmWriter {
  public:
   FilmWriter(std::string_view format, bool with_profile, Text& text);
 
-  void add(const FilmCase& film);
+  std::string text_of(const FilmCase& film) const;
+  void add(std::string_view film);  // as text_of() has it
   void finish(const nlohmann::ordered_json& warnings);
 
  private:

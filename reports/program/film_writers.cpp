@@ -355,14 +355,24 @@ FilmWriter::FilmWriter(std::string_view format, bool with_profile, Text& text)
     append_csv_heads(text_);
 }
 
-void FilmWriter::add(const FilmCase& film) {
-  if (format_ == "csv")
-    return with_profile_ ? append_csv_profile(text_, film) : append_csv(text_, film);
-  append(text_, std::exchange(before_, format_ == "table" ? "\n" : list_comma));
-  if (format_ == "table") return append_table(text_, film, with_profile_);
-  append(
-      text_,
-      film_json(film, with_profile_).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+std::string FilmWriter::text_of(const FilmCase& film) const {
+  Text text;
+  if (format_ == "json")
+    append(text, film_json(film, with_profile_)
+                     .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  else if (format_ == "table")
+    append_table(text, film, with_profile_);
+  else if (with_profile_)
+    append_csv_profile(text, film);
+  else
+    append_csv(text, film);
+  return fmt::to_string(text);
+}
+
+void FilmWriter::add(std::string_view film) {
+  if (format_ != "csv")
+    append(text_, std::exchange(before_, format_ == "table" ? "\n" : list_comma));
+  append(text_, film);
 }
 
 void FilmWriter::finish(const ordered_json& warnings) {

@@ -383,6 +383,61 @@ class Failures(FilmTest):
         self.assertRegex(said.decode(), rf"^tribocheck: stopped: {met} of 1000 contacts are solved to the tolerance"
                                         r"(; line at \S+ m/s: .*stopped on the grid of \d+ cells, before step \d+.*)?\n$")
 
+    def kept(self, *arguments, code=0):
+        """What a run with --keep prints, and how many films it took from the file."""
+        result = run("film", *arguments, "--keep", self.folder.path("kept"))
+        self.assertEqual(result.code, code, result.err)
+        said = re.search(r"(\d+) of \d+ films are taken from", result.err)
+        return result.out, int(said[1]) if said else 0
+
+    def test_a_stopped_run_goes_on_to_the_same_bytes(self):
+        path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 15}))
+        for form in ("json", "csv", "table"):
+            arguments = path, "--tolerance", "1e-2", "--format", form
+            whole = run("film", *arguments).out
+            process = start("film", *arguments, "--keep", self.folder.path("kept"), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.addCleanup(process.kill)
+            for _ in range(3):
+                process.stdout.readline()
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130)
+            out, taken = self.kept(*arguments)
+            self.assertEqual(out, whole)
+            self.assertTrue(0 < taken < 15, taken)
+            self.assertEqual(self.kept(*arguments), (whole, 15))
+
+    def test_kept_films_are_taken_for_the_same_contact_alone(self):
+        path = self.write(line(10, 5, speed=[1e-20, 1, 1e10]))
+        whole, none = self.kept(path, code=1)
+        self.assertEqual((none, run("film", path).out), (0, whole))
+        self.assertEqual(self.kept(path, code=1), (whole, 3))  # reasons and exit code stay
+        said = [run("film", path, *keep).error_lines for keep in ((), ("--keep", self.folder.path("kept")))]
+        self.assertEqual(said[1][:len(said[0])], said[0])
+        for changed in (line(10, 5.1), line(11, 5), line(10, 5, id="other"), line(10, 5, speed=2)):
+            self.assertEqual(self.kept(self.write(changed))[1], 0)
+        path = self.write(line(10, 5))
+        for option in ((), ("--tolerance", "1e-3"), ("--format", "csv"), ("--profile",), ("--viscosity", "roelands"), ("--density", "dowson_higginson")):
+            self.assertEqual(self.kept(path, *option), (run("film", path, *option).out, int(option == ())))
+
+    def test_a_file_of_kept_films_is_taken_up_after_a_crash_and_else_left_alone(self):
+        path, kept = self.write(line(10, 5, speed=[0.5, 1])), self.folder.path("kept")
+        whole, _ = self.kept(path)
+        with open(kept, encoding="utf-8") as file:
+            text = file.read()
+        lines = text.splitlines(keepends=True)
+        self.folder.write("kept", text[:-5])  # killed in the middle of the second film
+        self.assertEqual(self.kept(path), (whole, 1))
+        for bad, said in ((lines[0] + "no film\n" + lines[1], "line 2 is no film"), (lines[0] + lines[1].replace('"text":"', '"text":5,"a":"'), "line 2 is no film"),
+                          ("notes\n", "is no file that tribocheck has left")):
+            self.folder.write("kept", bad)
+            self.assert_film_refused(said, path, "--keep", kept)
+            with open(kept, encoding="utf-8") as file:
+                self.assertEqual(file.read(), bad)
+        self.assert_film_refused("excludes", path, "--keep", kept, "--picture", self.folder.path("a.png"))
+        full = run("film", self.write(line(10, 5)), "--keep", "/dev/full")
+        self.assertEqual((full.code, full.out), (2, ""), full.err)
+
     def test_progress_is_for_terminals_alone(self):
         path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 4}))
         self.assertEqual(run("film", path).err, "")

@@ -238,6 +238,17 @@ class Points(FilmTest):
         several = run("film", self.write(line(10, 5, speed=[0.5, 1]), "line.toml"), path, "--estimate").out
         self.assertIn("\ncontacts 3\n", several)
 
+    def test_an_estimate_tells_refused_speeds_by_their_range(self):
+        # M ∝ u^(−3/4): the first three are too heavy for the grids, the last two too light; the one between is solved.
+        told = run("film", self.write(self.point(20, 5) | {"speed": [1e-7, 2e-7, 3e-7, 1, 1e3, 2e3]}), "--estimate").out.splitlines()
+        self.assertRegex(told[0], r"^line at 1e-07 to 3e-07 m/s \(3 speeds\): M = \S+ to \S+, L = \S+ to \S+, barus, incompressible, to 0.001: refused, "
+                                  r"the first because: an error needs three grids")
+        self.assertRegex(told[1], r"^line at 1 m/s: M = 20, L = 5, .* grids, the finest of")
+        self.assertRegex(told[2], r"^line at 1000 to 2000 m/s \(2 speeds\): .*: refused, the first because: M = 0\.\d+ is below 1")
+        self.assertEqual(told[3], "contacts 1")
+        twice = [self.write(self.point(0.9, 5) | {"id": name}, name) for name in ("a", "b")]
+        self.assertEqual([one.partition(" at ")[0] for one in run("film", *twice, "--estimate").out.splitlines()[:2]], ["a", "b"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -62,7 +62,7 @@ FORMS = [
 VALUES = {
     "--format": ["json"], "--about": [], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--strict": [], "--explain": [], "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
-    "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--fields": ["DIR/fields.csv"], "--language": ["c"], "--for": ["gitlab"],
+    "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--fields": ["DIR/fields.csv"], "--keep": ["DIR/kept"], "--language": ["c"], "--for": ["gitlab"],
     "--out": ["DIR/other"],
     "--estimate": [], "--flooded": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--case": ["1"], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],

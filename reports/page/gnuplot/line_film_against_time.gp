@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Films of line contacts: greatest relative error against CPU time, a line a way from coarse to fine.
+# Films of line or of point contacts: greatest relative error against CPU time, a line a way from coarse to fine.
 # Columns: job, family, series, name, ns, steps, greatest and mean relative error, no numbers, judged.
 load scripts."work.gp"
 table = data.prefix.".blocks.tsv"

@@ -3,8 +3,9 @@
 # exponents in the legends. Blocks, one for each solver: solver, cells, ns for the matrix of influences, ns for a step of
 # Newton's method, bytes; and of the exponents: solver, quantity, exponent, uncertainty.
 load scripts."work.gp"
-table = data."line_film_growth.blocks.tsv"
-exponents = data."line_film_exponents.blocks.tsv"
+# Of line contacts or of point contacts: line_film_growth and line_film_exponents, or point_….
+table = data.prefix.".blocks.tsv"
+exponents = data.(prefix[1:strstrt(prefix, "_growth")])."exponents.blocks.tsv"
 stats table using 2 nooutput name "cells"
 solvers = cells_blocks
 array exponent[3*solvers]
@@ -21,7 +22,7 @@ set logscale xy 10
 set format y "10^{%T}"
 set ytics 10
 set mxtics 10
-set xtics ("" 128, "" 256, "" 512, "" 1024, "" 2048, "" 4096, "" 8192, "" 16384)
+set xtics ("" 128, "" 256, "" 512, "" 1024, "" 2048, "" 4096, "" 8192, "" 16384, "" 32768, "" 65536)
 set xrange [cells_min/1.15:cells_max*1.15]
 top = 1 - 78.0/tall; bottom = 76.0/tall; gap = 26.0/tall
 panel = (top - bottom - gap)/2
@@ -37,7 +38,7 @@ unset title
 set tmargin at screen bottom + panel
 set bmargin at screen bottom
 set key at screen 0.62, screen bottom + panel
-set xtics ("128" 128, "256" 256, "512" 512, "1024" 1024, "2048" 2048, "4096" 4096, "8192" 8192, "16384" 16384) font legend
+set xtics ("128" 128, "256" 256, "512" 512, "1024" 1024, "2048" 2048, "4096" 4096, "8192" 8192, "16384" 16384, "32768" 32768, "65536" 65536) font legend
 set xlabel "cells N of the grid" offset 0, x_words
 set ylabel "memory (MB)" offset y_shift, 0
 plot for [s=0:solvers-1] table index s using 2:($5*1e-6) with linespoints pointtype 7 pointsize point \

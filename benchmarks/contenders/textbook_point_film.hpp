@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The film of a flooded point contact as textbooks program it: the equations of model/ehl on one of
+// its grids, solved by Newton's method with a full matrix, or by relaxation line by line.
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "ehl/far_inlet.hpp"
+#include "ehl/plane_kernel.hpp"
+#include "ehl/point_film.hpp"
+#include "ehl/point_reynolds.hpp"
+
+namespace tribo::benchmarks {
+
+class TextbookPointFilm {
+ public:
+  TextbookPointFilm(const ehl::PointContact& contact, const ehl::PlaneGrid& grid);
+
+  void start_from(const ehl::PointFilm& film);
+
+  // Fills the matrix of influences, N² entries, if it is not filled yet.
+  void fill_kernel();
+  // Makes a step of Newton's method, damped as in model/ehl, by Eigen's PartialPivLU, in N³
+  // operations. Gives the change of the pressure; NaN: no step is made.
+  double newton_step();
+  // Makes steps until one changes the pressure by less than 1e-6, but at most 40.
+  ehl::PointFilm newton();
+  // The bytes of the matrix of influences and of Newton's.
+  std::size_t newton_bytes() const;
+
+  // Relaxes line after line along X (Gauss–Seidel); where pressure hardly drives liquid, a change
+  // at a node takes a quarter of itself from each neighbour, so that its film stays near. The film
+  // follows after each sweep, by Fourier transforms. Ends where a sweep changes the pressure by
+  // less than 1e-6 of the load, but after at most so many sweeps. Source: C. H. Venner, A. A.
+  // Lubrecht: Multilevel Methods in Lubrication. Elsevier (2000), chapter 6, on one grid.
+  ehl::PointFilm relaxed(int most_sweeps);
+
+ private:
+  Eigen::VectorXd film_of(const Eigen::VectorXd& pressure, double separation) const;
+  double missing_load(const Eigen::VectorXd& pressure, double separation) const;
+  bool is_free(const ehl::PlaneBalance& balance, Eigen::Index node) const;
+  double relax_line(const ehl::PlaneBalance& balance, int j, Eigen::VectorXd& made);
+
+  ehl::PointContact contact_;
+  ehl::PointNumbers numbers_;
+  ehl::PlaneKernel transform_;
+  ehl::FarInlet inlet_;
+  Eigen::MatrixXd kernel_, jacobian_;  // of Newton's method alone
+  Eigen::VectorXd areas_, gap_;
+  ehl::PointFilm now_;
+};
+
+}  // namespace tribo::benchmarks
