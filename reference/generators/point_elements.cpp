@@ -378,7 +378,7 @@ ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
     // Its order is not observed: the meshes are too few.
     return ehl::Estimate{.value = richardson(2) + farther,
                          .error = 2 * std::fabs(richardson(2) - richardson(1)) +
-                                  std::fabs(richardson(2) - found[3][which]) / 8 +
+                                  share * std::fabs(richardson(2) - found[3][which]) +
                                   std::fabs(farther) / 4};
   };
   result.central = number(0, 0.125);
