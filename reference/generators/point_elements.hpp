@@ -37,8 +37,8 @@ struct ElementFilm {
 // The numbers are Richardson's of meshes with 1, 3/2 and 2 times the cells, with what twice the
 // reach would change: the load beyond falls as 1/reach. Their error is twice what Richardson's
 // value changed by, an eighth (least film: half) of what it adds to the finest mesh's, and a
-// quarter of the reach's change; it is chosen, not proven. Where Newton's method fails, as with L =
-// 10 at M = 50, `reason` says so. `contact` is flooded and incompressible.
+// quarter of the reach's change; it is chosen, not proven. Where Newton's method fails, as with
+// L = 10 at M = 50 and L = 5 at M = 200, `reason` says so. `contact` is flooded and incompressible.
 ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
                                          const ElementOptions& options = {});
 

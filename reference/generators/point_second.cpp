@@ -50,9 +50,7 @@ int main(int argc, char** argv) {
                                                                              {20, 0},
                                                                              {100, 2.5},
                                                                              {10, 5},
-                                                                             {10, 2.5},
-                                                                             {50, 0},
-                                                                             {100, 0}}) {
+                                                                             {10, 2.5}}) {
     const tribo::ehl::PointContact contact = tribo::ehl::barus_point(m, l);
     const std::clock_t start = std::clock();
     const auto film = tribo::reference::solve_point_film_by_elements(contact);
