@@ -190,14 +190,15 @@ profile: gate-program ## run callgrind on the inner loop: build/profile/callgrin
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
 ##@ Numbers made anew
-references: ## make the tables of reference/exact and reference/ehl anew, and rows that the tables of points lack (all: two hours); four or five minutes
+references: ## make the tables of reference/exact and reference/ehl anew, and rows that the tables of points lack (all: two hours); some eight minutes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_references generate_line_films generate_point_films
+	cmake --build --preset release --target generate_references generate_line_films generate_point_films generate_point_films_second_method
 	build/release/reference/generators/generate_references reference/exact
 	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_between.csv --between
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_compressible.csv --compressible
+	build/release/reference/generators/generate_point_films_second_method reference/ehl/point_films_second_method.csv
 	build/release/reference/generators/generate_point_films reference/ehl/point_films.csv
 	build/release/reference/generators/generate_point_films reference/ehl/point_films_compressible.csv --compressible
 	build/release/reference/generators/generate_point_films reference/ehl/point_films_between.csv --between

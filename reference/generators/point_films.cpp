@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <iostream>
 #include <map>
@@ -25,8 +26,9 @@ using tribo::reference::fields;
 
 constexpr const char* columns =
     "radius_ratio,supply,load_number,material_number,central,central_error,minimum,minimum_error,"
-    "at_greatest_pressure,at_greatest_pressure_error,nodes,seconds,note\n";
+    "at_greatest_pressure,at_greatest_pressure_error,nodes,seconds,";
 constexpr std::size_t keys = 4, numbers = 10;  // columns that name a row, and that are made again
+constexpr std::size_t before_note = 12;        // columns of a row without the second method's
 constexpr double cheap_seconds = 6;            // of a row that a sample may take
 
 struct Contact {
@@ -169,40 +171,85 @@ std::string header(const std::string& rows, const std::string& missing, Table ta
          "larger grid would change; up to 1e-3 (minimum 3e-3) of the film at M <= 200, 3e-3 (1e-2) "
          "beyond, 8e-3 (2.4e-2) of starved films at M > 1000, else note tells\n"
          "# nodes: of the finest grid, a half plane; seconds: of one core of the machine that made "
-         "the row\n# missing: " +
-         (missing.empty() ? "none" : missing) + "\n" + tribo::reference::dated(rows);
+         "the row\n" +
+         (table == Table::main ? "# second method: finite elements (point_elements.hpp), which "
+                                 "share no stencil with "
+                                 "the first; second_method is by how much their central film of "
+                                 "point_films_second_method.csv is greater, over the central film, "
+                                 "empty where there "
+                                 "is none\n"
+                               : "") +
+         "# missing: " + (missing.empty() ? "none" : missing) + "\n" +
+         tribo::reference::dated(rows);
 }
 
-std::string key_of(const std::string& row) {
+// The place behind the first `count` fields of a row, at a comma.
+std::size_t end_of(const std::string& row, std::size_t count) {
   std::size_t end = 0;
-  for (std::size_t i = 0; i < keys; ++i) end = row.find(',', end + (i > 0 ? 1 : 0));
-  return row.substr(0, end);
+  for (std::size_t i = 0; i < count; ++i) end = row.find(',', end + (i > 0 ? 1 : 0));
+  return end;
 }
 
+std::string key_of(const std::string& row) { return row.substr(0, end_of(row, keys)); }
+
+// The rows of a file, without the column of the second method.
 std::vector<std::string> rows_of(const std::filesystem::path& file) {
-  return tribo::reference::committed_rows(file, "radius_ratio");
+  std::vector<std::string> rows = tribo::reference::committed_rows(file, "radius_ratio");
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line) && line.starts_with("#")) continue;
+  if (line.find(",second_method,") != std::string::npos)
+    for (std::string& row : rows)
+      row.erase(end_of(row, before_note), end_of(row, before_note + 1) - end_of(row, before_note));
+  return rows;
+}
+
+// Writes the rows that are known, in their order. Those of the main table get the column of the
+// second method, from point_films_second_method.csv beside the table.
+void write(const std::filesystem::path& file, Table table,
+           const std::map<std::string, std::string>& known) {
+  std::map<std::string, double> second;
+  if (table == Table::main)
+    for (const std::string& one : tribo::reference::committed_rows(
+             file.parent_path() / "point_films_second_method.csv", "radius_ratio"))
+      second[key_of(one)] = tribo::reference::numbers_of(one, keys + 1).back();
+  std::string rows, missing;
+  for (const Contact& c : contacts(table)) {
+    const auto found = known.find(c.key());
+    if (found == known.end()) {
+      missing += (missing.empty() ? "" : " ") + c.key();
+      continue;
+    }
+    std::string row = found->second;
+    if (table == Table::main) {
+      const auto other = second.find(c.key());
+      const double central = tribo::reference::numbers_of(row, keys + 1).back();
+      row.insert(end_of(row, before_note),
+                 other == second.end() ? "," : fmt::format(",{:.2g}", other->second / central - 1));
+    }
+    rows += row + "\n";
+  }
+  tribo::reference::write_whole(
+      file, header(rows, missing, table) + columns +
+                (table == Table::main ? "second_method,note\n" : "note\n") + rows);
 }
 
 // Adds the rows that the file lacks, small M first. Each is in the file once it is solved, so that
 // the next run goes on.
-int add_rows(const std::filesystem::path& file, Table table) {
+int add_rows(const std::filesystem::path& file, Table table, bool only_columns) {
   const std::vector<Contact> all = contacts(table);
   std::map<std::string, std::string> known;
   for (const std::string& one : rows_of(file)) known[key_of(one)] = one;
   std::vector<Contact> missing;
   for (const Contact& c : all)
     if (!known.contains(c.key())) missing.push_back(c);
+  if (only_columns) missing.clear();
+  write(file, table, known);
   std::ranges::stable_sort(missing, {}, &Contact::load_number);
   for (const Contact& c : missing) {
     const std::string made = known[c.key()] = row(c, table);
     std::cerr << fmt::format("{} of {}: {}\n", known.size(), all.size(), made);
-    std::string rows, still_missing;
-    for (const Contact& one : all)
-      if (const auto found = known.find(one.key()); found != known.end())
-        rows += found->second + "\n";
-      else
-        still_missing += (still_missing.empty() ? "" : " ") + one.key();
-    tribo::reference::write_whole(file, header(rows, still_missing, table) + columns + rows);
+    write(file, table, known);
   }
   return 0;
 }
@@ -255,10 +302,13 @@ int main(int argc, char** argv) {
   app.add_flag_callback(
       "--compressible", [&] { table = Table::compressible; },
       "the table of a compressible liquid, for the formulas that were fitted to one");
+  bool only_columns = false;
+  app.add_flag("--only-columns", only_columns,
+               "make no rows, and write the column of the second method anew");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return sample > 0 ? check_sample(file, table, seed, sample) : add_rows(file, table);
+  return sample > 0 ? check_sample(file, table, seed, sample) : add_rows(file, table, only_columns);
 }
