@@ -120,7 +120,7 @@ Rows point_film_growth(Eigen::Index greatest_nodes) {
   const ehl::PointFilm coarse = ehl::solve_from_nothing(contact, grid, {});
   Rows rows;
   for (ehl::PointFilm film = coarse; grid.size() <= greatest_nodes; grid = grid.finer()) {
-    OnGrid one{"tribocheck: sparse LU, GMRES", grid, 0, 0, 0};
+    OnGrid one{"tribocheck: sparse LU", grid, 0, 0, 0};
     one.kernel_seconds = seconds_of([&] { const ehl::PlaneKernel kernel(grid); });
     const int before = film.steps;
     one.bytes = most_bytes([&] {
