@@ -37,8 +37,8 @@ AXES = {  # titles of the axes: the x axis, and the y axis of each panel
     "ellipse_fits": ("ratio of the radii α = Ry/Rx", "|error| of k (%)", "|error| of ax (%)", "|error| of p0 (%)"),
     "paper_films": (SPEED, "smooth: h*/hoil (–)", "medium: h*/hoil (–)", "rough: h*/hoil (–)"),
     "starved_ratios": ("layer of oil over the flooded film ρ (–)", "starved over flooded film ℛ (–)", "exponent γ of Damiens (–)"),
-    "line_film_growth": ("cells N of the grid", "CPU time (s)", "memory (MB)"),
-    "work_line_film": ("CPU time a contact (s)", "greatest relative error (–)")}
+    **{f"{films}_growth": ("cells N of the grid", "CPU time (s)", "memory (MB)") for films in ("line_film", "point_film")},
+    **{f"work_{films}": ("CPU time a contact (s)", "greatest relative error (–)") for films in ("line_film", "point_film")}}
 
 
 def series(title, colour, points, adds=False):
@@ -211,31 +211,35 @@ class Data:
         lower = keys(*self.CLOSURES) + [series(title, 0x444444, column(rows, "supply", "Damiens' exponent")) for title, rows in found]
         return [(True, False, upper, True), (True, False, lower, True)]
 
-    def line_film_growth(self):
-        found = list(blocks(self.out / "data/work_precision/line_film_growth.blocks.tsv"))
+    def line_film_growth(self, films="line_film"):
+        found = list(blocks(self.out / f"data/work_precision/{films}_growth.blocks.tsv"))
         fits = {title: {row["quantity"]: f"N^{float(row['exponent of the cells']):.2f} ± {float(row['its standard error']):.1g}" for row in rows}
-                for title, rows in blocks(self.out / "data/work_precision/line_film_exponents.blocks.tsv")}
+                for title, rows in blocks(self.out / f"data/work_precision/{films}_exponents.blocks.tsv")}
         upper = [series(f"{title} {words}: {fits[title][fit]}", None, column(rows, "cells", of, 1e-9)) for words, of, fit in (
             ("step", "CPU time of a step of Newton's method", "step_ns"), ("matrix", "CPU time for the matrix of influences", "kernel_ns"))
             for title, rows in found]
         return [(True, True, upper, False),
                 (True, True, [series(f"{title}: {fits[title]['bytes']}", None, column(rows, "cells", "bytes", 1e-6)) for title, rows in found], False)]
 
+    def point_film_growth(self):
+        return self.line_film_growth("point_film")
+
     def work(self, name):
         stem, of_evaluations = re.fullmatch(r"work_(.*?)(_evaluations)?", name).groups()
+        of_films = stem in ("line_film", "point_film")
         everything = list(blocks(self.out / f"data/work_precision/{stem}.blocks.tsv"))
-        found = [one for one in everything if stem != "line_film" or "_minimum" not in one[0]][:8]  # the others are data alone
-        x, factor = {"line_film": ("CPU time a contact", 1e-9)}.get(stem, ("CPU time a point", 1))
-        x, y = "evaluations a point" if of_evaluations else x, "greatest relative error" if stem == "line_film" else "greatest error"
+        found = [one for one in everything if not of_films or "_minimum" not in one[0]][:8]  # the others are data alone
+        x, factor = ("CPU time a contact", 1e-9) if of_films else ("CPU time a point", 1)
+        x, y = "evaluations a point" if of_evaluations else x, "greatest relative error" if of_films else "greatest error"
 
         def points(rows, of=y):
             return [(factor * a, b) for a, b in column(rows, x, of)]
-        bars = [] if of_evaluations or stem == "line_film" else [series("", None, points(rows) + points(rows, "mean error"), True) for _, rows in found]
+        bars = [] if of_evaluations or of_films else [series("", None, points(rows) + points(rows, "mean error"), True) for _, rows in found]
         shown = [one for one in found if not of_evaluations or one[1][0][x] != "NaN"]
-        missing, title = ("no numbers", "no number in some cases") if stem == "line_film" else ("failures", "failures in some cases")
-        failing = [row for _, rows in (everything if stem == "line_film" else found) for row in rows if float(row[missing]) > 0]
+        missing, title = ("no numbers", "no number in some cases") if of_films else ("failures", "failures in some cases")
+        failing = [row for _, rows in (everything if of_films else found) for row in rows if float(row[missing]) > 0]
         return [(True, True, bars + [series(name, None, points(rows)) for name, rows in shown] +
-                 [series(title, 0, points(failing))] * (bool(failing) or stem != "line_film"), False)]
+                 [series(title, 0, points(failing))] * (bool(failing) or not of_films), False)]
 
     # --- The sweep's, by report.json alone.
 

@@ -337,9 +337,14 @@ def software(report):
              ("to 1e-04", "dense LU, our grid 1024", "dense LU, uniform grid 1024")]
     yield "ours takes {}, on one core. A dense matrix of 1024 cells on our grid takes {};".format(*asked)
     yield f"before the contact, {asked[2]}, because it cuts the inlet of light loads. {measured(films)}."
-    yield f"fitted from {films['exponents'][0]['from_cells']} cells on" + "".join(
-        f"{';' if i else ', with their standard errors.'} {one['solver']}, {whole(one['cells'])} cells: {sig(1e-9 * one['step_ns'], 2)} s a step, "
-        f"{sig(1e-6 * one['bytes'], 3)} MB" for i, one in enumerate(films["largest"])) + "."
+    circles, ways = work["point_film"], {one["name"]: one for one in work["point_film"]["ways"]}
+    asked = [f"{sig(1e-9 * ways[name]['ns'], 2)} s with errors up to {sig(ways[name]['max_relative'], 2)}" for name in
+             ("to 1e-03, M = 20", "to 1e-03, M = 200")]
+    yield "ours takes {} at M = 20, and {} at M = 200, on one core: the solver of circles has no threads. {}.".format(*asked, measured(circles))
+    for films in (films, circles):
+        yield f"fitted from {films['exponents'][0]['from_cells']} cells on" + "".join(
+            f"{';' if i else ', with their standard errors.'} {one['solver']}, {whole(one['cells'])} cells: {sig(1e-9 * one['step_ns'], 2)} s a step, "
+            f"{sig(1e-6 * one['bytes'], 3)} MB" for i, one in enumerate(films["largest"])) + "."
     yield (f"by what it asks for, a scene saves {percent(least['least_saved'], 2)} to {percent(least['greatest_saved'], 2)} of the evaluations of Fn.")
     yield f"at {many(least['speeds'])} speeds over the range"
     gates, speed = report["gates"], report["sweep_speed"]

@@ -103,17 +103,16 @@ def work_precision(base):
     both = [(job["ours"], job["fastest_alternative"]) for job in jobs if job["ours"] and job["fastest_alternative"]]
     times = [other["times_ours"] for _, other in both]
     same = [job["as_exact"]["times_ours"] for job in jobs if job["as_exact"]]
-    films = base["line_film_run"]
     return run_of(base) | {
         "environment": of(base["environment"], "cpu", "compiler", "instruction_set"), "jobs": jobs,
         "alternatives": {"jobs": len(both), "less_exact": sum(other["max_ulp"] > ours["max_ulp"] for ours, other in both),
                          "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None),
                          "as_exact": {"jobs": len(same), "least_times_ours": min(same, default=None), "greatest_times_ours": max(same, default=None)}},
-        "line_film": run_of(films) | {
-            "ways": [of(row, "family", "name", "ns", "steps", "max_relative", "mean_relative", "no_numbers", "judged") for row in base["line_film"]],
-            "exponents": [of(row, "solver", "quantity", "exponent", "uncertainty", "from_cells", "to_cells") for row in base["line_film_exponents"]],
+        **{films: run_of(base[f"{films}_run"]) | {
+            "ways": [of(row, "family", "name", "ns", "steps", "max_relative", "mean_relative", "no_numbers", "judged") for row in base[films]],
+            "exponents": [of(row, "solver", "quantity", "exponent", "uncertainty", "from_cells", "to_cells") for row in base[f"{films}_exponents"]],
             "largest": [of(rows[-1], "solver", "cells", "kernel_ns", "step_ns", "bytes")
-                        for rows in groups(base["line_film_growth"], "solver").values()]}}
+                        for rows in groups(base[f"{films}_growth"], "solver").values()]} for films in ("line_film", "point_film")}}
 
 
 def promised(bases):

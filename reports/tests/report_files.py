@@ -38,9 +38,9 @@ JOBS = ["moment_5_2", "moment_2", "root_wide", "root_one_surface", "curve_200", 
 COUNTED = ["moment_5_2", "root_wide", "root_one_surface", "hertz_ellipse"]
 FITS_FIGURES = ["ellipse_fits"]  # after the figures of work; made without a baseline
 WORK_DATA = sorted(f"data/work_precision/{name}.blocks.tsv"
-                   for name in JOBS + ["line_film", "line_film_growth", "line_film_exponents"])
+                   for name in JOBS + [films + table for films in ("line_film", "point_film") for table in ("", "_growth", "_exponents")])
 WORK_FIGURES = [f"work_{name}" for name in JOBS + [f"{job}_evaluations" for job in COUNTED] +
-                ["line_film"]] + ["line_film_growth"] + FITS_FIGURES
+                ["line_film", "point_film"]] + ["line_film_growth", "point_film_growth"] + FITS_FIGURES
 CONTACTS = ["ball_on_flat", "bearing_outer_ring", "gear_flank"]
 CONTACT_DATA = [f"data/{kind}{contact}{end}" for kind, end in (("contact_", ".tsv"), ("scenes/", ".toml"))
                 for contact in CONTACTS] + ["data/contact_marks.tsv"]

@@ -88,16 +88,19 @@ def contest(jobs):
                          "greatest_times_ours": max(as_exact, default=None)}}
 
 
-def line_film(baseline):
-    """Films of line contacts: every way, and the growth of time and memory with our solver and with a dense matrix."""
-    return run_of(baseline["line_film_run"]) | {
+FILMS = ("line_film", "point_film")  # films of line contacts and of circles, each measured on its own
+
+
+def films_of(baseline, films):
+    """Every way, and the growth of time and memory with our solver and with a dense matrix."""
+    return run_of(baseline[f"{films}_run"]) | {
         "ways": [copied(row, text, "family", "name") | copied(row, number, "ns") |
                  copied(row, number_or_none, "steps", "max_relative", "mean_relative") |
-                 copied(row, count, "no_numbers", "judged") for row in baseline["line_film"]],
+                 copied(row, count, "no_numbers", "judged") for row in baseline[films]],
         "exponents": [copied(row, text, "solver", "quantity") | copied(row, number, "exponent", "uncertainty") |
-                      copied(row, count, "from_cells", "to_cells") for row in baseline["line_film_exponents"]],
+                      copied(row, count, "from_cells", "to_cells") for row in baseline[f"{films}_exponents"]],
         "largest": [copied(rows[-1], text, "solver") | copied(rows[-1], number, "cells", "kernel_ns", "step_ns", "bytes")
-                    for rows in grouped(baseline["line_film_growth"], "solver").values()]}  # one grid of each solver
+                    for rows in grouped(baseline[f"{films}_growth"], "solver").values()]}  # one grid of each solver
 
 
 def cell(value):
@@ -125,18 +128,18 @@ WAYS = {"job": "job", "family": "family", "series": "series", "name": "way", "ns
         "p99_ulp": "99th percentile of the error [ulp]", "mean_ulp": "mean error [ulp]", "failures": "failures",
         "no_numbers": "no numbers", "judged": "cases judged"}
 # For each table: the file's name, the column by which rows are put into blocks, and the columns.
-TABLES = {
-    "line_film": ("line_film", "series", {
+TABLES = {name: told for films in FILMS for name, told in {
+    films: (films, "series", {
         "job": "job", "family": "family", "series": "series", "name": "way", "ns": "CPU time a contact [ns]",
         "steps": "steps of Newton's method a contact", "max_relative": "greatest relative error",
         "mean_relative": "mean relative error", "no_numbers": "no numbers", "judged": "numbers judged"}),
-    "line_film_growth": ("line_film_growth", "solver", {
+    f"{films}_growth": (f"{films}_growth", "solver", {
         "solver": "solver", "cells": "cells", "kernel_ns": "CPU time for the matrix of influences [ns]",
         "step_ns": "CPU time of a step of Newton's method [ns]", "bytes": "bytes"}),
-    "line_film_exponents": ("line_film_exponents", "solver", {
+    f"{films}_exponents": (f"{films}_exponents", "solver", {
         "solver": "solver", "quantity": "quantity", "exponent": "exponent of the cells", "uncertainty": "its standard error",
         "from_cells": "fitted from cells", "to_cells": "fitted to cells"}),
-}
+}.items()}
 
 
 def compared(baseline):
@@ -145,14 +148,14 @@ def compared(baseline):
     alternatives = contest(jobs)
     data = run_of(baseline)
     data["environment"] |= copied(baseline["environment"], text, "instruction_set")
-    data |= {"alternatives": alternatives, "jobs": jobs, "line_film": line_film(baseline)}
+    data |= {"alternatives": alternatives, "jobs": jobs, **{films: films_of(baseline, films) for films in FILMS}}
     found = finding("work_precision", "work-precision", "software", "measured")
     if not alternatives["jobs"]:
         found = finding("work_precision", "work-precision", "software", "absent",
                         "No job has both our way and an alternative without failures.")
     return Group(data, [found], files=[
         *(blocks("error_against_work", name, "series", WAYS, drawn_first(rows)) for name, rows in by_job.items()),
-        *(blocks(table, name, key, columns, drawn_first(baseline[table], "max_relative") if table == "line_film" else baseline[table])
+        *(blocks(table, name, key, columns, drawn_first(baseline[table], "max_relative") if table in FILMS else baseline[table])
           for table, (name, key, columns) in TABLES.items())])
 
 
