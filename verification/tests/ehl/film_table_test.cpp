@@ -181,7 +181,8 @@ TEST(PointFilmTable, HasEveryContactToItsErrorOrSaysWhyNot) {
     }
     EXPECT_LT(row.number("minimum"), row.number("central")) << name;
     // The solver's bounds; the errors in the table have two digits.
-    const double allowed = key.load_number > 200 ? 3e-3 : 1e-3;
+    const bool is_heavy = key.load_number > 1000 && key.supply > 0;
+    const double allowed = is_heavy ? 8e-3 : key.load_number > 200 ? 3e-3 : 1e-3;
     double worst = 0;
     for (const auto& [film, share] :
          {std::pair{std::string("central"), 1.}, {std::string("minimum"), 3.}})
@@ -225,7 +226,7 @@ TEST(PointFilmTable, StarvedFilmsRiseWithTheLayerTowardsTheFloodedFilm) {
     EXPECT_GT(ratio, last) << name;
     last = ratio;
   }
-  EXPECT_GE(starved, 72U);  // the heaviest contacts may be missing
+  EXPECT_EQ(starved, 96U);
 }
 
 // Moes' film numbers of circles fall with the load where it flattens the bodies, the least film
