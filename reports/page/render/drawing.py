@@ -61,13 +61,14 @@ def run_gnuplot(*arguments):
     return ""
 
 
-# Traces of gnuplot's `mousing`: the name of its script, calls of the script, and the places of the last plot's axes.
-MOUSING = re.compile(r"""\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
+# Traces of gnuplot and its `mousing`: comments, the name of its script, calls of the script, and the places of the last plot's axes.
+MOUSING = re.compile(r"""<!--.*?-->\s*|<desc>Produced by GNUPLOT[^<]*</desc>\s*|\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
 UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # gnuplot's command, which names a line without a name
 FAMILY = ' font-family="DejaVu Sans,Verdana,sans-serif"'  # of each text and each part of one
 INITIAL = ' stroke-linecap="butt" stroke-linejoin="miter"'  # the defaults of SVG
+PATH = re.compile(r"\bd='[^']*'")  # places with two decimals
 EMPTY_GROUP = re.compile(r"<g\b[^>]*>\s*</g>\s*")
 AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|axis_ymin|axis_ymax|logaxis_x|logaxis_y)"
                   r" = ([-+.0-9e]+);")
@@ -82,6 +83,7 @@ def without_scripts(svg):
     more = 1
     while more:  # a tenth of each file is empty groups
         svg, more = EMPTY_GROUP.subn("", svg)
+    svg = PATH.sub(lambda path: re.sub(r"\.00(?!\d)", "", path[0]), svg)
     return re.sub(r"\n\s+", "\n", svg)
 
 
