@@ -283,7 +283,8 @@ TEST(SolvedPoint, LongerGridMovesItByNoMoreThanStated) {
       return ehl::features_of(solved);
     };
     const ehl::FilmFeatures before = coarsest(1), after = coarsest(3);
-    const auto check = [&](double ehl::FilmFeatures::*number, double error, const char* name) {
+    const auto check = [&, load = load, ratio = ratio](double ehl::FilmFeatures::*number,
+                                                       double error, const char* name) {
       EXPECT_TRUE(is_within(after.*number / before.*number, 1, error))
           << name << ", M = " << load << ", R_y/R_x = " << ratio;
     };
