@@ -386,10 +386,16 @@ FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& se
 std::string key_of_film(const Scene& scene, double speed, const FilmSettings& settings) {
   const ehl::FilmConditions c = conditions_of(scene, speed, settings);
   const FilmCase film = given_case(scene, c, settings);
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", c.speed, c.viscosity,
+  const std::string friction =
+      scene.lubricant.eyring_stress
+          ? fmt::format("{} {} {}", *scene.lubricant.eyring_stress,
+                        fluid_shear_words[static_cast<std::size_t>(scene.friction.fluid)],
+                        scene.friction.slide_roll_ratio)
+          : "-";
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", c.speed, c.viscosity,
                      c.pressure_viscosity, c.load, c.effective_modulus, c.radius, c.radius_ratio,
                      c.inlet_film, film.viscosity, film.density, film.tolerance,
-                     scene.closures.damiens_exponent, scene.id);
+                     scene.closures.damiens_exponent, friction, scene.id);
 }
 
 bool is_of_line(const Scene& scene) { return ehl::conditions_of(scene, 1).is_line(); }

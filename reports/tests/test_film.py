@@ -414,7 +414,13 @@ class Failures(FilmTest):
         self.assertEqual(self.kept(path, code=1), (whole, 3))  # reasons and exit code stay
         said = [run("film", path, *keep).error_lines for keep in ((), ("--keep", self.folder.path("kept")))]
         self.assertEqual(said[1][:len(said[0])], said[0])
-        for changed in (line(10, 5.1), line(11, 5), line(10, 5, id="other"), line(10, 5, speed=2)):
+        def with_friction(stress, **friction):
+            tree = line(10, 5, friction=friction)
+            tree["lubricant"] = tree["lubricant"] | {"eyring_stress": stress}
+            return tree
+
+        for changed in (line(10, 5.1), line(11, 5), line(10, 5, id="other"), line(10, 5, speed=2), with_friction(5e6), with_friction(6e6),
+                        with_friction(6e6, fluid="limiting"), with_friction(6e6, slide_roll_ratio=0.5)):
             self.assertEqual(self.kept(self.write(changed))[1], 0)
         path = self.write(line(10, 5))
         for option in ((), ("--tolerance", "1e-3"), ("--format", "csv"), ("--profile",), ("--viscosity", "roelands"), ("--density", "dowson_higginson")):
