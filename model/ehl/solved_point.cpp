@@ -54,7 +54,7 @@ double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
   return part;
 }
 
-// What is read off a film, with the integral that is asked for.
+// The numbers that are read off a film, with the integral that is asked for.
 FilmFeatures features_of(const PointFilm& film, const PointOptions& options) {
   FilmFeatures found = ehl::features_of(film);
   if (!options.integrand) return found;

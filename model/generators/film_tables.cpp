@@ -10,8 +10,8 @@
 // corners are. Pieces over L or over its root, flatter slopes, and
 // pieces without the formula were each further from films solved between the rows.
 //
-// Of starved films it takes the ln γ by which Damiens' film would be that of a row, as cubic
-// splines along ln r, along ln(1 + L) and along ln M, where the rows of all r, L and M are.
+// The rows of starved films give the ln γ by which Damiens' film would be theirs, as cubic splines
+// along ln r, along ln(1 + L) and along ln M, where the rows of all r, L and M are.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -3,7 +3,7 @@
 # exponents in the legends. Blocks, one for each solver: solver, cells, ns for the matrix of influences, ns for a step of
 # Newton's method, bytes; and of the exponents: solver, quantity, exponent, uncertainty.
 load scripts."work.gp"
-# Of line contacts or of point contacts: line_film_growth and line_film_exponents, or point_….
+# Line contacts or point contacts: line_film_growth and line_film_exponents, or point_….
 table = data.prefix.".blocks.tsv"
 exponents = data.(prefix[1:strstrt(prefix, "_growth")])."exponents.blocks.tsv"
 stats table using 2 nooutput name "cells"
