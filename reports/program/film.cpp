@@ -409,7 +409,7 @@ Command film_command(CLI::App& program, WriteFields write) {
   app->add_flag("--estimate", arguments->estimate,
                 "print grids, time and memory that the films will take, and solve none");
   arguments->write_fields = write;
-  CLI::Option* const fields =
+  CLI::Option* const fields_option =
       app->add_option(
              "--fields", arguments->fields,
              "write x, y, p(x, y) and h(x, y) of one circle or ellipse, as on the finest grid, "
@@ -422,7 +422,7 @@ Command film_command(CLI::App& program, WriteFields write) {
   app->add_option("--keep", arguments->keep,
                   "keep each film in this file as soon as it is solved, and take from it the films "
                   "that an earlier run has kept")
-      ->excludes(fields)
+      ->excludes(fields_option)
       ->excludes("--picture");
   return {app,
           [arguments](OutputStream& output) {
