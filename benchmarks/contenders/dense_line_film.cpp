@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "ehl/influence.hpp"
@@ -84,22 +83,9 @@ double DenseNewton::step() {
   sides = factored.solve(sides).eval();
   const double missing = std::numbers::pi / 2 - weights_.dot(now_.pressure + sides.col(0));
   const double rise = -missing / weights_.dot(sides.col(1));
-  const VectorXd change = sides.col(0) - rise * sides.col(1);
-  const double greatest = change.cwiseAbs().maxCoeff();
-  ++now_.steps;
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  if (!std::isfinite(greatest)) return nothing;
-  const double least = now_.film.minCoeff();
-  for (double part = std::fmin(1, 0.5 / greatest); part > 1e-4; part /= 2) {
-    VectorXd pressure = (now_.pressure + part * change).cwiseMax(0);
-    VectorXd film = film_of(pressure, now_.separation + part * rise);
-    if (film.minCoeff() <= 0.2 * least) continue;
-    now_.pressure = std::move(pressure);
-    now_.film = std::move(film);
-    now_.separation += part * rise;
-    return part == 1 ? std::fmax(greatest, std::fabs(rise)) : 1;
-  }
-  return nothing;
+  return damped_step(
+      now_, sides.col(0) - rise * sides.col(1), rise,
+      [&](const VectorXd& pressure, double separation) { return film_of(pressure, separation); });
 }
 
 ehl::LineFilm DenseNewton::run() {

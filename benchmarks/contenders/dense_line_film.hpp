@@ -5,11 +5,35 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "ehl/line_film.hpp"
 
 namespace tribo::benchmarks {
+
+// Makes of a change of pressure and separation the greatest half, quarter … that leaves a film, as
+// in model/ehl, or all of it. Gives the change; 1 where a part was made; NaN: no part will do.
+template <class Film, class FilmOf>
+double damped_step(Film& now, const Eigen::VectorXd& change, double rise, const FilmOf& film_of) {
+  const double greatest = change.cwiseAbs().maxCoeff();
+  ++now.steps;
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(greatest)) return nothing;
+  const double least = now.film.minCoeff();
+  for (double part = std::fmin(1, 0.5 / greatest); part > 1e-4; part /= 2) {
+    Eigen::VectorXd pressure = (now.pressure + part * change).cwiseMax(0);
+    Eigen::VectorXd film = film_of(pressure, now.separation + part * rise);
+    if (film.minCoeff() <= 0.2 * least) continue;
+    now.pressure = std::move(pressure);
+    now.film = std::move(film);
+    now.separation += part * rise;
+    return part == 1 ? std::fmax(greatest, std::fabs(rise)) : 1;
+  }
+  return nothing;
+}
 
 class DenseNewton {
  public:

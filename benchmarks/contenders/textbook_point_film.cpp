@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <utility>
+
+#include "contenders/dense_line_film.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -120,22 +121,9 @@ double TextbookPointFilm::newton_step() {
   sides = factored.solve(sides).eval();
   const double rise = -(missing_load(now_.pressure, now_.separation) - areas_.dot(sides.col(0))) /
                       areas_.dot(sides.col(1));
-  const VectorXd change = sides.col(0) - rise * sides.col(1);
-  const double greatest = change.cwiseAbs().maxCoeff();
-  ++now_.steps;
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  if (!std::isfinite(greatest)) return nothing;
-  const double least = now_.film.minCoeff();
-  for (double part = std::fmin(1, 0.5 / greatest); part > 1e-4; part /= 2) {
-    VectorXd pressure = (now_.pressure + part * change).cwiseMax(0);
-    VectorXd film = film_of(pressure, now_.separation + part * rise);
-    if (film.minCoeff() <= 0.2 * least) continue;
-    now_.pressure = std::move(pressure);
-    now_.film = std::move(film);
-    now_.separation += part * rise;
-    return part == 1 ? std::fmax(greatest, std::fabs(rise)) : 1;
-  }
-  return nothing;
+  return damped_step(
+      now_, sides.col(0) - rise * sides.col(1), rise,
+      [&](const VectorXd& pressure, double separation) { return film_of(pressure, separation); });
 }
 
 ehl::PointFilm TextbookPointFilm::newton() {

@@ -8,7 +8,7 @@
 namespace tribo::ehl {
 
 // All numbers are without units: H, P and X of line_contact.hpp or point_contact.hpp. In a point
-// contact all but the least film are of the line Y = 0.
+// contact all but the least film and the integral are of the line Y = 0.
 struct FilmFeatures {
   double central = 0;  // H at X = 0
   double minimum = 0;  // the least H, between nodes too

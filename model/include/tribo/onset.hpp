@@ -370,7 +370,6 @@ inline SpeedSpan speed_span(const Speeds& speeds) {
 template <class T>
 Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
   using std::log;
-  using std::sqrt;
   constexpr OnsetCriterion criterion = OnsetCriterion::friction_minimum;
   if (!scene.lubricant.eyring_stress)
     return no_onset<T>(criterion, scene.friction.boundary_coefficient
