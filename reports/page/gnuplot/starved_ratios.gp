@@ -35,7 +35,7 @@ set tmargin at screen bottom + panel
 set bmargin at screen bottom
 set format x "%g"
 set xlabel "layer of oil over the flooded film ρ (–)" offset 0, x_words
-set yrange [2:5]
+set yrange [2:*]
 set ylabel "exponent γ of Damiens (–)" offset y_words - 1, 0
 set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 5 Left reverse samplen 3 spacing 1.2 font small noenhanced
 plot for [k=1:4] keyentry with lines linestyle k linecolor rgb colour(k) title word(closures, k), \
