@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ehl/point_needs.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tribo::ehl {
@@ -26,6 +27,11 @@ PointNeeds needs_of(const PointContact& contact, const PointOptions& options) {
   int cells = 1;  // on the length that pressure reaches
   while ((needs.coarsest = grid_for(contact, cells)).count_x() - 1 < first_cells) ++cells;
   while (needs.finest(needs.most_grids + 1).size() <= options.greatest_nodes) ++needs.most_grids;
+  for (double longer = 1; longer < greatest_length; longer *= length_step) {
+    PlaneGrid grid = grid_for(contact, cells, longer);
+    while (4 * grid.size() <= options.greatest_nodes) grid = grid.finer();
+    needs.most_nodes = std::max(needs.most_nodes, grid.size());
+  }
   return needs;
 }
 

@@ -13,6 +13,7 @@ struct PointNeeds {
   // An error needs three grids at least; the tolerance may ask for the others.
   int least_grids = 3, most_grids = 3;
   PlaneGrid coarsest{};
+  Eigen::Index most_nodes = 0;  // of a finest grid, which may have to be longer than the first
 
   PlaneGrid finest(int grids) const;  // of so many grids
 };

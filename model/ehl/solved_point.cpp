@@ -14,6 +14,8 @@ namespace tribo::ehl {
 namespace {
 
 constexpr double minimum_share = 3;  // of the tolerance, for the least film
+// Of the tolerance, for the ends of the grid: a finer grid makes their part no smaller.
+constexpr double domain_share = 0.8;
 
 int rounded_up(double cells) { return static_cast<int>(std::ceil(cells - 1e-9)); }
 
@@ -23,23 +25,31 @@ double worst_of(const SolvedPoint& solved) {
   return std::max(solved.central.relative_error(), solved.minimum.relative_error() / minimum_share);
 }
 
-// Sets the films and their errors. Returns the part of worst_of() that the grid's ends make.
-double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
-                    const FilmFeatures& larger) {
+// The relative error of a film from the grid's ends, which falls with the third power of its
+// length: 3/2 times the length leaves 0.3 of it.
+double domain_error_of(double FilmFeatures::*film, const FilmFeatures& grid,
+                       const FilmFeatures& larger) {
+  return 1.5 * std::fabs(larger.*film / grid.*film - 1);
+}
+
+// The part of worst_of() that the grid's ends make.
+double domain_part_of(const FilmFeatures& grid, const FilmFeatures& larger) {
+  return std::fmax(domain_error_of(&FilmFeatures::central, grid, larger),
+                   domain_error_of(&FilmFeatures::minimum, grid, larger) / minimum_share);
+}
+
+// Sets the films and their errors.
+void estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
+                  const FilmFeatures& larger) {
   solved.domain_error = 0;
-  double part = 0;
-  const auto estimate = [&](double FilmFeatures::*feature, const Caution& caution,
-                            double share = 1) {
+  const auto estimate = [&](double FilmFeatures::*feature, const Caution& caution) {
     std::vector<double> values;
     values.reserve(grids.size());
     for (const FilmFeatures& f : grids) values.push_back(f.*feature);
     Estimate e = estimate_of(values, caution);
-    // The error from the grid's ends falls with the third power of its length: 3/2 times the length
-    // leaves 0.3 of it.
-    const double domain = 1.5 * std::fabs(larger.*feature / grids.front().*feature - 1);
+    const double domain = domain_error_of(feature, grids.front(), larger);
     if (feature != &FilmFeatures::integral)
       solved.domain_error = std::fmax(solved.domain_error, domain);
-    if (share > 0) part = std::fmax(part, domain / share);
     e.error += domain * std::fabs(e.value);
     return e;
   };
@@ -47,11 +57,10 @@ double estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
   // Two of Richardson's values of the least film may agree by chance: its errors are less regular.
   constexpr Caution at_edge{.of_last = 0.5, .of_change = 0.1};
   solved.central = estimate(&FilmFeatures::central, away_from_edge);
-  solved.minimum = estimate(&FilmFeatures::minimum, at_edge, minimum_share);
-  solved.at_greatest_pressure = estimate(&FilmFeatures::at_greatest_pressure, away_from_edge, 0);
+  solved.minimum = estimate(&FilmFeatures::minimum, at_edge);
+  solved.at_greatest_pressure = estimate(&FilmFeatures::at_greatest_pressure, away_from_edge);
   if (grids.back().integral > 0)
-    solved.integral = estimate(&FilmFeatures::integral, away_from_edge, 0);
-  return part;
+    solved.integral = estimate(&FilmFeatures::integral, away_from_edge);
 }
 
 // The numbers that are read off a film, with the integral that is asked for.
@@ -101,9 +110,10 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   };
 
   PointFilm film = solve_from_nothing(contact, grid, watch);
-  for (double longer = 1.25; film.outcome == Outcome::solved && is_wet_at_ends(contact, film) &&
-                             longer < 4 && 16 * grid.size() <= options.greatest_nodes;
-       longer *= 1.25) {
+  for (double longer = length_step;
+       film.outcome == Outcome::solved && is_wet_at_ends(contact, film) &&
+       longer < greatest_length && 16 * grid.size() <= options.greatest_nodes;
+       longer *= length_step) {
     grid = grid_for(contact, cells, longer);
     film = solve_on(contact, grid, film, watch);
   }
@@ -117,12 +127,20 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   }
   std::vector<FilmFeatures> grids{features_of(film, options)};
   FilmFeatures larger = grids.front();  // a starved contact's meniscus is on the grid
-  if (!contact.is_starved()) {
-    const PointFilm longer = solve_on(contact, grid_for(contact, cells, 1.5), film, watch);
-    if (failed(longer)) return solved;
-    larger = features_of(longer, options);
+  // A grid whose ends take too much of the tolerance is made longer while it leaves three grids.
+  for (double longer = 1; !contact.is_starved(); longer *= length_step) {
+    const PointFilm on_larger =
+        solve_on(contact, grid_for(contact, cells, 1.5 * longer), film, watch);
+    if (failed(on_larger)) return solved;
+    larger = features_of(on_larger, options);
+    if (domain_part_of(grids.front(), larger) <= domain_share * options.tolerance) break;
+    const PlaneGrid next = grid_for(contact, cells, length_step * longer);
+    if (length_step * longer >= greatest_length || 16 * next.size() > options.greatest_nodes) break;
+    film = solve_on(contact, grid = next, film, watch);
+    if (failed(film)) return solved;
+    grids.front() = features_of(film, options);
   }
-  double domain_part = 0;  // of worst_of()
+  const double domain_part = domain_part_of(grids.front(), larger);
   const auto is_met = [&] {
     return solved.minimum.value > 0 && worst_of(solved) <= options.tolerance;
   };
@@ -133,8 +151,8 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     film = std::move(finer);
     grids.push_back(features_of(film, options));
     if (grids.size() < 3) continue;
-    domain_part = estimate_all(solved, grids, larger);
-    if (is_met() || worst_of(solved) < 1.25 * domain_part) break;  // a finer grid does not help
+    estimate_all(solved, grids, larger);
+    if (is_met() || domain_share * worst_of(solved) < domain_part) break;
   }
   solved.grids = static_cast<int>(grids.size());
   solved.steps = film.steps;

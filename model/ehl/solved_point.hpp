@@ -41,8 +41,12 @@ inline constexpr double least_point_load_number = 1, greatest_tried_point_load_n
 // but floods the contact, and of a thinner one the film is all but the layer.
 inline constexpr double least_layer = 0.05, greatest_layer = 6;
 
+// A grid that is too short is made longer by the first number, once more and once more, while it
+// stays below so many times the length that is tried first.
+inline constexpr double length_step = 1.25, greatest_length = 4;
+
 // The nodes for a contact, with `cells` cells on the length that pressure reaches. `longer`: its
-// length over that which solve_point_film() takes.
+// length over that which solve_point_film() tries first.
 PlaneGrid grid_for(const PointContact& contact, int cells, double longer = 1);
 
 // Error of each film: its Estimate, from three grids or more and from a larger one. Where the

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -22,6 +24,7 @@
 #include "scene_arguments.hpp"
 #include "stop_signal.hpp"
 #include "sweep/needs_text.hpp"
+#include "sweep/on_threads.hpp"
 #include "sweep/output_file.hpp"
 #include "sweep/plan.hpp"
 #include "table.hpp"
@@ -34,6 +37,7 @@ struct FilmArguments {
   SceneArguments scenes;
   FilmSettings settings;
   double speed = 0;  // 0: the scene's
+  int threads = 1;
   bool with_profile = false, estimate = false;
   std::string picture, fields, keep;
   WriteFields write_fields = nullptr;
@@ -84,6 +88,14 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
   return loaded;
 }
 
+// A scene at one of its speeds.
+struct Contact {
+  const Scene* scene;
+  double speed;
+
+  std::string name() const { return fmt::format("{} at {} m/s", scene->id, readable(speed)); }
+};
+
 class FilmRun {
  public:
   // Claims the files of fields and of films that are kept, so that a place where they cannot be is
@@ -97,37 +109,44 @@ class FilmRun {
     if (!arguments.keep.empty()) kept_.emplace(sweep::output_behind_links(arguments.keep));
   }
 
-  // Solves and shows a film, or shows it as it was kept. Returns false where it was stopped.
-  bool solve(const Scene& scene, double speed) {
-    const std::string name = fmt::format("{} at {} m/s", scene.id, readable(speed));
-    if (const KeptFilm* const kept = kept_ ? kept_->find(key_of(scene, speed)) : nullptr) {
+  // Solves a film, or takes it as it was kept, and shows it as soon as all films before it are
+  // shown. Several threads may call it at once; `place` counts the contacts from 0 on. Does nothing
+  // after Ctrl-C.
+  void solve(const Contact& contact, std::size_t place) {
+    std::unique_lock lock(mutex_);
+    if (stop_signal() != 0) return;
+    Result result{.name = contact.name(), .shown = {}, .film = {}, .is_stopped = false};
+    const std::string key = kept_ ? key_of(contact) : "";
+    if (const KeptFilm* const kept = kept_ ? kept_->find(key) : nullptr) {
       ++taken_;
-      print(kept->text);
-      tell(name, kept->reason);
-      return true;
+      result.shown = *kept;
+    } else {
+      lock.unlock();
+      FilmCase film =
+          solve_film(*contact.scene, contact.speed, arguments_.settings, [&](int cells, int step) {
+            const std::lock_guard watching(mutex_);
+            if (line_.is_due())
+              line_.show(fmt::format("{} ({} of {}): grid of {} cells, step {} of Newton's method",
+                                     printable(result.name), place + 1, total_, cells, step + 1));
+            return stop_signal() == 0;
+          });
+      lock.lock();
+      line_.wipe();
+      result.shown = {film.reason, writer_.text_of(film)};
+      result.is_stopped = stop_signal() != 0;
+      result.film = std::move(film);
+      if (kept_ && !result.is_stopped) keep(key, result.shown);
     }
-    const FilmCase film = solve_film(scene, speed, arguments_.settings, [&](int cells, int step) {
-      if (line_.is_due())
-        line_.show(fmt::format("{} ({} of {}): grid of {} cells, step {} of Newton's method",
-                               printable(name), done_ + 1, total_, cells, step + 1));
-      return stop_signal() == 0;
-    });
-    line_.wipe();
-    const bool is_stopped = stop_signal() != 0;
-    if (!is_stopped || film.is_solved) add(film);
-    if (is_stopped) {
-      if (film.reason.empty()) ++done_;
-      complain(
-          fmt::format("stopped: {} of {} contacts are solved to the tolerance", done_, total_) +
-          (film.reason.empty() ? "" : fmt::format("; {}: {}", name, film.reason)));
-      return false;
-    }
-    if (kept_) keep(key_of(scene, speed), film);
-    tell(name, film.reason);
-    return true;
+    waiting_.emplace(place, std::move(result));
+    for (; !waiting_.empty() && waiting_.begin()->first == next_; ++next_) show_first();
   }
 
   int finish(const LoadedScenes& loaded) {
+    while (!waiting_.empty()) show_first();
+    if (stop_signal() != 0 && (next_ < total_ || !stopped_.empty()))
+      complain(
+          fmt::format("stopped: {} of {} contacts are solved to the tolerance", done_, total_) +
+          (stopped_.empty() ? "" : "; " + stopped_));
     writer_.finish(loaded.warnings.json());
     output_.flush();
     if (taken_ > 0)
@@ -138,9 +157,31 @@ class FilmRun {
   }
 
  private:
-  std::string key_of(const Scene& scene, double speed) const {
+  struct Result {
+    std::string name;
+    KeptFilm shown;
+    std::optional<FilmCase> film;  // empty where it was kept
+    bool is_stopped;
+  };
+
+  std::string key_of(const Contact& contact) const {
     return fmt::format("{} {} {} {}", sweep::numbers_version, arguments_.scenes.format,
-                       arguments_.with_profile, key_of_film(scene, speed, arguments_.settings));
+                       arguments_.with_profile,
+                       key_of_film(*contact.scene, contact.speed, arguments_.settings));
+  }
+
+  void show_first() {
+    const Result result = std::move(waiting_.begin()->second);
+    waiting_.erase(waiting_.begin());
+    const std::string& reason = result.shown.reason;
+    if (!result.is_stopped || result.film->is_solved) {
+      print(result.shown.text);
+      if (result.film && result.film->is_solved) draw(*result.film);
+    }
+    if (!result.is_stopped || reason.empty())
+      tell(result.name, reason);
+    else if (stopped_.empty())
+      stopped_ = result.name + ": " + reason;
   }
 
   void tell(const std::string& name, const std::string& reason) {
@@ -152,24 +193,22 @@ class FilmRun {
     all_solved_ = false;
   }
 
-  // A film is shown as soon as it is solved: the next one may take minutes.
+  // The next film may take minutes.
   void print(std::string_view film) {
     writer_.add(film);
     output_.flush();
   }
 
-  void add(const FilmCase& film) {
-    print(writer_.text_of(film));
-    if (!film.is_solved) return;
+  void draw(const FilmCase& film) {
     if (fields_) write_fields(film);
     if (!arguments_.picture.empty() &&
         !draw_picture("film_picture.py", film_picture_json(film).dump(), arguments_.picture))
       all_solved_ = false;
   }
 
-  void keep(const std::string& key, const FilmCase& film) {
+  void keep(const std::string& key, const KeptFilm& film) {
     try {
-      kept_->keep(key, {film.reason, writer_.text_of(film)});
+      kept_->keep(key, film);
     } catch (const std::runtime_error& error) {
       complain(error.what() + std::string("; the films from here on are not kept"));
       kept_.reset();
@@ -196,6 +235,10 @@ class FilmRun {
   std::optional<sweep::PartFile> fields_;
   std::optional<KeptFilms> kept_;
   StepLine line_{std::chrono::milliseconds(500), std::chrono::milliseconds(100)};
+  std::mutex mutex_;  // of all that follows a film: one thread at a time shows it
+  std::map<std::size_t, Result> waiting_;  // by place, for films before them
+  std::size_t next_ = 0;                   // place of the film that is shown next
+  std::string stopped_;  // the first film that was being solved at Ctrl-C, and how far it came
 };
 
 std::string span(const std::string& from, const std::string& up_to) {
@@ -277,11 +320,16 @@ int estimate_films(const FilmArguments& arguments, const LoadedScenes& loaded,
       }
     }
   refused.finish(to);
+  const std::size_t threads = std::clamp<std::size_t>(static_cast<std::size_t>(arguments.threads),
+                                                      1, std::max<std::size_t>(count, 1));
+  const auto at_once = static_cast<double>(threads);
   append(to, fmt::format("contacts {}\n", count));
-  append(to, fmt::format("time   {} on 1 thread, roughly\n",
-                         span(sweep::time_text(least.seconds), sweep::time_text(most.seconds))));
-  append(to, fmt::format("memory {}\n",
-                         span(sweep::bytes_text(least.memory), sweep::bytes_text(most.memory))));
+  append(to, fmt::format("time   {} on {} thread{}, roughly\n",
+                         span(sweep::time_text(least.seconds / at_once),
+                              sweep::time_text(most.seconds / at_once)),
+                         threads, threads == 1 ? "" : "s"));
+  append(to, fmt::format("memory {}\n", span(sweep::bytes_text(at_once * least.memory),
+                                             sweep::bytes_text(at_once * most.memory))));
   output.flush();
   return loaded.exit_code(arguments.scenes);
 }
@@ -294,16 +342,18 @@ int solve_films(const FilmArguments& arguments, OutputStream& output) {
     return fail(exit_bad,
                 "--profile takes no file, and prints nothing where a scene is bad; it writes to "
                 "stdout, as in `--profile --format csv > profiles.csv`");
-  std::size_t total = 0;
-  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
-  if (total > 1)
+  std::vector<Contact> contacts;
+  for (const Scene& scene : loaded.scenes)
+    for (std::size_t i = 0; i < scene.speeds.size(); ++i)
+      contacts.push_back({&scene, scene.speeds[i]});
+  if (contacts.size() > 1)
     for (const auto& [file, words] :
          {std::pair{&arguments.picture, "--picture draws"}, {&arguments.fields, "--fields writes"}})
       if (!file->empty())
         return fail(exit_bad,
                     fmt::format("{} one contact, and this would be {}; allowed: one scene, "
                                 "and one speed, as by --speed",
-                                words, total));
+                                words, contacts.size()));
   if (!arguments.fields.empty() && is_of_line(loaded.scenes.front()))
     return fail(exit_bad,
                 fmt::format("--fields writes pressure and film over a circle or an ellipse, and {} "
@@ -311,11 +361,9 @@ int solve_films(const FilmArguments& arguments, OutputStream& output) {
                             printable(loaded.scenes.front().id)));
   watch_for_stop();
   try {
-    FilmRun run(arguments, total, output);
-    bool goes_on = true;
-    for (const Scene& scene : loaded.scenes)
-      for (std::size_t i = 0; i < scene.speeds.size() && goes_on; ++i)
-        goes_on = run.solve(scene, scene.speeds[i]);
+    FilmRun run(arguments, contacts.size(), output);
+    each_on_threads(arguments.threads, contacts.size(),
+                    [&](std::size_t place) { run.solve(contacts[place], place); });
     return run.finish(loaded);
   } catch (const sweep::RunRefused& refused) {
     return fail(exit_bad, refused.what());
@@ -351,7 +399,8 @@ such a liquid are empty. Where Roelands' z is outside 0.2 to 1.2, a
 warning says so.
 
 A line takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
-200 contacts. Ctrl-C stops at the next step, which takes up to some ten seconds on fine plane grids,
+200 contacts. With --threads 4 four contacts are solved at once, in the memory of four; what is printed stays
+the same. Ctrl-C stops at the next step, which takes up to some ten seconds on fine plane grids,
 and what was solved is written. With --keep FILE each film is kept there too, as it is printed; the same
 command again, or one with more scenes or speeds, takes those films from the file and solves the others. A
 film that was kept in another --format, or with other settings, is solved anew.
@@ -406,6 +455,9 @@ Command film_command(CLI::App& program, WriteFields write) {
       "print pressure and film at each node of the grid too, from the first of the inlet on, "
       "far in front of the contact; in CSV in place of the films");
   add_picture_option(*app, arguments->picture, "pressure and film of one contact");
+  app->add_option("--threads", arguments->threads,
+                  "contacts that are solved at once, each in the memory of one (default: 1)")
+      ->check(CLI::Range(1, 1024));
   app->add_flag("--estimate", arguments->estimate,
                 "print grids, time and memory that the films will take, and solve none");
   arguments->write_fields = write;

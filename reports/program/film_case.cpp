@@ -374,13 +374,18 @@ FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& se
   }
   const ehl::PointContact contact = ehl::point_contact_of(conditions);
   const ehl::PointNeeds needs = ehl::needs_of(contact, {.tolerance = given.tolerance});
-  const auto on = [&](int grids) {
-    const Eigen::Index nodes = needs.finest(grids).size();
+  const auto on = [&](int grids, Eigen::Index nodes) {
     return FilmNeeds::Grids{grids, static_cast<double>(nodes), ehl::point_seconds(contact, nodes),
                             program + ehl::point_memory(nodes)};
   };
-  return {given.viscosity,         given.density, given.tolerance,       contact.load_number,
-          contact.material_number, needs.reason,  on(needs.least_grids), on(needs.most_grids)};
+  return {given.viscosity,
+          given.density,
+          given.tolerance,
+          contact.load_number,
+          contact.material_number,
+          needs.reason,
+          on(needs.least_grids, needs.finest(needs.least_grids).size()),
+          on(needs.most_grids, needs.most_nodes)};
 }
 
 std::string key_of_film(const Scene& scene, double speed, const FilmSettings& settings) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """film: solved contacts, their errors, each formula beside them, and failures."""
 
+import csv
 import math
 import os
 import pty
@@ -406,6 +407,46 @@ class Failures(FilmTest):
             self.assertEqual(out, whole)
             self.assertTrue(0 < taken < 15, taken)
             self.assertEqual(self.kept(*arguments), (whole, 15))
+
+    def test_several_threads_show_and_keep_the_same_bytes(self):
+        """Contacts of very different cost, one of them refused, so that films wait for those before them."""
+        speeds = [1e10, 5, 1e-20, 0.01, 2, 20, 0.02]
+        path = self.write(line(10, 5, speed=speeds))
+        for form in ("json", "csv", "table"):
+            one = run("film", path, "--format", form)
+            for threads in ("2", "7", "50"):
+                many = run("film", path, "--format", form, "--threads", threads)
+                self.assertEqual((many.code, many.out, many.err), (one.code, one.out, one.err), threads)
+            self.assertEqual(self.kept(path, "--format", form, "--threads", "3", code=1), (one.out, 0))
+            self.assertEqual(self.kept(path, "--format", form, "--threads", "3", code=1), (one.out, len(speeds)))
+
+    def test_ctrl_c_with_several_threads_loses_no_film(self):
+        path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 200}))
+        arguments = path, "--format", "csv", "--threads", "3"
+        process = start("film", *arguments, "--keep", self.folder.path("kept"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        first = process.stdout.readline() + process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        rest, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, said)
+        rows = [row for row in csv.DictReader((first + rest).splitlines()) if not row["reason"]]
+        self.assertIn(f"stopped: {len(rows)} of 200 contacts are solved to the tolerance", said)
+        self.assertEqual(sorted(rows, key=lambda row: float(row["speed"])), rows)
+        out, taken = self.kept(*arguments)
+        self.assertTrue(0 < taken <= len(rows), (taken, len(rows)))
+        self.assertEqual(out, run("film", *arguments).out)
+
+    def test_estimate_tells_the_memory_of_all_threads(self):
+        path = self.write(line(10, 5, speed=[0.5, 1, 2]))
+        told = {}
+        for threads in ("1", "2", "3", "50"):  # never more threads than contacts
+            out = run("film", path, "--estimate", "--threads", threads).out
+            told[threads] = re.search(r"time   .* on (\d+ threads?), roughly\nmemory (\S+) (\S+)", out).groups()
+        self.assertEqual([one[0] for one in told.values()], ["1 thread", "2 threads", "3 threads", "3 threads"])
+        self.assertEqual({one[2] for one in told.values()}, {"MB"})
+        memory = [float(one[1]) for one in told.values()]
+        self.assertEqual(memory[2], memory[3])
+        self.assertTrue(1.8 < memory[1] / memory[0] < 2.2 and 2.7 < memory[2] / memory[0] < 3.3, memory)
 
     def test_kept_films_are_taken_for_the_same_contact_alone(self):
         path = self.write(line(10, 5, speed=[1e-20, 1, 1e10]))

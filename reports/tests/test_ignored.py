@@ -79,6 +79,7 @@ UNSEEN = {
     ("plugin-host", "--time"): "it is asked nothing; test_bench_solver has questions",
     ("plugin-host", "--places"): "it is asked nothing; test_unsteady has questions",
     ("solve", "--threads"): "the results are the same bits for any number",
+    ("film", "--threads"): "the films are the same; test_film compares them and the estimate",
     ("verify", "--jobs"): "the verdict is the same; test_jobs counts the processes, and has the refusals",
     ("sweep", "--out"): "with --estimate nothing is written: the line of the run itself is estimated as it stands",
     ("sweep", "--without-fma"): "it changes last digits, and estimated times; test_sweep holds the bits",

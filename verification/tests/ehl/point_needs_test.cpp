@@ -39,11 +39,31 @@ TEST(PointNeeds, MostGridsAreThoseThatTheNodesLeave) {
   const ehl::PointOptions options;
   for (const double load : {5., 100., 2000.}) {
     const ehl::PointNeeds needs = ehl::needs_of(ehl::barus_point(load, 5));
-    EXPECT_LE(needs.finest(needs.most_grids).size(), options.greatest_nodes) << load;
+    EXPECT_LE(needs.finest(needs.most_grids).size(), needs.most_nodes) << load;
+    EXPECT_LE(needs.most_nodes, options.greatest_nodes) << load;
     EXPECT_GT(needs.finest(needs.most_grids + 1).size(), options.greatest_nodes) << load;
   }
   EXPECT_LT(ehl::needs_of(ehl::barus_point(5, 5)).most_grids,
             ehl::needs_of(ehl::barus_point(5, 5), {.greatest_nodes = 2'000'000}).most_grids);
+}
+
+// The ends of the first grid take 0.7 of one tolerance, and 0.93 of the other.
+TEST(PointNeeds, HoldAGridThatIsMadeLongerWhereItsEndsTakeTooMuch) {
+  const ehl::PointContact contact = ehl::barus_point(50, 3, 8);
+  for (const double tolerance : {2e-3, 1.5e-3}) {
+    SCOPED_TRACE(testing::Message() << "to a tolerance of " << tolerance);
+    const ehl::PointOptions options{.tolerance = tolerance};
+    const ehl::SolvedPoint solved = ehl::solve_point_film(contact, options);
+    const ehl::PointNeeds needs = ehl::needs_of(contact, options);
+    EXPECT_EQ(solved.reason, "");
+    EXPECT_LE(solved.domain_error, 0.8 * tolerance);
+    EXPECT_LE(solved.film.grid.size(), needs.most_nodes);
+    const int first = needs.finest(solved.grids).count_x();
+    if (tolerance < 2e-3)
+      EXPECT_GT(solved.film.grid.count_x(), first);
+    else
+      EXPECT_EQ(solved.film.grid.count_x(), first);
+  }
 }
 
 TEST(PointNeeds, SayWhyAContactIsRefused) {
