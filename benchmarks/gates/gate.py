@@ -3,7 +3,8 @@
 """The gates of speed: does a kernel do more work, or take longer, than it did?
 
   counters      steps of roots, evaluations, what was skipped: exact, on each instruction set
-  instructions  callgrind's count of a pass, scalar and AVX2: at most 1 % more; where valgrind is installed
+  instructions  callgrind's count of a pass, scalar and AVX2: at most 1 % more, and by each law of films at most
+                so many times that by Hamrock and Dowson's; where valgrind is installed
   time          CPU time over that of a control kernel (std::exp) in the same repetition: red where the
                 intervals from minimum to median do not overlap and the median is 10 % up, twice in a row
 
@@ -88,6 +89,7 @@ def hold_instructions(base, now, verdict):
         elif rules.fewer_instructions(base[key], now[key]):
             note = "  fewer: make gate-baseline keeps that"
         verdict.say(f"  {key:28}{base[key]:12}{now[key]:12}{100 * (ratio - 1):+9.2f} %{note}")
+    verdict.red += rules.dearer(now)
     return verdict
 
 

@@ -10,6 +10,9 @@ INSTRUCTION_TOLERANCE = 0.01  # relative change of callgrind's counts, which rep
 TIME_RATIO = 1.10             # a median over the base's
 REPETITIONS = 9               # the fewest for a time
 QUIET = 1.15                  # the control kernel's time over its best
+# The same points by two laws of films: so many times the other's instructions at most.
+MOST_TIMES = {"points_solved_film": ("points_hamrock_dowson", 1.5),
+              "points_nijenbanning_venner_moes": ("points_hamrock_dowson", 3)}
 
 
 def workload_of(key):
@@ -44,6 +47,16 @@ def more_instructions(base, now):
 def fewer_instructions(base, now):
     """Not red, but the baseline should be renewed: with the old one the gain may be lost unnoticed."""
     return now < base * (1 - INSTRUCTION_TOLERANCE)
+
+
+def dearer(now):
+    """A line for each workload that takes too many times the instructions of another one, which does the same with
+    another law of films."""
+    for key, count in now.items():
+        workload, instruction_set = key.split(" ")
+        other, limit = MOST_TIMES.get(workload, (None, 0))
+        if other is not None and count > limit * now[f"{other} {instruction_set}"]:
+            yield f"{key}: {count / now[f'{other} {instruction_set}']:.2f} times the instructions of {other}, more than {limit}"
 
 
 class Repetition(typing.NamedTuple):

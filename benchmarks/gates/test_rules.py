@@ -60,11 +60,15 @@ class Limits(unittest.TestCase):
         def quiet(control):
             return rules.quiet([Repetition(2.0, 1.0, control)], 1.0) == []
 
+        def is_dearer(workload, other):
+            return lambda times: list(rules.dearer({f"{other} AVX2": 1.0, f"{workload} AVX2": times})) != []
+
         for name, limit, is_red in (
                 ("instructions", 101000.0, lambda now: rules.more_instructions(100000, now)),
                 ("control before or after", 1.15, quiet),
                 ("time", 1.10, lambda median: rules.slower(Interval(0.9, 1.0), Interval(1.05, median))),
-                ("interval", 1.0, lambda least: rules.slower(Interval(0.9, 1.0), Interval(least, 1.2)))):
+                ("interval", 1.0, lambda least: rules.slower(Interval(0.9, 1.0), Interval(least, 1.2))),
+                *((workload, limit, is_dearer(workload, other)) for workload, (other, limit) in rules.MOST_TIMES.items())):
             with self.subTest(name=name):
                 self.assertFalse(is_red(limit))
                 self.assertTrue(is_red(math.nextafter(limit, 2 * limit)))

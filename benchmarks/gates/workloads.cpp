@@ -181,19 +181,24 @@ Workloads root_workloads() {
 
 constexpr std::size_t speeds_a_scene = 200;
 
-std::vector<double> speeds() {
+// From the least to 3 m/s.
+std::vector<double> speeds(double least) {
   std::vector<double> all(speeds_a_scene);
   for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = 1e-4 * std::pow(3e4, static_cast<double>(i) / static_cast<double>(all.size() - 1));
+    all[i] =
+        least * std::pow(3 / least, static_cast<double>(i) / static_cast<double>(all.size() - 1));
   return all;
 }
 
 // The contacts are made outside the timed pass: this work belongs to a scene, not to a point.
-std::vector<MixedContact<double>> contacts() {
+std::vector<MixedContact<double>> contacts(FilmFormula film) {
   std::vector<MixedContact<double>> all;
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
-    for (const auto surface : verification::paper_surfaces)
-      all.emplace_back(verification::paper_scene(surface, model));
+    for (const auto surface : verification::paper_surfaces) {
+      Scene scene = verification::paper_scene(surface, model);
+      scene.closures.film = film;
+      all.emplace_back(scene);
+    }
   return all;
 }
 
@@ -204,14 +209,15 @@ OutputSet film_and_regime() {
   return outputs;
 }
 
-Workload points_of(std::string name, OutputSet outputs) {
+Workload points_of(std::string name, OutputSet outputs, double least_speed = 1e-4,
+                   FilmFormula film = FilmFormula::hamrock_dowson_central) {
   OperatingPoints room;
   room.resize(speeds_a_scene, outputs);
   return {std::move(name), true,
-          [all = contacts(), u = speeds(), outputs, room]() mutable {
+          [all = contacts(film), u = speeds(least_speed), outputs, room]() mutable {
             for (const auto& contact : all) solve(contact, u, outputs, room);
           },
-          [all = contacts(), u = speeds(), outputs, room]() mutable {
+          [all = contacts(film), u = speeds(least_speed), outputs, room]() mutable {
             WorkCounts counts;
             for (const auto& contact : all) solve(contact, u, outputs, room, counts);
             Counters all_counts;
@@ -235,7 +241,12 @@ Workload curve() {
 
 Workloads point_workloads() {
   return {points_of("points_all_outputs", OutputSet::all()),
-          points_of("points_film_and_regime", film_and_regime()), curve()};
+          points_of("points_film_and_regime", film_and_regime()), curve(),
+          // At speeds that the table of solved films holds.
+          points_of("points_hamrock_dowson", OutputSet::all(), 0.1),
+          points_of("points_solved_film", OutputSet::all(), 0.1, FilmFormula::solved),
+          points_of("points_nijenbanning_venner_moes", OutputSet::all(), 0.1,
+                    FilmFormula::nijenbanning_venner_moes)};
 }
 
 }  // namespace
