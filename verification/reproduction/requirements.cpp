@@ -7,7 +7,7 @@
 #include "reproduction/ledger.hpp"
 #include "sweep/on_threads.hpp"
 #include "tribo/bracketed_root.hpp"
-#include "tribo/onset.hpp"
+#include "tribo/interior_minimum.hpp"
 
 namespace tribo::reproduction {
 namespace {
@@ -170,7 +170,7 @@ CommonDeparture common_departure(const PaperScenes& scenes, const Reading& readi
     return worst;
   };
   // Each factor rises with ε, so the greatest of their sizes has one minimum.
-  found.best = detail::golden_section_minimum(worst_factor, least, most, 1e-9);
+  found.best = golden_section_minimum(worst_factor, least, most, 1e-9);
   for (std::size_t i = 0; i < surface_count; ++i)
     found.factor[i] = std::exp(log_factor(i, found.best));
   return found;

@@ -11,6 +11,7 @@
 #include "support/condition.hpp"
 #include "support/scenes.hpp"
 #include "tribo/hertz_ellipse.hpp"
+#include "tribo/interior_minimum.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::verification {
@@ -77,7 +78,7 @@ double evaluations_of_golden_section(Sampler& sampler) {
     ++evaluations;
     return (x - place) * (x - place);
   };
-  detail::golden_section_minimum(parabola, -1.0, 1.0, 1e-6);
+  golden_section_minimum(parabola, -1.0, 1.0, 1e-6);
   return evaluations;
 }
 
