@@ -92,15 +92,22 @@ FilmFeatures features_along(std::span<const double> x, std::span<const double> p
 
 }  // namespace
 
-FilmFeatures features_of(const LineContact& contact, const LineFilm& film) {
+FilmFeatures features_of(const LineContact& contact, const LineFilm& film,
+                         const Integrand& integrand) {
   const std::size_t count = film.x.size();
   FilmFeatures found =
       features_along(film.x, {film.pressure.data(), count}, {film.film.data(), count});
   found.at_greatest_pressure = film.mass_flow / contact.fluid.density(found.greatest_pressure);
+  for (std::size_t i = 1; integrand && i + 1 < count; ++i) {
+    const auto node = static_cast<Eigen::Index>(i);
+    if (film.pressure[node] > 0)
+      found.integral +=
+          (film.x[i + 1] - film.x[i - 1]) / 2 * integrand(film.pressure[node], film.film[node]);
+  }
   return found;
 }
 
-FilmFeatures features_of(const PointFilm& film) {
+FilmFeatures features_of(const PointFilm& film, const Integrand& integrand) {
   const PlaneGrid& grid = film.grid;
   const auto across = static_cast<std::size_t>(grid.count_x());
   Numbers x(across);
@@ -119,6 +126,12 @@ FilmFeatures features_of(const PointFilm& film) {
   std::reverse_copy(rows.begin() + mirrored + 1, rows.begin() + mirrored + mirrored + 1,
                     rows.begin());
   found.minimum = least(y, rows, mirrored);
+  for (int j = 0; integrand && j < grid.count_y(); ++j)
+    for (int i = 0; i < grid.count_x(); ++i) {
+      const Eigen::Index node = grid.node(i, j);
+      if (film.pressure[node] > 0)
+        found.integral += grid.area(j) * integrand(film.pressure[node], film.film[node]);
+    }
   return found;
 }
 

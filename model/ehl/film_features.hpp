@@ -2,10 +2,16 @@
 // Numbers that are read off a solved film.
 #pragma once
 
+#include <functional>
+
 #include "ehl/line_film.hpp"
 #include "ehl/point_film.hpp"
 
 namespace tribo::ehl {
+
+// A function of P > 0 and H that is integrated over the contact where there is pressure; empty:
+// none.
+using Integrand = std::function<double(double pressure, double film)>;
 
 // All numbers are without units: H, P and X of line_contact.hpp or point_contact.hpp. In a point
 // contact all but the least film and the integral are of the line Y = 0.
@@ -20,10 +26,11 @@ struct FilmFeatures {
   bool has_spike = false;               // a second maximum of P, downstream of a minimum
   double spike_pressure = 0;            // P at its top
   double spike_place = 0;               // X of its top
-  double integral = 0;                  // of PointOptions::integrand
+  double integral = 0;                  // of the integrand over X, of points over X and Y
 };
 
-FilmFeatures features_of(const LineContact& contact, const LineFilm& film);
-FilmFeatures features_of(const PointFilm& film);
+FilmFeatures features_of(const LineContact& contact, const LineFilm& film,
+                         const Integrand& integrand = {});
+FilmFeatures features_of(const PointFilm& film, const Integrand& integrand = {});
 
 }  // namespace tribo::ehl

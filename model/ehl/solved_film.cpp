@@ -101,6 +101,8 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
   solved.at_greatest_pressure =
       estimate(&FilmFeatures::at_greatest_pressure, cautions.away_from_spike);
   solved.minimum = estimate(&FilmFeatures::minimum, cautions.beside_spike);
+  if (grids.back().integral > 0)
+    solved.integral = estimate(&FilmFeatures::integral, cautions.away_from_spike);
   // In a compressible liquid this film follows the pressure, which between two nodes is known no
   // better than at the nodes.
   const FilmFeatures& finest = grids.back();
@@ -203,11 +205,11 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     if (grids.size() >= 2) {
       const LineFilm other = solve_on(contact, coarse.density.nodes(cells_beside), finer, noting);
       if (failed(other)) break;
-      beside = features_of(contact, other);
+      beside = features_of(contact, other, options.integrand);
     }
     solved.steps = finer.steps;
     film = std::move(finer);
-    grids.push_back(features_of(contact, film));
+    grids.push_back(features_of(contact, film, options.integrand));
     if (grids.size() == 1) {
       const LineFilm longer = solve_on(contact, with_longer_inlet(film.x), film, noting);
       if (failed(longer)) break;

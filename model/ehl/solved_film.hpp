@@ -61,6 +61,7 @@ struct SolveOptions {
   double spike_tolerance = std::numeric_limits<double>::infinity();
   int greatest_cells = 8192;  // of the finest
   double at_edge = 0.05;      // share of the nodes in the constriction: more resolve sharper spikes
+  Integrand integrand = {};
 };
 
 struct SolvedFilm {
@@ -72,6 +73,7 @@ struct SolvedFilm {
   int grids = 0;
   // H and P of film_features.hpp.
   Estimate central, minimum, at_greatest_pressure, spike_pressure, spike_place;
+  Estimate integral;  // of SolveOptions::integrand; it states its error alone
   // The films' relative error from the finite length of the inlet; the errors above include it.
   double domain_error = 0;
   int steps = 0;  // of Newton's method, on the way to the finest grid

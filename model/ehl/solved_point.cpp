@@ -63,20 +63,6 @@ void estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
     solved.integral = estimate(&FilmFeatures::integral, away_from_edge);
 }
 
-// The numbers that are read off a film, with the integral that is asked for.
-FilmFeatures features_of(const PointFilm& film, const PointOptions& options) {
-  FilmFeatures found = ehl::features_of(film);
-  if (!options.integrand) return found;
-  const PlaneGrid& grid = film.grid;
-  for (int j = 0; j < grid.count_y(); ++j)
-    for (int i = 0; i < grid.count_x(); ++i) {
-      const Eigen::Index node = grid.node(i, j);
-      if (film.pressure[node] > 0)
-        found.integral += grid.area(j) * options.integrand(film.pressure[node], film.film[node]);
-    }
-  return found;
-}
-
 // Whether the liquid of a starved contact reaches an end of the grid ahead or beside the contact.
 bool is_wet_at_ends(const PointContact& contact, const PointFilm& film) {
   if (!contact.is_starved()) return false;
@@ -125,20 +111,20 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
         grid.count_x() - 1, grid.beside);
     return solved;
   }
-  std::vector<FilmFeatures> grids{features_of(film, options)};
+  std::vector<FilmFeatures> grids{features_of(film, options.integrand)};
   FilmFeatures larger = grids.front();  // a starved contact's meniscus is on the grid
   // A grid whose ends take too much of the tolerance is made longer while it leaves three grids.
   for (double longer = 1; !contact.is_starved(); longer *= length_step) {
     const PointFilm on_larger =
         solve_on(contact, grid_for(contact, cells, 1.5 * longer), film, watch);
     if (failed(on_larger)) return solved;
-    larger = features_of(on_larger, options);
+    larger = features_of(on_larger, options.integrand);
     if (domain_part_of(grids.front(), larger) <= domain_share * options.tolerance) break;
     const PlaneGrid next = grid_for(contact, cells, length_step * longer);
     if (length_step * longer >= greatest_length || 16 * next.size() > options.greatest_nodes) break;
     film = solve_on(contact, grid = next, film, watch);
     if (failed(film)) return solved;
-    grids.front() = features_of(film, options);
+    grids.front() = features_of(film, options.integrand);
   }
   const double domain_part = domain_part_of(grids.front(), larger);
   const auto is_met = [&] {
@@ -149,7 +135,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     PointFilm finer = solve_on(contact, grid, film, watch);
     if (failed(finer)) break;
     film = std::move(finer);
-    grids.push_back(features_of(film, options));
+    grids.push_back(features_of(film, options.integrand));
     if (grids.size() < 3) continue;
     estimate_all(solved, grids, larger);
     if (is_met() || domain_share * worst_of(solved) < domain_part) break;

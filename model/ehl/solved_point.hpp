@@ -2,9 +2,9 @@
 // A point contact solved to a stated error: as solved_film.hpp has it for lines, on plane grids.
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "ehl/film_features.hpp"
 #include "ehl/point_film.hpp"
 #include "ehl/solved_film.hpp"
 
@@ -16,8 +16,7 @@ struct PointOptions {
   // where that pressure is one's, moves with the grid.
   double tolerance = 1e-3;
   Eigen::Index greatest_nodes = 400'000;  // of the finest grid
-  // A function of P > 0 and H that is integrated over X and Y where there is pressure; empty: none.
-  std::function<double(double pressure, double film)> integrand = {};
+  Integrand integrand = {};
 };
 
 struct SolvedPoint {

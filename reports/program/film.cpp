@@ -376,8 +376,8 @@ scene of a circle or an ellipse has a [supply]: then a layer of oil of thickness
 is filled where the oil reaches. Its flooded film is solved too, and each closure of starvation stands beside the ratio of
 the two; oil that flows back into the track behind the contact is not modelled. A scene
 needs its load, bodies, speed, lubricant.viscosity and lubricant.pressure_viscosity, and
-friction.viscosity is taken where it is barus or roelands. With lubricant.eyring_stress the friction of the oil in a circle or
-an ellipse is given too, by friction.fluid and friction.slide_roll_ratio. The other fields may be absent and are not used.
+friction.viscosity is taken where it is barus or roelands. With lubricant.eyring_stress the friction of the oil is given
+too, by friction.fluid and friction.slide_roll_ratio. The other fields may be absent and are not used.
 
 Each number is followed by what the numerical solution may be off by (±, in CSV and JSON `error`), as
 grids that halve their cells show it. Another liquid changes the film by far more: `--viscosity

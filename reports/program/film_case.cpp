@@ -279,26 +279,9 @@ ehl::SolveOptions line_options(double tolerance) {
           .at_edge = at_edge};
 }
 
-void solve_line(FilmCase& film, const ehl::FilmConditions& conditions, const ehl::Watch& watch) {
-  const ehl::FilmScale scale = ehl::scale_of(conditions);
-  const ehl::LineContact contact = ehl::contact_of(conditions);
-  const ehl::SolveOptions options = line_options(film.tolerance);
-  const ehl::SolvedFilm solved = ehl::solve_line_film(contact, options, watch);
-  set_films(film, contact, solved, scale.film);
-  ehl::SolveOptions of_fits = options;
-  of_fits.tolerance = std::fmax(options.tolerance, 1e-4);
-  set_formulas(film, solved, conditions, of_fits, watch);
-  if (!film.is_solved) return;
-  film.no_friction = "integrated over circles and ellipses alone";
-  film.cells = static_cast<int>(solved.film.x.size()) - 1;
-  set_spike(film, solved, contact, scale);
-  set_profile(film, solved.film, scale);
-}
-
 // The shear stress of a solved film by the scene's law, over p₀, of P and H; empty where the scene
 // lacks a number of that law. Its viscosity is that of the liquid that was solved.
-std::function<double(double, double)> shear_stress_of(const Scene& scene,
-                                                      const ehl::FilmConditions& conditions) {
+ehl::Integrand shear_stress_of(const Scene& scene, const ehl::FilmConditions& conditions) {
   if (!scene.lubricant.eyring_stress) return {};
   return
       [=, scale = ehl::scale_of(conditions), fluid = scene.friction.fluid,
@@ -311,6 +294,35 @@ std::function<double(double, double)> shear_stress_of(const Scene& scene,
                                   film * scale.film) /
                scale.peak_pressure;
       };
+}
+
+// Sets what remains of the integral of that stress: `area` is a unit of X, of points of X and Y.
+void set_friction(FilmCase& film, const ehl::Integrand& stress, const ehl::Estimate& integral,
+                  double area, const ehl::FilmConditions& conditions) {
+  if (stress)
+    film.friction =
+        times(integral, area * ehl::scale_of(conditions).peak_pressure / conditions.load);
+  else
+    film.no_friction = "friction needs lubricant.eyring_stress";
+}
+
+void solve_line(FilmCase& film, const Scene& scene, const ehl::FilmConditions& conditions,
+                const ehl::Watch& watch) {
+  const ehl::FilmScale scale = ehl::scale_of(conditions);
+  const ehl::LineContact contact = ehl::contact_of(conditions);
+  const ehl::SolveOptions options = line_options(film.tolerance);
+  ehl::SolveOptions with_friction = options;
+  with_friction.integrand = shear_stress_of(scene, conditions);
+  const ehl::SolvedFilm solved = ehl::solve_line_film(contact, with_friction, watch);
+  set_films(film, contact, solved, scale.film);
+  ehl::SolveOptions of_fits = options;
+  of_fits.tolerance = std::fmax(options.tolerance, 1e-4);
+  set_formulas(film, solved, conditions, of_fits, watch);
+  if (!film.is_solved) return;
+  set_friction(film, with_friction.integrand, solved.integral, scale.half_width, conditions);
+  film.cells = static_cast<int>(solved.film.x.size()) - 1;
+  set_spike(film, solved, contact, scale);
+  set_profile(film, solved.film, scale);
 }
 
 void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditions,
@@ -335,11 +347,8 @@ void solve_point(FilmCase& film, const Scene& scene, ehl::FilmConditions conditi
       film.reason += (film.reason.empty() ? "" : "; ") + ("the flooded film: " + flooded.reason);
   }
   if (!film.is_solved) return;
-  if (with_friction.integrand)
-    film.friction = times(solved.integral, scale.half_width * scale.half_width *
-                                               scale.peak_pressure / conditions.load);
-  else
-    film.no_friction = "friction needs lubricant.eyring_stress";
+  set_friction(film, with_friction.integrand, solved.integral, scale.half_width * scale.half_width,
+               conditions);
   film.no_spike = "not given for circles and ellipses, whose grids do not resolve it";
   film.cells = solved.film.grid.count_x() - 1;
   film.cells_across = 2 * solved.film.grid.beside;
@@ -411,7 +420,7 @@ FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settin
   const ehl::Watch step_watch = [&](const ehl::Step& step) { return watch(step.cells, step.step); };
   FilmCase film = given_case(scene, conditions, settings);
   if (conditions.is_line())
-    solve_line(film, conditions, step_watch);
+    solve_line(film, scene, conditions, step_watch);
   else
     solve_point(film, scene, conditions, settings.with_fields, step_watch);
   return film;

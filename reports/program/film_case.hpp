@@ -76,7 +76,7 @@ struct FilmCase {
   Measured flooded_central;  // the central film with a flooded inlet, m
   Measured film_ratio;       // central film over flooded central film
   double damiens_exponent;   // the γ by which Damiens' closure gives film_ratio; NaN: no γ does
-  Measured friction;         // of the oil over the load, of a circle or an ellipse
+  Measured friction;         // of the oil over the load
   Measured spike_pressure, spike_place;  // Pa, m
   std::string no_spike;                  // why the spike lacks its pressure, or both numbers
   std::string no_friction;               // why it lacks its number

@@ -27,6 +27,17 @@ FORMULAS = ["moes_line", "ertel_grubin", "dowson_higginson_minimum", "dowson_toy
 MODULUS, RADIUS, VISCOSITY, LENGTH = 1.1e11, 0.01, 0.01, 0.02
 
 
+def shear_stress(tree, pressure, film):
+    """The oil's, by the law of a scene's friction and its own viscosity at this pressure."""
+    oil, friction = tree["lubricant"], tree["friction"]
+    log_scale = math.log(oil["viscosity"]) + 9.67
+    z = oil["pressure_viscosity"]*1.96e8/log_scale
+    thickening = (oil["pressure_viscosity"]*pressure if friction["viscosity"] == "barus" else
+                  log_scale*((1 + pressure/1.96e8)**z - 1))
+    x = oil["viscosity"]*math.exp(thickening)*friction["slide_roll_ratio"]*tree["speed"]/film/oil["eyring_stress"]
+    return oil["eyring_stress"]*(math.asinh(x) if friction["fluid"] == "eyring" else 1 - math.exp(-x))
+
+
 def line(load_number, material_number, **changes):
     """A scene with these numbers of Moes and no field that is not needed, at 1 m/s."""
     twice_u = VISCOSITY/(MODULUS*RADIUS)
@@ -232,6 +243,23 @@ class Formats(FilmTest):
         self.assertGreaterEqual(min(pressure), 0)
         self.assertEqual(len(x), found["cells"] + 1)
         self.assertNotIn("profile", self.film(tree))
+
+    def test_friction_is_the_shear_stress_along_the_profile_over_the_load(self):
+        for fluid, viscosity in (("eyring", "barus"), ("limiting", "roelands")):
+            tree = line(10, 5, friction={"fluid": fluid, "viscosity": viscosity, "slide_roll_ratio": 0.2})
+            tree["lubricant"]["eyring_stress"] = 5e6
+            friction, finer = self.film(tree)["friction"], self.film(tree, "--tolerance", "1e-6", "--profile")
+            places = list(zip(*(finer["profile"][name] for name in ("x", "pressure", "film"))))
+            along = [(x, shear_stress(tree, pressure, film) if pressure > 0 else 0) for x, pressure, film in places]
+            expected = sum((b - a)*(s + t)/2 for (a, s), (b, t) in zip(along, along[1:]))*LENGTH/tree["load"]
+            self.assertAlmostEqual(friction["value"], expected, delta=3*friction["error"])
+            self.assertLess(friction["error"], 1e-3*expected)
+            finer = finer["friction"]
+            self.assertAlmostEqual(friction["value"], finer["value"], delta=friction["error"] + finer["error"])
+        del tree["lubricant"]["eyring_stress"]
+        found = self.film(tree)
+        self.assertIsNone(found["friction"])
+        self.assertIn("eyring_stress", found["undefined"]["friction"])
 
     def test_profiles_of_several_speeds_as_rows(self):
         path = self.write(line(10, 5, speed=[0.5, 1]))

@@ -11,7 +11,7 @@ import h5py
 import svg_plots
 from program import run
 from report_files import ROOT
-from test_film import MODULUS, RADIUS, VISCOSITY, FilmTest, film_number, line
+from test_film import MODULUS, RADIUS, VISCOSITY, FilmTest, film_number, line, shear_stress
 
 CHITTENDEN = ("chittenden_central_431", "chittenden_central_430", "chittenden_minimum_368")
 NIJENBANNING = ("nijenbanning_three_halves_of_s", "nijenbanning_ei_over_ep", "nijenbanning_ei_over_ep_of_s")
@@ -175,19 +175,9 @@ class Points(FilmTest):
             tree["lubricant"]["eyring_stress"] = 5e6
             tree["friction"] = {"fluid": fluid, "viscosity": viscosity, "slide_roll_ratio": 0.2}
             fields, found = self.fields(tree, "ball.csv")
-            oil, speed, load = tree["lubricant"], tree["speed"], tree["load"]
-
-            def stress(pressure, film):
-                log_scale = math.log(oil["viscosity"]) + 9.67
-                z = oil["pressure_viscosity"]*1.96e8/log_scale
-                thickening = (oil["pressure_viscosity"]*pressure if viscosity == "barus" else
-                              log_scale*((1 + pressure/1.96e8)**z - 1))
-                x = oil["viscosity"]*math.exp(thickening)*0.2*speed/film/5e6
-                return 5e6*(math.asinh(x) if fluid == "eyring" else 1 - math.exp(-x))
-
             places = sorted({x for x, _ in fields}), sorted({y for _, y in fields})
             cell = math.prod((one[-1] - one[0])/(len(one) - 1) for one in places)
-            expected = cell*sum(stress(*at) for at in fields.values() if at[0] > 0)/load
+            expected = cell*sum(shear_stress(tree, *at) for at in fields.values() if at[0] > 0)/tree["load"]
             friction = found["friction"]
             # The finest grid is nearly as good as the value that all grids lead to.
             self.assertAlmostEqual(friction["value"], expected, delta=3*friction["error"])
