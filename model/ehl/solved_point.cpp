@@ -14,6 +14,8 @@ namespace tribo::ehl {
 namespace {
 
 constexpr double minimum_share = 3;  // of the tolerance, for the least film
+// Of the cells of a coarsest grid, that leave four grids where all of them leave three.
+constexpr double least_share_for_four = 0.8;
 // Of the tolerance, for the ends of the grid: a finer grid makes their part no smaller.
 constexpr double domain_share = 0.8;
 
@@ -241,6 +243,10 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
   }
   std::string tried;
   int cells = rounded_up(width);
+  // Three grids may tell the least film badly: cells that are a little larger may leave a fourth.
+  int larger = cells;
+  while (64 * grid_for(contact, larger).size() > options.greatest_nodes) --larger;
+  if (larger >= least_share_for_four * cells) cells = larger;
   for (int i = 0; i < 3 && leaves_three_grids(cells); ++i, cells += cells / 2) {
     solved = solve_from_coarsest(contact, cells, options, watch);
     if (solved.outcome != Outcome::not_converged) return solved;

@@ -34,7 +34,7 @@ DOCUMENTS = [
     Document("solve-about", "solve ALL ROLLER LOUD --about"), Document("solve-about", "solve BAD SCENE --about", 2),
     Document("contact", "contact ALL ROLLER LOUD SPEEDLESS"), Document("contact", "contact BAD HUGE", 2),
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
-    Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
+    Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film FRICTIONLESS --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
     Document("film", "film RIGID BAD --tolerance 1e-2", 2), Document("film", "film RIGID --tolerance 1e-2", 1), Document("film", "film BALL --speed 1 --tolerance 1e-2"),
     Document("film", "film STARVED --tolerance 1e-2"), Document("film", "film AWASH --tolerance 1e-2", 1),
     Document("functions", "functions"),
@@ -72,6 +72,8 @@ def files_in(folder):
             "RIGID": line | {"speed": 1e10},
             "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}
     paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
+    roller = (ROOT / "reference/scenes/roller.toml").read_text(encoding="utf-8")
+    paths["FRICTIONLESS"] = folder.write("frictionless.toml", roller.replace("eyring_stress", "# eyring_stress"))
     paths["MEASURED"] = folder.write("measured.csv", "speed [m/s],film [nm],friction\n0.1,30,\n4,0,0.1\n")
     paths["DRAWN"] = folder.write("drawn.toml", sweep({"accept": None, "lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]",
                                                        "outputs": '["film", "regime"]'},

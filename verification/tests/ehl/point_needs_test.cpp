@@ -47,6 +47,17 @@ TEST(PointNeeds, MostGridsAreThoseThatTheNodesLeave) {
             ehl::needs_of(ehl::barus_point(5, 5), {.greatest_nodes = 2'000'000}).most_grids);
 }
 
+// Three grids leave the least film of heavy contacts unknown to a tenth.
+TEST(PointNeeds, LeaveFourGridsUpToTheGreatestLoadsOfTheTable) {
+  for (const double load : {200., 700., 1000., 1100., 1300., 1600., 2000.}) {
+    EXPECT_GE(ehl::needs_of(ehl::barus_point(load, 5)).most_grids, 4) << load;
+    // Cells are not made so large that the inlet is not resolved.
+    EXPECT_EQ(ehl::needs_of(ehl::barus_point(load, 5), {.greatest_nodes = 160'000}).most_grids,
+              load < 400 ? 4 : 3)
+        << load;
+  }
+}
+
 // The ends of the first grid take 0.7 of one tolerance, and 0.93 of the other.
 TEST(PointNeeds, HoldAGridThatIsMadeLongerWhereItsEndsTakeTooMuch) {
   const ehl::PointContact contact = ehl::barus_point(50, 3, 8);
