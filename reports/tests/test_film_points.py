@@ -235,6 +235,10 @@ class Points(FilmTest):
                                   r"the first because: an error needs three grids")
         self.assertRegex(told[1], r"^line at 1 m/s: M = 20, L = 5, .* grids, the finest of")
         self.assertRegex(told[2], r"^line at 1000 to 2000 m/s \(2 speeds\): .*: refused, the first because: M = 0\.\d+ is below 1")
+        for refused, speeds in ((told[0], (1e-7, 3e-7)), (told[2], (1e3, 2e3))):
+            numbers = re.search(r"M = (\S+) to (\S+), L = (\S+) to (\S+), ", refused).groups()
+            for number, expected in zip(numbers, [20*u**-0.75 for u in speeds] + [5*u**0.25 for u in speeds]):
+                self.assertAlmostEqual(float(number)/expected, 1, delta=1e-4, msg=refused)
         self.assertEqual(told[3], "contacts 1")
         twice = [self.write(self.point(0.9, 5) | {"id": name}, name) for name in ("a", "b")]
         self.assertEqual([one.partition(" at ")[0] for one in run("film", *twice, "--estimate").out.splitlines()[:2]], ["a", "b"])

@@ -80,5 +80,22 @@ TEST(FilmFeatures, HaveTheirMinimumNextToAnEndToo) {
   }
 }
 
+// The pressure falls from 1 at X = −0.5 to a valley, and rises behind it to its second top.
+TEST(FilmFeatures, HaveASpikeOnlyBehindAValleyBehindTheMiddle) {
+  const ehl::LineContact contact{10, 5, {}};
+  ehl::Numbers x;
+  for (int i = -8; i <= 6; ++i) x.push_back(i / 4.);
+  for (const double valley : {-0.25, 0., 0.25}) {
+    const ehl::FilmFeatures found = ehl::features_of(
+        contact, curve_of(
+                     x, [](double there) { return 1 + there * there; },
+                     [&](double there) {
+                       return std::max(0.0, std::min(0.5 + std::fabs(there - valley),
+                                                     2 - 2 * std::fabs(there)));
+                     }));
+    EXPECT_EQ(found.has_spike, valley > 0) << "the valley is at X = " << valley;
+  }
+}
+
 }  // namespace
 }  // namespace tribo::verification

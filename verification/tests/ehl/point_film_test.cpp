@@ -318,6 +318,19 @@ TEST(SolvedPoint, CarriesTheLoadAndBalancesTheFlowWithoutTension) {
   EXPECT_TRUE(is_within(load, 2 * pi / 3, 1e-5));
 }
 
+// Newton's method goes on from a film where it ended; a grid of half the distances changes little.
+TEST(SolvedPoint, AFilmIsTakenToItsOwnGridAndToAFinerOneInFewSteps) {
+  for (const auto& [load, material] : {std::array{20., 10.}, {100., 5.}}) {
+    const ehl::PointContact contact = ehl::barus_point(load, material);
+    const ehl::PlaneGrid grid = ehl::grid_for(contact, 8);
+    const ehl::PointFilm film = ehl::solve_from_nothing(contact, grid, {});
+    ASSERT_EQ(film.outcome, ehl::Outcome::solved) << "M = " << load;
+    EXPECT_LE(ehl::solve_on(contact, grid, film, {}).steps - film.steps, 2) << "M = " << load;
+    EXPECT_LE(ehl::solve_on(contact, grid.finer(), film, {}).steps - film.steps, 8)
+        << "M = " << load;
+  }
+}
+
 // Bodies that hardly flatten: M²Ĥ tends to 35.5 (least film) and 44.9 (at the greatest pressure),
 // by a solution of Reynolds' equation between rigid bodies, extrapolated.
 TEST(SolvedPoint, RigidBodiesAndConstantViscosity) {
