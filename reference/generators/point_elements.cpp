@@ -18,10 +18,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
-constexpr double even = 1.1, stretched = 0.35;  // of the meshes, over the semi-axes
-constexpr double rounding = 1e-5;               // of P(1 + gap²), around the penalty's corner
-constexpr double most_change = 0.1;             // of P, in a step
-using Nodes = std::vector<double>;              // rising
+constexpr double even = 1.25, stretched = 0.35;  // of the meshes, over the semi-axes
+constexpr double rounding = 1e-5;                // of P(1 + gap²), around the penalty's corner
+constexpr double most_change = 0.1;              // of P, in a step
+using Nodes = std::vector<double>;               // rising
 
 // Slopes at nodes, second order.
 std::array<double, 3> slope_weights(double l, double r) {
@@ -309,9 +309,14 @@ ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
       for (Index i = 1; i + 1 < mesh.nx(); ++i) {
         const double x = mesh.x[at(i)], y = mesh.y[at(j)];
         double& p = next.pressure[mesh.node(i, j)];
+        // Nodes that start without pressure so far away would not leave the penalty's corner.
+        const double far = 0.01 / (1 + std::pow(x * x + y * y, 1.5));
         if (found.empty()) {
-          p = std::sqrt(std::fmax(0, 1 - x * x - y * y / (k * k))) +
-              0.01 / (1 + std::pow(x * x + y * y, 1.5));
+          p = std::sqrt(std::fmax(0, 1 - x * x - y * y / (k * k))) + far;
+          continue;
+        }
+        if (x < before.x.front() || x > before.x.back() || y > before.y.back()) {
+          p = far;
           continue;
         }
         const Index m = std::clamp<Index>(

@@ -38,7 +38,8 @@ struct ElementFilm {
 // reach would change: the load beyond falls as 1/reach. Their error is twice what Richardson's
 // value changed by, an eighth (least film: half) of what it adds to the finest mesh's, and a
 // quarter of the reach's change; it is chosen, not proven. Where Newton's method fails, as with
-// L = 10 at M = 50 and L = 5 at M = 200, `reason` says so. `contact` is flooded and incompressible.
+// L = 10 at M = 50, L = 5 at M = 200, and L = 5 at M = 20 and R_y/R_x = 1/2, `reason` says so.
+// `contact` is flooded and incompressible.
 ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
                                          const ElementOptions& options = {});
 

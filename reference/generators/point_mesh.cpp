@@ -59,17 +59,20 @@ double film_of(const Hat& u, const Hat& v, double x, double y) {
 }  // namespace
 
 Nodes graded(double start, double end, double even, double width, double step) {
-  const auto parameter = [&](double x) {
-    return x <= even ? x : even + width * std::asinh((x - even) / width);
+  Nodes nodes{0};
+  const auto add_side = [&](double last, double sign) {
+    const double farther = last > even ? width * std::asinh((last - even) / width) : 0;
+    const Index count = std::lround((std::fmin(last, even) + farther) / step);
+    const double stretch = farther / (static_cast<double>(count) * step - even);
+    for (Index i = 1; i <= count; ++i) {
+      const double s = static_cast<double>(i) * step;
+      nodes.push_back(sign *
+                      (s <= even ? s : even + width * std::sinh(stretch * (s - even) / width)));
+    }
   };
-  const auto place = [&](double s) {
-    return s <= even ? s : even + width * std::sinh((s - even) / width);
-  };
-  Nodes nodes;
-  for (Index i = -std::lround(parameter(start) / step); i <= std::lround(parameter(end) / step);
-       ++i)
-    nodes.push_back(i < 0 ? -place(-static_cast<double>(i) * step)
-                          : place(static_cast<double>(i) * step));
+  add_side(start, -1);
+  std::ranges::reverse(nodes);
+  add_side(end, 1);
   return nodes;
 }
 

@@ -29,7 +29,7 @@ struct PointMesh {
 };
 
 // Nodes from −start to end, of them 0: `step` apart up to `even` on both sides, then as
-// width·sinh(s/width) farther.
+// width·sinh(fs/width) farther, where f is all but 1: so the ends do not depend on `step`.
 Nodes graded(double start, double end, double even, double width, double step);
 
 // ∬ N/r at each node, of each node's function and its mirror image; 0 of those at the ends.

@@ -256,6 +256,44 @@ TEST(PointFilmTable, FilmsFallWithTheLoadAndRiseWithTheViscosityUnderPressure) {
   EXPECT_GT(compared, 200);
 }
 
+// The rows of the second method are within both errors, their greatest differences are those of
+// the README, and no row's column tells of another film.
+TEST(PointFilmTable, SecondMethodAgreesWithinBothErrorsAndAsTheReadmeSays) {
+  const std::map<PointKey, ReferenceRow> rows = flooded_points();
+  std::size_t circles = 0, ellipses = 0, compared = 0;
+  double central = 0, minimum = 0;
+  for (const ReferenceRow& second :
+       read_reference_table(TRIBOCHECK_SOURCE_DIR "/reference/ehl/point_films_second_method.csv")) {
+    const PointKey key{second.number("radius_ratio"), second.number("load_number"),
+                       second.number("material_number")};
+    const std::string name = fmt::format("R_y/R_x = {}, M = {}, L = {}", key.radius_ratio,
+                                         key.load_number, key.material_number);
+    ASSERT_TRUE(rows.contains(key)) << name;
+    const ReferenceRow& first = rows.at(key);
+    ++(key.radius_ratio == 1 ? circles : ellipses);
+    for (const auto& [film, most] : {std::pair{"central", &central}, {"minimum", &minimum}}) {
+      const std::string error = std::string(film) + "_error";
+      EXPECT_TRUE(is_estimated({second.number(film), second.number(error)}, first.number(film),
+                               first.number(error)))
+          << film << " film of " << name;
+      *most = std::fmax(*most, std::fabs(second.number(film) / first.number(film) - 1));
+    }
+    // Errors so great that every film agrees would show nothing.
+    EXPECT_LE(second.number("central_error"), 0.01 * second.number("central")) << name;
+    const double off = second.number("central") / first.number("central") - 1;
+    EXPECT_TRUE(is_within(first.number("second_method"), off, 0.06 * std::fabs(off)))  // two digits
+        << name;
+  }
+  for (const auto& [key, row] : rows) compared += !row.text("second_method").empty();
+  EXPECT_EQ(compared, circles + ellipses);
+  const std::string sentence = fmt::format(
+      "{} circles, M from 10 to 100, L from 0 to 5, and {} ellipses, R_y/R_x from 2 to 8 at M = 20 "
+      "and L = 5, their central film is within {:.2f} % and their least film within {:.1f} %",
+      circles, ellipses, 100 * central, 100 * minimum);
+  EXPECT_NE(text_of(TRIBOCHECK_SOURCE_DIR "/model/README.md").find(sentence), std::string::npos)
+      << sentence;
+}
+
 TEST(PointFilmTable, SeededCheapRowsComeOutAgainWithinBothErrors) {
   std::mt19937_64 random(20261127);
   std::vector<std::pair<PointKey, ReferenceRow>> cheap;

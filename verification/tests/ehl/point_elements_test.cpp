@@ -22,6 +22,8 @@ TEST(FilmMatrix, IsTheIntegralOfAPressureThatHasAClosedForm) {
   for (const double step : {0.25, 0.125}) {
     const reference::PointMesh mesh{reference::graded(50, 50, 0.5, 0.5, step),
                                     reference::graded(0, 50, 0.5, 0.5, step)};
+    EXPECT_TRUE(is_within(-mesh.x.front(), 50, 1e-10)) << "sides of " << step;
+    EXPECT_TRUE(is_within(mesh.y.back(), 50, 1e-10)) << "sides of " << step;
     Eigen::VectorXf p(mesh.size());
     for (Eigen::Index j = 0; j < mesh.ny(); ++j)
       for (Eigen::Index i = 0; i < mesh.nx(); ++i)
@@ -41,19 +43,21 @@ TEST(FilmMatrix, IsTheIntegralOfAPressureThatHasAClosedForm) {
 }
 
 TEST(PointElements, FilmsAreThoseOfTheSolverWithinBothErrors) {
-  const ehl::PointContact contact = ehl::barus_point(20, 2.5);
-  const ehl::SolvedPoint expected = solve_point_film(contact, {.tolerance = 1e-2});
-  const reference::ElementFilm film =
-      reference::solve_point_film_by_elements(contact, {.cells = 5, .reach = 100});
-  ASSERT_EQ(expected.outcome, ehl::Outcome::solved) << expected.reason;
-  ASSERT_TRUE(film.is_solved) << film.reason;
-  EXPECT_TRUE(is_estimated(film.central, expected.central.value, expected.central.error))
-      << "central film H of M = 20, L = 2.5";
-  EXPECT_TRUE(is_estimated(film.minimum, expected.minimum.value, expected.minimum.error))
-      << "least film H of M = 20, L = 2.5";
-  // Errors so great that every film agrees would show nothing.
-  EXPECT_LE(film.central.relative_error(), 0.01);
-  EXPECT_LE(film.minimum.relative_error(), 0.1);
+  for (const double ratio : {1., 4.}) {
+    const ehl::PointContact contact = ehl::barus_point(20, 2.5, ratio);
+    const ehl::SolvedPoint expected = solve_point_film(contact, {.tolerance = 1e-2});
+    const reference::ElementFilm film =
+        reference::solve_point_film_by_elements(contact, {.cells = 5, .reach = 100});
+    ASSERT_EQ(expected.outcome, ehl::Outcome::solved) << expected.reason;
+    ASSERT_TRUE(film.is_solved) << film.reason;
+    EXPECT_TRUE(is_estimated(film.central, expected.central.value, expected.central.error))
+        << "central film H of M = 20, L = 2.5, R_y/R_x = " << ratio;
+    EXPECT_TRUE(is_estimated(film.minimum, expected.minimum.value, expected.minimum.error))
+        << "least film H of M = 20, L = 2.5, R_y/R_x = " << ratio;
+    // Errors so great that every film agrees would show nothing.
+    EXPECT_LE(film.central.relative_error(), 0.01);
+    EXPECT_LE(film.minimum.relative_error(), 0.1);
+  }
 }
 
 }  // namespace
