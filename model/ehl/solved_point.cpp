@@ -28,28 +28,30 @@ double worst_of(const SolvedPoint& solved) {
 }
 
 // The relative error of a film from the grid's ends, which falls with the third power of its
-// length: 3/2 times the length leaves 0.3 of it.
-double domain_error_of(double FilmFeatures::*film, const FilmFeatures& grid,
-                       const FilmFeatures& larger) {
-  return 1.5 * std::fabs(larger.*film / grid.*film - 1);
+// length: 3/2 times the length leaves 0.3 of it at most. On ellipses across the motion up to half
+// was left.
+double domain_error_of(double FilmFeatures::*film, const PointContact& contact,
+                       const FilmFeatures& grid, const FilmFeatures& larger) {
+  return (contact.radius_ratio > 1 ? 2 : 1.5) * std::fabs(larger.*film / grid.*film - 1);
 }
 
 // The part of worst_of() that the grid's ends make.
-double domain_part_of(const FilmFeatures& grid, const FilmFeatures& larger) {
-  return std::fmax(domain_error_of(&FilmFeatures::central, grid, larger),
-                   domain_error_of(&FilmFeatures::minimum, grid, larger) / minimum_share);
+double domain_part_of(const PointContact& contact, const FilmFeatures& grid,
+                      const FilmFeatures& larger) {
+  return std::fmax(domain_error_of(&FilmFeatures::central, contact, grid, larger),
+                   domain_error_of(&FilmFeatures::minimum, contact, grid, larger) / minimum_share);
 }
 
 // Sets the films and their errors.
-void estimate_all(SolvedPoint& solved, const std::vector<FilmFeatures>& grids,
-                  const FilmFeatures& larger) {
+void estimate_all(SolvedPoint& solved, const PointContact& contact,
+                  const std::vector<FilmFeatures>& grids, const FilmFeatures& larger) {
   solved.domain_error = 0;
   const auto estimate = [&](double FilmFeatures::*feature, const Caution& caution) {
     std::vector<double> values;
     values.reserve(grids.size());
     for (const FilmFeatures& f : grids) values.push_back(f.*feature);
     Estimate e = estimate_of(values, caution);
-    const double domain = domain_error_of(feature, grids.front(), larger);
+    const double domain = domain_error_of(feature, contact, grids.front(), larger);
     if (feature != &FilmFeatures::integral)
       solved.domain_error = std::fmax(solved.domain_error, domain);
     e.error += domain * std::fabs(e.value);
@@ -121,14 +123,14 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
         solve_on(contact, grid_for(contact, cells, 1.5 * longer), film, watch);
     if (failed(on_larger)) return solved;
     larger = features_of(on_larger, options.integrand);
-    if (domain_part_of(grids.front(), larger) <= domain_share * options.tolerance) break;
+    if (domain_part_of(contact, grids.front(), larger) <= domain_share * options.tolerance) break;
     const PlaneGrid next = grid_for(contact, cells, length_step * longer);
     if (length_step * longer >= greatest_length || 16 * next.size() > options.greatest_nodes) break;
     film = solve_on(contact, grid = next, film, watch);
     if (failed(film)) return solved;
     grids.front() = features_of(film, options.integrand);
   }
-  const double domain_part = domain_part_of(grids.front(), larger);
+  const double domain_part = domain_part_of(contact, grids.front(), larger);
   const auto is_met = [&] {
     return solved.minimum.value > 0 && worst_of(solved) <= options.tolerance;
   };
@@ -139,7 +141,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     film = std::move(finer);
     grids.push_back(features_of(film, options.integrand));
     if (grids.size() < 3) continue;
-    estimate_all(solved, grids, larger);
+    estimate_all(solved, contact, grids, larger);
     if (is_met() || domain_share * worst_of(solved) < domain_part) break;
   }
   solved.grids = static_cast<int>(grids.size());
