@@ -14,9 +14,9 @@ namespace tribo::ehl {
 namespace {
 
 constexpr double minimum_share = 3;  // of the tolerance, for the least film
-// Of the cells of a coarsest grid, that leave four grids where all of them leave three.
+// A coarsest grid keeps at least this share of its cells where fewer leave a fourth grid.
 constexpr double least_share_for_four = 0.8;
-// Of the tolerance, for the ends of the grid: a finer grid makes their part no smaller.
+// The ends of a grid may take this share of the tolerance; a finer grid makes it no smaller.
 constexpr double domain_share = 0.8;
 
 int rounded_up(double cells) { return static_cast<int>(std::ceil(cells - 1e-9)); }
