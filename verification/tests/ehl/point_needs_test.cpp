@@ -77,6 +77,20 @@ TEST(PointNeeds, HoldAGridThatIsMadeLongerWhereItsEndsTakeTooMuch) {
   }
 }
 
+// Contacts of `make point-survey` that took the most memory for their nodes.
+TEST(PointNeeds, TellAtLeastTheMemoryThatTheSurveyTook) {
+  struct Taken {
+    Eigen::Index nodes;
+    double megabytes;  // without the 22 of the program
+  };
+  for (const auto& [nodes, megabytes] :
+       {Taken{87'153, 199}, {202'993, 768}, {249'865, 970}, {313'281, 1220}, {392'977, 1572}}) {
+    const double told = ehl::point_memory(nodes) / 0x1p20;
+    EXPECT_GT(told, megabytes) << nodes << " nodes";
+    EXPECT_LT(told, 1.2 * megabytes) << nodes << " nodes";
+  }
+}
+
 TEST(PointNeeds, SayWhyAContactIsRefused) {
   EXPECT_NE(ehl::needs_of(ehl::barus_point(0.99, 0)).reason.find("M = 0.99 is below 1"),
             std::string::npos);
