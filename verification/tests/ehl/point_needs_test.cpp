@@ -58,10 +58,10 @@ TEST(PointNeeds, LeaveFourGridsUpToTheGreatestLoadsOfTheTable) {
   }
 }
 
-// The ends of the first grid take 0.7 of one tolerance, and 0.93 of the other.
+// The ends of the first grid take 0.6 of one tolerance, and 0.9 of the other.
 TEST(PointNeeds, HoldAGridThatIsMadeLongerWhereItsEndsTakeTooMuch) {
   const ehl::PointContact contact = ehl::barus_point(50, 3, 8);
-  for (const double tolerance : {2e-3, 1.5e-3}) {
+  for (const double tolerance : {3e-3, 2e-3}) {
     SCOPED_TRACE(testing::Message() << "to a tolerance of " << tolerance);
     const ehl::PointOptions options{.tolerance = tolerance};
     const ehl::SolvedPoint solved = ehl::solve_point_film(contact, options);
@@ -70,7 +70,7 @@ TEST(PointNeeds, HoldAGridThatIsMadeLongerWhereItsEndsTakeTooMuch) {
     EXPECT_LE(solved.domain_error, 0.8 * tolerance);
     EXPECT_LE(solved.film.grid.size(), needs.most_nodes);
     const int first = needs.finest(solved.grids).count_x();
-    if (tolerance < 2e-3)
+    if (tolerance < 3e-3)
       EXPECT_GT(solved.film.grid.count_x(), first);
     else
       EXPECT_EQ(solved.film.grid.count_x(), first);
