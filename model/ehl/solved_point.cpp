@@ -117,7 +117,9 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   }
   std::vector<FilmFeatures> grids{features_of(film, options.integrand)};
   FilmFeatures larger = grids.front();  // a starved contact's meniscus is on the grid
-  // A grid whose ends take too much of the tolerance is made longer while it leaves three grids.
+  // A grid whose ends take too much of the tolerance is made longer while it leaves four grids, or
+  // three where no more fit at first.
+  const int least_room = 64 * grid.size() <= options.greatest_nodes ? 64 : 16;
   for (double longer = 1; !contact.is_starved(); longer *= length_step) {
     const PointFilm on_larger =
         solve_on(contact, grid_for(contact, cells, 1.5 * longer), film, watch);
@@ -125,7 +127,9 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     larger = features_of(on_larger, options.integrand);
     if (domain_part_of(contact, grids.front(), larger) <= domain_share * options.tolerance) break;
     const PlaneGrid next = grid_for(contact, cells, length_step * longer);
-    if (length_step * longer >= greatest_length || 16 * next.size() > options.greatest_nodes) break;
+    if (length_step * longer >= greatest_length ||
+        least_room * next.size() > options.greatest_nodes)
+      break;
     film = solve_on(contact, grid = next, film, watch);
     if (failed(film)) return solved;
     grids.front() = features_of(film, options.integrand);

@@ -451,14 +451,14 @@ class Failures(FilmTest):
     def test_ctrl_c_with_several_threads_loses_no_film(self):
         path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 200}))
         arguments = path, "--format", "csv", "--threads", "3"
-        process = start("film", *arguments, "--keep", self.folder.path("kept"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = start("film", *arguments, "--keep", self.folder.path("kept"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0)
         self.addCleanup(process.kill)
         first = process.stdout.readline() + process.stdout.readline()
         process.send_signal(signal.SIGINT)
         rest, said = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, said)
-        rows = [row for row in csv.DictReader((first + rest).splitlines()) if not row["reason"]]
-        self.assertIn(f"stopped: {len(rows)} of 200 contacts are solved to the tolerance", said)
+        rows = [row for row in csv.DictReader((first + rest).decode().splitlines()) if not row["reason"]]
+        self.assertIn(f"stopped: {len(rows)} of 200 contacts are solved to the tolerance", said.decode())
         self.assertEqual(sorted(rows, key=lambda row: float(row["speed"])), rows)
         out, taken = self.kept(*arguments)
         self.assertTrue(0 < taken <= len(rows), (taken, len(rows)))

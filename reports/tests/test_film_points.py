@@ -219,7 +219,7 @@ class Points(FilmTest):
         self.assertEqual((told.code, told.err), (0, ""))
         head, *lines = told.out.splitlines()
         grids = re.fullmatch(r"line at 1 m/s: M = 20, L = 5, barus, incompressible, to 0\.01: (\d) to (\d) grids, the finest of (\d+) to (\d+) nodes", head)
-        self.assertRegex("\n".join(lines), r"^contacts 1\ntime   \S+ s to \S+ s on 1 thread, roughly\nmemory \S+ MB to \S+ MB$")
+        self.assertRegex("\n".join(lines), r"^contacts 1\ntime   \S+ s to \S+ s on 1 thread, roughly\nmemory \S+ MB to \S+ [MG]B$")
         found = self.film(self.point(20, 5), "--tolerance", "1e-2")
         self.assertEqual(int(grids[1]), found["grids"])
         self.assertEqual(int(grids[3]), (found["cells"] + 1)*(found["cells_across"]//2 + 1))
