@@ -20,8 +20,8 @@ struct PointNeeds {
 PointNeeds needs_of(const PointContact& contact, const PointOptions& options = {});
 
 // Memory in bytes, at its greatest, that a solution takes whose finest grid has so many nodes. As
-// measured: nearly all is the factors of the preconditioner, a node's share of which grows a little
-// with the grid.
+// measured by `make point-survey`: nearly all is the factors of the preconditioner, a node's share
+// of which grows a little with the grid; small grids take less.
 double point_memory(Eigen::Index nodes);
 // Seconds of one core, within a factor of some 2.5 where the table of point films was made.
 double point_seconds(const PointContact& contact, Eigen::Index nodes);

@@ -250,9 +250,9 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
   std::string tried;
   int cells = rounded_up(width);
   // Three grids may tell the least film badly: cells that are a little larger may leave a fourth.
-  int larger = cells;
-  while (64 * grid_for(contact, larger).size() > options.greatest_nodes) --larger;
-  if (larger >= least_share_for_four * cells) cells = larger;
+  int fewer = cells;
+  while (64 * grid_for(contact, fewer).size() > options.greatest_nodes) --fewer;
+  if (fewer >= least_share_for_four * cells) cells = fewer;
   for (int i = 0; i < 3 && leaves_three_grids(cells); ++i, cells += cells / 2) {
     solved = solve_from_coarsest(contact, cells, options, watch);
     if (solved.outcome != Outcome::not_converged) return solved;
