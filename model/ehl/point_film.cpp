@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ehl/point_film.hpp"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "ehl/far_inlet.hpp"
 #include "ehl/film_newton.hpp"
 #include "ehl/grid.hpp"
+#include "ehl/plane_factors.hpp"
 #include "ehl/plane_kernel.hpp"
 #include "ehl/point_reynolds.hpp"
 
@@ -22,7 +22,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Factors = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
 
 constexpr NewtonLimits limits{.steps = 40, .change = 1e-6};
 constexpr double gmres_residual = 1e-3;  // relative: the next step removes what is left
@@ -48,7 +47,7 @@ enum class Unknown : char { held, pressure, missing };
 class PointEquations {
  public:
   PointEquations(const PointProblemParts& parts, std::vector<PlaneSlopes> slopes,
-                 std::vector<Unknown> unknowns, std::shared_ptr<Factors> factors)
+                 std::vector<Unknown> unknowns, std::shared_ptr<PlaneFactors> factors)
       : parts_(parts),
         slopes_(std::move(slopes)),
         unknowns_(std::move(unknowns)),
@@ -139,8 +138,7 @@ class PointEquations {
             row + across};
   }
 
-  // The matrix has the same places in all steps on a grid, so that they are ordered once. Returns
-  // false where it could not be factored.
+  // Returns false where the matrix could not be factored.
   bool factor() {
     const PlaneGrid& grid = parts_.grid;
     std::vector<Eigen::Triplet<double>> entries;
@@ -167,19 +165,13 @@ class PointEquations {
           if (!is_held(row)) by_separation_[row] += slopes.by_film[k];
         }
       }
-    Eigen::SparseMatrix<double> matrix(grid.size(), grid.size());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::Map<const VectorXd> values(matrix.valuePtr(), matrix.nonZeros());
-    if (!values.allFinite()) return false;
-    if (factors_->rows() == 0) factors_->analyzePattern(matrix);
-    factors_->factorize(matrix);
-    return factors_->info() == Eigen::Success;
+    return factors_->factor(std::move(entries));
   }
 
   const PointProblemParts& parts_;
   std::vector<PlaneSlopes> slopes_;
   std::vector<Unknown> unknowns_;
-  std::shared_ptr<Factors> factors_;
+  std::shared_ptr<PlaneFactors> factors_;
   bool is_factored_ = false;
   VectorXd by_separation_, by_separation_solved_;
   double load_by_separation_ = 0;  // the load that 1 of H₀ adds, by the preconditioner
@@ -421,7 +413,7 @@ class PointProblem {
   PointProblemParts parts_;
   double own_film_;  // of a node by 1 of its own pressure
   double reach_;
-  std::shared_ptr<Factors> factors_ = std::make_shared<Factors>();
+  std::shared_ptr<PlaneFactors> factors_ = std::make_shared<PlaneFactors>(parts_.grid);
 };
 
 PointFilm film_of(const FilmNewton<PointProblem>& newton, const PlaneGrid& grid, int steps_before) {

@@ -14,8 +14,6 @@ namespace tribo::ehl {
 namespace {
 
 constexpr double minimum_share = 3;  // of the tolerance, for the least film
-// A coarsest grid keeps at least this share of its cells where fewer leave a fourth grid.
-constexpr double least_share_for_four = 0.8;
 // The ends of a grid may take this share of the tolerance; a finer grid makes it no smaller.
 constexpr double domain_share = 0.8;
 
@@ -25,6 +23,15 @@ int rounded_up(double cells) { return static_cast<int>(std::ceil(cells - 1e-9));
 // where that pressure is a spike's, it moves with the grid.
 double worst_of(const SolvedPoint& solved) {
   return std::max(solved.central.relative_error(), solved.minimum.relative_error() / minimum_share);
+}
+
+bool is_met(const SolvedPoint& solved, const PointOptions& options) {
+  return solved.minimum.value > 0 && worst_of(solved) <= options.tolerance;
+}
+
+// Whether three grids with more cells may tell better what three grids left unknown.
+bool is_short_of_nodes(const SolvedPoint& solved, const PointOptions& options) {
+  return solved.grids == 3 && solved.domain_error <= options.tolerance;
 }
 
 // The relative error of a film from the grid's ends, which falls with the third power of its
@@ -135,9 +142,6 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     grids.front() = features_of(film, options.integrand);
   }
   const double domain_part = domain_part_of(contact, grids.front(), larger);
-  const auto is_met = [&] {
-    return solved.minimum.value > 0 && worst_of(solved) <= options.tolerance;
-  };
   while (4 * grid.size() <= options.greatest_nodes) {
     grid = grid.finer();
     PointFilm finer = solve_on(contact, grid, film, watch);
@@ -146,7 +150,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     grids.push_back(features_of(film, options.integrand));
     if (grids.size() < 3) continue;
     estimate_all(solved, contact, grids, larger);
-    if (is_met() || domain_share * worst_of(solved) < domain_part) break;
+    if (is_met(solved, options) || domain_share * worst_of(solved) < domain_part) break;
   }
   solved.grids = static_cast<int>(grids.size());
   solved.steps = film.steps;
@@ -158,7 +162,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     return solved;
   }
   solved.outcome = Outcome::solved;
-  if (is_met()) {
+  if (is_met(solved, options)) {
     solved.reason.clear();
     return solved;
   }
@@ -186,7 +190,28 @@ double wet_length(const PointContact& contact) {
   return x / reach_of(contact);
 }
 
+bool leaves_three_grids(const PointContact& contact, int cells, Eigen::Index greatest_nodes) {
+  return 16 * grid_for(contact, cells).size() <= greatest_nodes;
+}
+
+// The cells that the coarsest grid begins with; 0 where three grids have too many nodes. The inlet
+// is narrower the greater the load; beyond M = 200 the least film needs even more cells, and
+// begins with fewer only where three grids would have too many nodes.
+int first_cells(const PointContact& contact, Eigen::Index greatest_nodes) {
+  const double m = contact.load_number, least = std::fmax(8, 8 * std::pow(m / 30, 0.38));
+  if (!(least < 1e4)) return 0;  // an int holds them
+  int cells = rounded_up(least * std::fmax(1, std::pow(m / 200, 0.25)));
+  while (cells > least && !leaves_three_grids(contact, cells, greatest_nodes)) --cells;
+  return leaves_three_grids(contact, cells, greatest_nodes) ? cells : 0;
+}
+
 }  // namespace
+
+int more_cells(const PointContact& contact, int cells, const PointOptions& options) {
+  int more = cells + cells / 2;
+  while (!leaves_three_grids(contact, more, options.greatest_nodes)) --more;
+  return more >= 1.1 * cells ? more : 0;
+}
 
 PlaneGrid grid_for(const PointContact& contact, int cells, double longer) {
   const double reach = reach_of(contact), k = numbers_of(contact).ellipticity;
@@ -225,11 +250,6 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
         m, least_point_load_number);
     return solved;
   }
-  // The inlet is narrower the greater the load.
-  const double width = std::fmax(8, 8 * std::pow(m / 30, 0.38));  // cells, before an int holds them
-  const auto leaves_three_grids = [&](int cells) {
-    return 16 * grid_for(contact, cells).size() <= options.greatest_nodes;
-  };
   if (contact.is_starved()) {
     const double layer = contact.inlet_film / expected_film(contact);
     if (!(layer >= least_layer && layer <= greatest_layer)) {
@@ -242,22 +262,24 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
       return solved;
     }
   }
-  if (!(width < 1e4) || !leaves_three_grids(rounded_up(width))) {
+  int cells = first_cells(contact, options.greatest_nodes);
+  if (cells == 0) {
     solved.reason = text("an error needs three grids, and %d nodes at most leave fewer at M = %.3g",
                          static_cast<int>(options.greatest_nodes), m);
     return solved;
   }
   std::string tried;
-  int cells = rounded_up(width);
-  // Three grids may tell the least film badly: cells that are a little larger may leave a fourth.
-  int fewer = cells;
-  while (64 * grid_for(contact, fewer).size() > options.greatest_nodes) --fewer;
-  if (fewer >= least_share_for_four * cells) cells = fewer;
-  for (int i = 0; i < 3 && leaves_three_grids(cells); ++i, cells += cells / 2) {
+  SolvedPoint best;
+  for (int i = 0; i < most_coarsest_grids && cells > 0;
+       ++i, cells = more_cells(contact, cells, options)) {
     solved = solve_from_coarsest(contact, cells, options, watch);
-    if (solved.outcome != Outcome::not_converged) return solved;
+    if (solved.outcome == Outcome::stopped) return solved;
     tried += text(i == 0 ? "%d" : ", %d", cells);
+    if (solved.outcome != Outcome::solved) continue;
+    if (best.outcome != Outcome::solved || worst_of(solved) < worst_of(best)) best = solved;
+    if (is_met(solved, options) || !is_short_of_nodes(solved, options)) break;
   }
+  if (best.outcome == Outcome::solved) return best;
   solved.reason = text(
       "no film was found at M = %.3g and L = %.3g, from coarsest grids of %s "
       "cells a semi-axis; %s",

@@ -15,7 +15,7 @@ struct PointOptions {
   // by three times as much. The film at the greatest pressure states its error alone: a spike,
   // where that pressure is one's, moves with the grid.
   double tolerance = 1e-3;
-  Eigen::Index greatest_nodes = 400'000;  // of the finest grid
+  Eigen::Index greatest_nodes = 900'000;  // of the finest grid
   Integrand integrand = {};
 };
 
@@ -47,6 +47,14 @@ inline constexpr double length_step = 1.25, greatest_length = 4;
 // The nodes for a contact, with `cells` cells on the length that pressure reaches. `longer`: its
 // length over that which solve_point_film() tries first.
 PlaneGrid grid_for(const PointContact& contact, int cells, double longer = 1);
+
+// So many coarsest grids are tried at most.
+inline constexpr int most_coarsest_grids = 3;
+
+// The cells of the coarsest grid that is tried after one of `cells` that led to no film, or whose
+// three grids left too great an error: half as many again, or as many as leave three grids; 0 where
+// there is no room for a tenth more.
+int more_cells(const PointContact& contact, int cells, const PointOptions& options);
 
 // Error of each film: its Estimate, from three grids or more and from a larger one. Where the
 // tolerance was not met, the outcome is `solved` all the same, the films hold with their errors,

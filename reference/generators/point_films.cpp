@@ -108,10 +108,7 @@ tribo::ehl::PointContact flooded(const Contact& c, Table table) {
 
 SolvedPoint solved(const tribo::ehl::PointContact& contact) {
   tribo::ehl::PointOptions options{.tolerance = contact.load_number > 200 ? 3e-3 : 1e-3};
-  if (contact.load_number > 1000) {
-    options.greatest_nodes = 600'000;  // for a fourth grid: some 2 GB
-    if (contact.is_starved()) options.tolerance = 8e-3;
-  }
+  if (contact.load_number > 1000 && contact.is_starved()) options.tolerance = 8e-3;
   return solve_point_film(contact, options);
 }
 
