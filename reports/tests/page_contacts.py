@@ -104,7 +104,8 @@ def elliptic_contact(load, modulus, radius_x, radius_y):
     def ratio(k):
         e2 = 1 - 1 / k ** 2
         return (k ** 2 * special.ellipe(e2) - special.ellipk(e2)) / (special.ellipk(e2) - special.ellipe(e2))
-    k = optimize.brentq(lambda k: ratio(k) - radius_y / radius_x, 1.001, 100, xtol=1e-14)
+    ends = (1.001, 100) if radius_y > radius_x else (0.01, 0.999)
+    k = 1 if radius_y == radius_x else optimize.brentq(lambda k: ratio(k) - radius_y / radius_x, *ends, xtol=1e-14)
     curvature = 1 / radius_x + 1 / radius_y
     across = (3 * k ** 2 * special.ellipe(1 - 1 / k ** 2) * load / (math.pi * modulus * curvature)) ** (1 / 3)
     return k, across, load / (math.pi * across * across / k)

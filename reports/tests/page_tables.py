@@ -479,6 +479,11 @@ def film_points(report):
            [[one["name"], {"barus, incompressible": "Barus", "roelands, compressible": "Roelands"}[of["liquid"]], signed(of["median"]),
              f"{signed(of['worst']['error'])} at M = {whole(of['worst']['load_number'])}, L = {whole(of['worst']['material_number'])}",
              block(of, liquid["contacts"])] for one in found["formulas"] for of, liquid in zip(one["liquids"], found["liquids"], strict=True)])
+    shapes = [{of["name"]: of for of in shape["formulas"]} for shape in found["ellipses"]]
+    yield ("Errors of the formulas over the solved ellipses",
+           ["formula", *(f"Ry/Rx = {whole(shape['radius_ratio'])}" for shape in found["ellipses"])],
+           [[one["name"], *(f"{signed(of[one['name']]['least']).removesuffix(' %')} to {signed(of[one['name']]['greatest'])}" for of in shapes)]
+            for one in found["formulas"]])
 
 
 def film_starved(report):

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of circles: formulas' errors over the tables of solved films, by the formulas as printed."""
+"""The section of circles and ellipses: formulas' errors over the tables of solved films, by the formulas as printed."""
 import csv
 import math
 import statistics
 import types
 import unittest
 
+import page_contacts
 import page_pictures
 from report_files import POINT_DATA, POINT_FIGURES, ROOT, WrittenReport, files_below
 
@@ -21,13 +22,16 @@ def powers(constant, speed, material, load):
     return number
 
 
-def nijenbanning(is_of_rigid, is_of_s):
-    """One of the four readings, where R_x = R_y."""
+def nijenbanning(is_of_rigid, is_of_s, ratio):
+    """One of the four readings, with D = R_x/R_y."""
+    d = 1 / ratio
+    q = 1 + 0.006 * math.log(d) + 0.63 * d**(4 / 7)
+
     def number(m, l):
-        rigid, elastic = 145 * 1.796**(-15 / 7) * m**-2, 3.18 * 1.63**-0.56 * m**(-2 / 15)
-        stiff, heavy = 1.29 * (l / 1.691)**(2 / 3), 1.48 * 1.63**-0.35 * m**(-1 / 12) * l**0.75
+        rigid, elastic = 145 * (1 + 0.796 * d**(14 / 15))**(-15 / 7) / d * m**-2, 3.18 * q**-0.56 * d**(-1 / 15) * m**(-2 / 15)
+        stiff, heavy = 1.29 * (l / (1 + 0.691 * d))**(2 / 3), 1.48 * q**-0.35 * d**(-1 / 24) * m**(-1 / 12) * l**0.75
         s = 1.5 * (1 + math.exp(-1.2 * elastic / (rigid if is_of_rigid else heavy)))
-        bent = (elastic**-4 + 1.8**-4)**-0.25
+        bent = (elastic**-4 + (1.8 * ratio)**-4)**-0.25
         first = (rigid**(1.5 * s) + bent**(1.5 * s))**(2 / (3 * s)) if is_of_s else (rigid**1.5 + bent**1.5)**(2 * s / 3)
         return (first + (stiff**-8 + heavy**-8)**(-s / 8))**(1 / s)
     return number
@@ -37,22 +41,29 @@ def side(factor, decay):
     return 1 - factor * math.exp(-decay)
 
 
-FORMULAS = {  # of circles
-    "hamrock_dowson_central": ("central", powers(2.69 * side(0.61, 0.73), 0.67, 0.53, -0.067)),
-    "hamrock_dowson_minimum": ("minimum", powers(3.63 * side(1, 0.68), 0.68, 0.49, -0.073)),
-    "nijenbanning_venner_moes": ("central", nijenbanning(True, False)),
-    "chittenden_central_431": ("central", powers(4.31 * side(1, 1.23), 0.68, 0.49, -0.073)),
-    "chittenden_central_430": ("central", powers(4.30 * side(1, 1.28), 0.68, 0.49, -0.073)),
-    "chittenden_minimum_368": ("minimum", powers(3.68 * side(1, 0.67), 0.68, 0.49, -0.073)),
-    "nijenbanning_three_halves_of_s": ("central", nijenbanning(True, True)),
-    "nijenbanning_ei_over_ep": ("central", nijenbanning(False, False)),
-    "nijenbanning_ei_over_ep_of_s": ("central", nijenbanning(False, True))}
+def formulas(ratio):
+    """Of contacts of this R_y/R_x."""
+    k, radii = page_contacts.elliptic_contact(1, 1, 1, ratio)[0], ratio**(2 / 3)
+    return {
+        "hamrock_dowson_central": ("central", powers(2.69 * side(0.61, 0.73 * k), 0.67, 0.53, -0.067)),
+        "hamrock_dowson_minimum": ("minimum", powers(3.63 * side(1, 0.68 * k), 0.68, 0.49, -0.073)),
+        "nijenbanning_venner_moes": ("central", nijenbanning(True, False, ratio)),
+        "chittenden_central_431": ("central", powers(4.31 * side(1, 1.23 * radii), 0.68, 0.49, -0.073)),
+        "chittenden_central_430": ("central", powers(4.30 * side(1, 1.28 * k), 0.68, 0.49, -0.073)),
+        "chittenden_minimum_368": ("minimum", powers(3.68 * side(1, 0.67 * radii), 0.68, 0.49, -0.073)),
+        "nijenbanning_three_halves_of_s": ("central", nijenbanning(True, True, ratio)),
+        "nijenbanning_ei_over_ep": ("central", nijenbanning(False, False, ratio)),
+        "nijenbanning_ei_over_ep_of_s": ("central", nijenbanning(False, True, ratio))}
 
 
-def films_of(name):
-    """Flooded circles by M and L, without L = 0 and material numbers that some load numbers lack."""
+FORMULAS = formulas(1)  # of circles
+
+
+def films_of(name, ratio=1):
+    """Flooded contacts of one shape by M and L, without L = 0 and material numbers that some load numbers lack."""
     lines = (ROOT / "reference/ehl" / name).read_text().splitlines()
-    rows = [row for row in csv.DictReader(line for line in lines if line[0] != "#") if row["radius_ratio"] == "1" and row["supply"] == ""]
+    rows = [row for row in csv.DictReader(line for line in lines if line[0] != "#")
+            if float(row["radius_ratio"]) == ratio and row["supply"] == ""]
     return {(float(row["load_number"]), float(row["material_number"])): row for row in rows if row["material_number"] not in ("0", "12.5")}
 
 
@@ -83,6 +94,21 @@ class PointFilms(WrittenReport):
                     for (load, material), error in errors.items():
                         self.assertAlmostEqual(drawn[liquid.split(",")[0].title(), load, material] / (100 * error), 1, delta=6e-4)
             self.assertEqual(len(drawn), sum(len(films_of(file)) for file in TABLES.values()))
+
+    def test_ellipses_are_those_of_the_printed_formulas_too(self):
+        shapes = self.told["point_films"]["ellipses"]
+        self.assertEqual([shape["radius_ratio"] for shape in shapes], [0.25, 0.5, 2, 4, 8])
+        for shape in shapes:
+            films = films_of("point_films.csv", shape["radius_ratio"])
+            self.assertEqual([shape["loads"], shape["materials"]], [sorted({place[i] for place in films}) for i in (0, 1)])
+            printed = formulas(shape["radius_ratio"])
+            self.assertEqual([one["name"] for one in shape["formulas"]], list(printed))
+            for one in shape["formulas"]:
+                quantity, number = printed[one["name"]]
+                errors = [number(*place) / float(row[quantity]) - 1 for place, row in films.items()]
+                with self.subTest(one["name"], radius_ratio=shape["radius_ratio"]):
+                    self.assertAlmostEqual(one["least"], min(errors), 7)
+                    self.assertAlmostEqual(one["greatest"], max(errors), 7)
 
     def test_liquids_are_those_of_the_tables(self):
         for told, (liquid, file) in zip(self.told["point_films"]["liquids"], TABLES.items(), strict=True):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Films that formulas give for a circle beside the solved one, over the numbers M of load and L of material, in two liquids."""
+"""Films that formulas give for circles, over the numbers M of load and L of material, in two liquids, and for ellipses beside the
+solved ones."""
 import itertools
 import json
 import math
@@ -14,16 +15,16 @@ from numbers_text import exact
 PRESSURE_VISCOSITY, MODULUS = 20e-9, 115.4e9  # 1/Pa, Pa
 TABLES = {"barus, incompressible": "point_films.csv", "roelands, compressible": "point_films_compressible.csv"}
 WITHIN = 0.1
-# Any circle: its formulas' films tell in which ratio they stand to each other.
-BALL, BALL_SPEED = "ball_on_flat", 10.0  # m/s
+# Any contact whose film is soon solved: its formulas' films tell in which ratio they stand to each other.
+CONTACT = {"load": 4, "speed": 1, "bodies": {"effective_modulus": MODULUS, "radius_x": 0.01},
+           "lubricant": {"viscosity": 0.02, "pressure_viscosity": 2e-9}}
 # Questions to `tribocheck stream`, by the name in `tribocheck film`.
-ASKED = {"hamrock_dowson_central": {"function": "hamrock_dowson_central", "reduced_radius": 1},
-         "hamrock_dowson_minimum": {"function": "hamrock_dowson_minimum", "radius_x": 1}} | {
-    name: {"function": "nijenbanning_venner_moes", "radius_x": 1, "radius_y": 1, **reading} for name, reading in {
+ASKED = {name: {"function": name} for name in ("hamrock_dowson_central", "hamrock_dowson_minimum")} | {
+    name: {"function": "nijenbanning_venner_moes", **reading} for name, reading in {
         "nijenbanning_venner_moes": {}, "nijenbanning_three_halves_of_s": {"bracket": "three_halves_of_s"},
         "nijenbanning_ei_over_ep": {"exponent": "ei_over_ep"},
         "nijenbanning_ei_over_ep_of_s": {"exponent": "ei_over_ep", "bracket": "three_halves_of_s"}}.items()}
-# Their films of circles are multiples of this one: the powers of U, G and W are the same.
+# Their films are multiples of this one in contacts of one shape: the powers of U, G and W are the same.
 CHITTENDEN, CHITTENDENS_POWERS = "chittenden_", "hamrock_dowson_minimum"
 
 
@@ -35,19 +36,21 @@ class Formula(typing.NamedTuple):
 
 
 class Film(typing.NamedTuple):
-    """A solved circle: film numbers (h/R)(2U)^(−1/2), and their errors."""
+    """A solved contact: film numbers (h/R_x)(2U)^(−1/2), and their errors."""
     load: float
     material: float
     film: dict
     error: dict
 
 
-def formulas_of(program, places):
-    """The formulas of circles beside which `tribocheck film` puts a solved ball, without those of liquids of constant viscosity."""
-    ball, = program.answer("film", places.reference / f"scenes/{BALL}.toml", "--speed", BALL_SPEED, "--tolerance", 1e-2)["films"]
-    films = {one["name"]: one["film"] for one in ball["formulas"]}
+def formulas_of(program, ratio):
+    """The formulas beside which `tribocheck film` puts a solved contact of this R_y/R_x, without those of liquids of constant
+    viscosity."""
+    scene = CONTACT | {"bodies": CONTACT["bodies"] | {"radius_y": ratio * CONTACT["bodies"]["radius_x"]}}
+    contact, = program.answer("film", "-", "--tolerance", 1e-2, text=json.dumps(scene))["films"]
+    films = {one["name"]: one["film"] for one in contact["formulas"]}
     made = []
-    for one in ball["formulas"]:
+    for one in contact["formulas"]:
         name, quantity = one["name"], one["stands_for"].removesuffix("_film")
         if name in ASKED:
             made.append(Formula(name, quantity, ASKED[name]))
@@ -57,26 +60,29 @@ def formulas_of(program, places):
 
 
 def films_of(path):
-    """The flooded circles with L > 0 of the material numbers that all load numbers have."""
+    """By R_y/R_x, the flooded contacts with L > 0 of the material numbers that all load numbers have."""
+    by_ratio = {}
     try:
-        films = [Film(float(row["load_number"]), float(row["material_number"]), *(
-            {name: float(row[name + end]) for name in ("central", "minimum")} for end in ("", "_error")))
-            for row in rows_of(path) if float(row["radius_ratio"]) == 1 and not row["supply"] and float(row["material_number"]) > 0]
+        for row in rows_of(path):
+            if not row["supply"] and float(row["material_number"]) > 0:
+                by_ratio.setdefault(float(row["radius_ratio"]), []).append(Film(float(row["load_number"]), float(row["material_number"]), *(
+                    {name: float(row[name + end]) for name in ("central", "minimum")} for end in ("", "_error"))))
     except (KeyError, TypeError, ValueError) as error:
         raise Missing(f"{path.name} has a row that is no film: {error}") from error
-    loads = {one.load for one in films}
-    films = [one for one in films if loads == {other.load for other in films if other.material == one.material}]
-    if not films:
+    for ratio, films in by_ratio.items():
+        loads = {one.load for one in films}
+        by_ratio[ratio] = sorted(one for one in films if loads == {other.load for other in films if other.material == one.material})
+    if not by_ratio.get(1.0):
         raise Missing(f"{path.name} has no flooded circles")
-    return sorted(films)
+    return by_ratio
 
 
-def numbers_of(program, formula, films):
-    """The film numbers of a formula, by circles whose E*, R and viscosity are 1."""
+def numbers_of(program, formula, ratio, films):
+    """The film numbers of a formula, by contacts whose E*, R_x and viscosity are 1."""
     twice = [math.pow(one.material / (2 * PRESSURE_VISCOSITY * MODULUS), 4) for one in films]  # 2U
     answers = program.ask(*(json.dumps(formula.question | {
         "speed": u, "viscosity": 1, "pressure_viscosity": one.material / math.pow(u, 0.25) / 2, "load": 2 * one.load * math.pow(u, 0.75),
-        "effective_modulus": 1}) for one, u in zip(films, twice)))
+        "effective_modulus": 1, "radius_x": 1, "radius_y": ratio}) for one, u in zip(films, twice)))
     return [formula.multiple * answer["value"] / math.sqrt(u) for answer, u in zip(answers, twice)]
 
 
@@ -104,12 +110,27 @@ def judged(liquid, films, errors):
             "within": widest_block({(one.load, one.material): error for one, error in zip(films, errors)})}
 
 
+def errors_of(program, formula, ratio, films):
+    return [number / one.film[formula.quantity] - 1 for number, one in zip(numbers_of(program, formula, ratio, films), films)]
+
+
+def ellipses(program, films):
+    """By the shape of the contacts, the least and the greatest error of each formula over the solved ones."""
+    shapes = []
+    for ratio in sorted(set(films) - {1.0}):
+        errors = {formula.name: errors_of(program, formula, ratio, films[ratio]) for formula in formulas_of(program, ratio)}
+        shapes.append({"radius_ratio": ratio, "loads": sorted({one.load for one in films[ratio]}),
+                       "materials": sorted({one.material for one in films[ratio]}),
+                       "formulas": [{"name": name, "least": min(of), "greatest": max(of)} for name, of in errors.items()]})
+    return shapes
+
+
 def point_films(asked):
-    films = {liquid: films_of(asked.places.reference / "ehl" / name) for liquid, name in TABLES.items()}
+    tables = {liquid: films_of(asked.places.reference / "ehl" / name) for liquid, name in TABLES.items()}
+    films = {liquid: of[1.0] for liquid, of in tables.items()}
     formulas, blocks = [], []
-    for formula in formulas_of(asked.program, asked.places):
-        errors = {liquid: [number / one.film[formula.quantity] - 1
-                           for number, one in zip(numbers_of(asked.program, formula, of), of)] for liquid, of in films.items()}
+    for formula in formulas_of(asked.program, 1):
+        errors = {liquid: errors_of(asked.program, formula, 1, of) for liquid, of in films.items()}
         formulas.append({"name": formula.name, "quantity": formula.quantity,
                          "liquids": [judged(liquid, films[liquid], of) for liquid, of in errors.items()]})
         blocks.append(f'"{formula.name}"\n' + "".join(
@@ -119,6 +140,6 @@ def point_films(asked):
              "greatest_error": {name: max(one.error[name] / one.film[name] for one in of) for name in ("central", "minimum")}}
             for liquid, of in films.items()]
     return Group({"pressure_viscosity": PRESSURE_VISCOSITY, "effective_modulus": MODULUS, "within": WITHIN, "liquids": told,
-                  "formulas": formulas}, [finding("point_films", "film-points", "software", "measured")],
+                  "formulas": formulas, "ellipses": ellipses(asked.program, next(iter(tables.values())))}, [finding("point_films", "film-points", "software", "measured")],
                  files=[("data/point_film_errors.blocks.tsv", "# errors of formulas for the film of a circle against the solved film, each formula "
                          "a block\n# load number M\tmaterial number L\tliquid\terror [%]\n" + "\n\n".join(blocks))])

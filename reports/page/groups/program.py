@@ -28,24 +28,23 @@ class Program:
             self.stream.kill()
             self.stream.communicate()
 
-    def run(self, *arguments):
-        """The exit code of a command, its output, and the lines that it complains of."""
-        done = subprocess.run([self.path, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
-                              errors="replace")
+    def run(self, *arguments, text=""):
+        """The exit code of a command that reads this text, its output, and the lines that it complains of."""
+        done = subprocess.run([self.path, *map(str, arguments)], input=text, capture_output=True, encoding="utf-8", errors="replace")
         return done.returncode, done.stdout, [line.removeprefix("tribocheck: ") for line in done.stderr.splitlines()]
 
-    def said(self, *arguments):
+    def said(self, *arguments, text=""):
         """A command's output, and its complaints. Raises Missing, with the first complaint,
         where it has no output or refuses what it is given."""
-        code, told, complaints = self.run(*arguments)
+        code, told, complaints = self.run(*arguments, text=text)
         if not told or code not in (0, 1):
             errors = [line for line in complaints if not line.startswith("warning: ")]
             raise Missing(errors[0] if errors else f"{arguments[0]} ended with exit code {code}")
         return told, complaints
 
-    def answer(self, *arguments, whole=int):
+    def answer(self, *arguments, whole=int, text=""):
         """The members of a command's answer. `whole` converts its whole numbers: float where no number is a count."""
-        return members(self.said(*arguments, "--format", "json")[0], whole)
+        return members(self.said(*arguments, "--format", "json", text=text)[0], whole)
 
     def ask(self, *lines):
         """The answers of `tribocheck stream` to these lines of JSON. Raises Missing where one of them is refused."""
