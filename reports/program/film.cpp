@@ -391,7 +391,7 @@ that of the finest grid; the films are extrapolated from all grids, and so are n
 
 Bodies may meet along a line, at a circle or at an ellipse. Films of circles and ellipses are solved on plane
 grids, to 0.1 % (the minimum film to 0.3 %) unless --tolerance asks for another error. At M up to 200 this takes
-1 to 70 seconds, beyond M = 1000 up to some minutes and 1.6 GB; with `--tolerance 1e-2` it takes a fraction. Their profile is
+1 to 30 seconds, seldom two minutes, beyond M = 1000 up to some minutes and 1.7 GB; with `--tolerance 1e-2` it takes a fraction. Their profile is
 that of the middle, y = 0; --picture draws it below film and pressure over the whole contact, and --fields writes these. A circle's bodies.ellipticity is not used: the axes follow from the radii.
 
 With lubricant.pressure_viscosity = 0 the liquid's viscosity is constant; formulas without a film for
