@@ -283,7 +283,8 @@ int check_sample(const std::filesystem::path& file, Table table, std::uint64_t s
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Adds the rows that the table of solved point films lacks: all in an hour and a half of one core; a "
+      "Adds the rows that the table of solved point films lacks: all in an hour and a half of one "
+      "core; a "
       "run "
       "that was stopped is taken up again"};
   app.footer("Example:\n  generate_point_films reference/ehl/point_films.csv --sample 4 --seed 42");

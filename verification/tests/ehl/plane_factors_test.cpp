@@ -84,16 +84,16 @@ TEST(PlaneFactors, SayWhereThereAreNone) {
     Entries one_bad = entries;
     const auto entry = one_bad[40];
     one_bad[40] = {entry.row(), entry.col(), bad};
-    EXPECT_FALSE(ehl::PlaneFactors(grid).factor(one_bad)) << bad;
+    EXPECT_EQ(ehl::PlaneFactors(grid).factor(one_bad), false) << bad;
   }
   Entries without_a_row = entries, without_a_column = entries;
   for (auto& entry : without_a_row)
     if (entry.row() == 30) entry = {entry.row(), entry.col(), 0};
   for (auto& entry : without_a_column)
     if (entry.col() == 30) entry = {entry.row(), entry.col(), 0};
-  EXPECT_FALSE(ehl::PlaneFactors(grid).factor(without_a_row));
-  EXPECT_FALSE(ehl::PlaneFactors(grid).factor(without_a_column));
-  EXPECT_TRUE(ehl::PlaneFactors(grid).factor(entries));
+  EXPECT_EQ(ehl::PlaneFactors(grid).factor(without_a_row), false);
+  EXPECT_EQ(ehl::PlaneFactors(grid).factor(without_a_column), false);
+  EXPECT_EQ(ehl::PlaneFactors(grid).factor(entries), true);
 }
 
 }  // namespace
