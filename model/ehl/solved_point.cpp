@@ -31,7 +31,9 @@ bool is_met(const SolvedPoint& solved, const PointOptions& options) {
 
 // Whether three grids with more cells may tell better what three grids left unknown.
 bool is_short_of_nodes(const SolvedPoint& solved, const PointOptions& options) {
-  return solved.grids == 3 && solved.domain_error <= options.tolerance;
+  return solved.grids == 3 && solved.domain_error <= options.tolerance &&
+         1.2 * static_cast<double>(solved.film.grid.size()) <=
+             static_cast<double>(options.greatest_nodes);
 }
 
 // The relative error of a film from the grid's ends, which falls with the third power of its
@@ -85,6 +87,35 @@ bool is_wet_at_ends(const PointContact& contact, const PointFilm& film) {
   return false;
 }
 
+// The inlet is narrower the greater the load.
+double least_cells(const PointContact& contact) {
+  return std::fmax(8, 8 * std::pow(contact.load_number / 30, 0.38));
+}
+
+bool leaves_three_grids(const PointContact& contact, int cells, const PointOptions& options,
+                        double longer = 1) {
+  return 16 * grid_for(contact, cells, longer).size() <= options.greatest_nodes;
+}
+
+// So many cells, or fewer where three grids of this length would have too many nodes, but not fewer
+// than the inlet needs.
+int cells_that_fit(const PointContact& contact, int cells, const PointOptions& options,
+                   double longer = 1) {
+  while (cells > least_cells(contact) && !leaves_three_grids(contact, cells, options, longer))
+    --cells;
+  return cells;
+}
+
+// The cells that the coarsest grid begins with; 0 where three grids have too many nodes. Beyond M =
+// 200 the least film needs more than the inlet.
+int first_cells(const PointContact& contact, const PointOptions& options) {
+  const double least = least_cells(contact);
+  if (!(least < 1e4)) return 0;  // an int holds them
+  const double asked = least * std::fmax(1, std::pow(contact.load_number / 200, 0.25));
+  const int cells = cells_that_fit(contact, rounded_up(asked), options);
+  return leaves_three_grids(contact, cells, options) ? cells : 0;
+}
+
 // The films by the grids that follow from one coarsest grid.
 SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const PointOptions& options,
                                 const Watch& watch) {
@@ -111,6 +142,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
        film.outcome == Outcome::solved && is_wet_at_ends(contact, film) &&
        longer < greatest_length && 16 * grid.size() <= options.greatest_nodes;
        longer *= length_step) {
+    cells = cells_that_fit(contact, cells, options, longer);
     grid = grid_for(contact, cells, longer);
     film = solve_on(contact, grid, film, watch);
   }
@@ -190,26 +222,11 @@ double wet_length(const PointContact& contact) {
   return x / reach_of(contact);
 }
 
-bool leaves_three_grids(const PointContact& contact, int cells, Eigen::Index greatest_nodes) {
-  return 16 * grid_for(contact, cells).size() <= greatest_nodes;
-}
-
-// The cells that the coarsest grid begins with; 0 where three grids have too many nodes. The inlet
-// is narrower the greater the load; beyond M = 200 the least film needs even more cells, and
-// begins with fewer only where three grids would have too many nodes.
-int first_cells(const PointContact& contact, Eigen::Index greatest_nodes) {
-  const double m = contact.load_number, least = std::fmax(8, 8 * std::pow(m / 30, 0.38));
-  if (!(least < 1e4)) return 0;  // an int holds them
-  int cells = rounded_up(least * std::fmax(1, std::pow(m / 200, 0.25)));
-  while (cells > least && !leaves_three_grids(contact, cells, greatest_nodes)) --cells;
-  return leaves_three_grids(contact, cells, greatest_nodes) ? cells : 0;
-}
-
 }  // namespace
 
 int more_cells(const PointContact& contact, int cells, const PointOptions& options) {
   int more = cells + cells / 2;
-  while (!leaves_three_grids(contact, more, options.greatest_nodes)) --more;
+  while (!leaves_three_grids(contact, more, options)) --more;
   return more >= 1.1 * cells ? more : 0;
 }
 
@@ -262,7 +279,7 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
       return solved;
     }
   }
-  int cells = first_cells(contact, options.greatest_nodes);
+  int cells = first_cells(contact, options);
   if (cells == 0) {
     solved.reason = text("an error needs three grids, and %d nodes at most leave fewer at M = %.3g",
                          static_cast<int>(options.greatest_nodes), m);
