@@ -31,24 +31,6 @@ std::string_view text_of(Range range) {
 
 }  // namespace
 
-bool is_in_range(double number, Range range) {
-  switch (range) {
-    case Range::above_zero:
-      return number > 0;
-    case Range::not_below_zero:
-      return number >= 0;
-    case Range::not_zero:
-      return number < 0 || number > 0;
-    case Range::poisson_ratio:
-      return number > -1 && number <= 0.5;
-    case Range::half_order:
-      return number >= 0 && number <= 2.5 && 2 * number == static_cast<int>(2 * number);
-    case Range::any:
-      break;
-  }
-  return true;
-}
-
 std::optional<double> place_of(std::string_view word, const Parameter& parameter) {
   const auto found = std::find(parameter.words.begin(), parameter.words.end(), word);
   if (found == parameter.words.end()) return std::nullopt;
@@ -60,6 +42,12 @@ std::string allowed_text(const Parameter& parameter) {
   for (const std::string_view word : parameter.words)
     text += (text.empty() ? "" : ", ") + std::string(word);
   return text.empty() ? std::string(text_of(parameter.range)) : text;
+}
+
+std::string allowed_with_unit(const Parameter& parameter) {
+  std::string text = allowed_text(parameter);
+  if (!parameter.unit.empty()) text += ", in " + std::string(parameter.unit);
+  return text;
 }
 
 std::string default_text(const Parameter& parameter) {

@@ -35,7 +35,23 @@ enum class Range : std::uint8_t {
   half_order,
   poisson_ratio
 };
-bool is_in_range(double number, Range range);
+constexpr bool is_in_range(double number, Range range) {
+  switch (range) {
+    case Range::above_zero:
+      return number > 0;
+    case Range::not_below_zero:
+      return number >= 0;
+    case Range::not_zero:
+      return number < 0 || number > 0;
+    case Range::poisson_ratio:
+      return number > -1 && number <= 0.5;
+    case Range::half_order:
+      return number >= 0 && number <= 2.5 && 2 * number == static_cast<int>(2 * number);
+    case Range::any:
+      break;
+  }
+  return true;
+}
 
 struct Parameter {
   std::string_view name;  // "reduced_radius"
@@ -53,6 +69,8 @@ struct Parameter {
 std::optional<double> place_of(std::string_view word, const Parameter& parameter);
 // "a number above 0", or the words
 std::string allowed_text(const Parameter& parameter);
+// The same with the unit: "a number above 0, in Pa".
+std::string allowed_with_unit(const Parameter& parameter);
 // The default, which has to be there: a number, or the word without quotes.
 std::string default_text(const Parameter& parameter);
 
@@ -99,6 +117,9 @@ struct Function {
   std::optional<Refusal> (*refusal)(const Arguments& arguments) = nullptr;
   const FilmLaw* film_law = nullptr;  // of a film law: its row
   std::span<const Combination> combinations = {};
+  // The same of many points, each legal, by columns (columns.hpp), with the same bits. Null: there
+  // is no way that is faster than point by point.
+  void (*values)(std::size_t count, const double* const* argument, double* const* result) = nullptr;
 };
 // Whether a contact on earth can have these arguments: each number and each combination of them is
 // in its range.

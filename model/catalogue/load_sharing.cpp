@@ -4,6 +4,7 @@
 
 #include "catalogue/families.hpp"
 #include "catalogue/parameters.hpp"
+#include "tribo/batch.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::catalogue {
@@ -41,7 +42,15 @@ constexpr std::array entries{
               y[0] = sharing.solve(x[1]).film_parameter;
             },
         .contract = load_sharing_contract,
-        .example = {0, 0.5, 20, 1.146}},
+        .example = {0, 0.5, 20, 1.146},
+        .values =
+            [](std::size_t count, const double* const* x, double* const* y) {
+              for_each_run(x[0], count, [&](std::size_t first, std::size_t length) {
+                const auto part = [&](auto* column) { return std::span(column + first, length); };
+                film_parameter(enum_at<AsperityModel>(x[0][first]), part(x[2]), part(x[3]),
+                               part(x[1]), part(y[0]));
+              });
+            }},
 };
 
 }  // namespace

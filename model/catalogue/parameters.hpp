@@ -12,6 +12,15 @@ Enum enum_at(double place) {
   return static_cast<Enum>(static_cast<int>(place));
 }
 
+// Calls `function` with the first place and the length of each run of equal numbers in a column.
+template <class Call>
+void for_each_run(const double* column, std::size_t count, Call function) {
+  for (std::size_t first = 0, end = 0; first < count; first = end) {
+    while (end < count && column[end] == column[first]) ++end;
+    function(first, end - first);
+  }
+}
+
 inline constexpr Parameter load{
     .name = "load", .meaning = "F", .unit = "N", .least = 1e-3, .greatest = 1e6};
 inline constexpr Parameter effective_modulus{

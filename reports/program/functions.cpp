@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "build_info.hpp"
 #include "catalogue/catalogue.hpp"
 #include "catalogue/ways_to_ask.hpp"
 #include "command.hpp"
+#include "functions_json.hpp"
 #include "messages.hpp"
 #include "protocol/answers.hpp"
 #include "scene/schema.hpp"
@@ -37,19 +37,6 @@ std::string range_text(double least, double greatest) {
   return fmt::format("{:g} to {:g}", least, greatest);
 }
 
-ordered_json example_of(const Function& function) {
-  ordered_json line{{"function", function.name}};
-  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-    const Parameter& parameter = function.parameters[i];
-    ordered_json& argument = line[std::string(parameter.name)];
-    if (parameter.words.empty())
-      argument = function.example[i];
-    else
-      argument = parameter.words[static_cast<std::size_t>(function.example[i])];
-  }
-  return line;
-}
-
 std::string answer_to(const ordered_json& question) {
   protocol::Text text;
   std::vector<Validity> passed;
@@ -63,12 +50,6 @@ std::string contract_text(const Contract& contract) {
   if (contract.ulp_per_condition > 0)
     text += fmt::format(" or {} ulp × condition, whichever is more", contract.ulp_per_condition);
   return text;
-}
-
-std::vector<std::string_view> names_of(std::span<const Parameter> parameters) {
-  std::vector<std::string_view> names;
-  for (const Parameter& one : parameters) names.push_back(one.name);
-  return names;
 }
 
 void describe(const Function& function, OutputStream& output) {
@@ -109,56 +90,6 @@ void list(OutputStream& output) {
     append(output.text(), fmt::format("{:<31}{}\n", function.name, function.meaning));
 }
 
-ordered_json json_of(const Function& function) {
-  ordered_json parameters = ordered_json::array(), results = ordered_json::array();
-  for (const Parameter& parameter : function.parameters) {
-    ordered_json one{
-        {"name", parameter.name}, {"meaning", parameter.meaning}, {"unit", parameter.unit}};
-    if (parameter.words.empty()) {
-      one["allowed"] = allowed_text(parameter);
-      one["physical"] = {parameter.least, parameter.greatest};
-    } else {
-      one["words"] = parameter.words;
-    }
-    if (parameter.default_value && parameter.words.empty())
-      one["default"] = *parameter.default_value;
-    else if (parameter.default_value)
-      one["default"] = default_text(parameter);
-    parameters.push_back(std::move(one));
-  }
-  ordered_json combinations = ordered_json::array();
-  for (const Combination& one : function.combinations)
-    combinations.push_back({{"name", one.name},
-                            {"meaning", one.meaning},
-                            {"unit", one.unit},
-                            {"physical", {one.least, one.greatest}}});
-  ordered_json ways = ordered_json::array();
-  for (const WayToAsk& way : catalogue::ways_to_ask())
-    if (has_way(function, way))
-      ways.push_back(
-          {{"name", way.name}, {"in_place_of", way.in_place_of}, {"given", names_of(way.given)}});
-  for (const catalogue::Result& result : function.results)
-    results.push_back({{"name", result.name}, {"meaning", result.meaning}, {"unit", result.unit}});
-  return {{"name", function.name},
-          {"meaning", function.meaning},
-          {"equation", function.equation},
-          {"source", function.source},
-          {"parameters", parameters},
-          {"ways_to_ask", ways},
-          {"combinations", combinations},
-          {"results", results},
-          {"contract",
-           {{"ulp", function.contract.ulp},
-            {"ulp_per_condition", function.contract.ulp_per_condition}}},
-          {"example", example_of(function)}};
-}
-
-ordered_json all_json() {
-  ordered_json all = ordered_json::array();
-  for (const Function& function : catalogue::functions()) all.push_back(json_of(function));
-  return all;
-}
-
 int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const Function& function : catalogue::functions()) names.push_back(function.name);
@@ -181,8 +112,7 @@ int show(const FunctionsArguments& arguments, OutputStream& output) {
     if (one == nullptr) return unknown(arguments.name);
   }
   if (arguments.format == "json") {
-    const ordered_json told = one == nullptr ? document("functions/1", {{"functions", all_json()}})
-                                             : document("function/1", json_of(*one));
+    const ordered_json told = one == nullptr ? functions_document() : function_document(*one);
     append(output.text(), told.dump(2) + '\n');
   } else if (one != nullptr) {
     describe(*one, output);

@@ -250,14 +250,9 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
           arguments,
           fmt::format("{} never answered: {}", subject->name, conversation.never_answered),
           conversation.error_lines, output);
-    std::vector<std::string> readings =
-        take_readings(cases, conversation, tolerance, arguments.ways);
-    verdict.result = judge(subject->name, cases, std::move(conversation), tolerance);
-    verdict.result.sample = arguments.sample;
-    std::vector<std::string>& notes = verdict.result.notes;
-    notes.insert(notes.end(), readings.begin(), readings.end());
+    verdict = verdict_on(subject->name, cases, std::move(conversation),
+                         {tolerance, arguments.ways, mistakes, arguments.sample});
     verdict.missing = missing_of(arguments.required, verdict.result);
-    verdict.diagnoses = diagnose(cases, verdict.result.conversation, tolerance, mistakes);
   }
   verdict.baseline = arguments.baseline.file;
   verdict.same_question = same_question(arguments);

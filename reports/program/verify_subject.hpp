@@ -50,6 +50,18 @@ struct SubjectVerdict {
   std::optional<conformance::BaselineChanges> changes;  // changes against that file
 };
 
+// By what a subject is judged.
+struct JudgedBy {
+  conformance::Tolerance tolerance;
+  conformance::AskedWays ways;
+  std::vector<conformance::Mistake> mistakes;  // that are known
+  std::size_t sample = 0;                      // as cases_for() has it
+};
+// The verdict on the answers to these cases, with the diagnoses of what failed. What a case expects
+// becomes another reading of its law where the answers follow that.
+SubjectVerdict verdict_on(const std::string& subject, std::vector<conformance::TestCase>& cases,
+                          conformance::Conversation conversation, const JudgedBy& by);
+
 // The reasons for exit code 1. With a baseline: all that is worse than the baseline. Without one:
 // all that failed, or that nothing is offered. In both cases also all required quantities that are
 // missing. All formats report the same reasons.

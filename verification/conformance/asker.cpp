@@ -25,13 +25,6 @@ constexpr const char* may_not_flush =
 constexpr const char* half_a_line =
     "; half a line has come: it does not flush its output after each line";
 
-// Answers are kept until all are judged. Of a longer one only the part that was asked for is kept.
-constexpr std::size_t longest_answer = 4096;
-
-std::string shortened(std::string text) {
-  return text.size() <= longest_answer ? text : printable(text, longest_answer);
-}
-
 // The part of an answer that was asked for, or why it is not there.
 json asked_part(const json& answer, const TestCase& asked) {
   json part{{"id", asked.id}};
@@ -39,7 +32,7 @@ json asked_part(const json& answer, const TestCase& asked) {
     const auto found = answer.find(name);
     if (found == answer.end()) return;
     const std::string text = line_of(*found);
-    part[name] = text.size() <= longest_answer ? *found : json(start_of(text));
+    part[name] = text.size() <= longest_kept_answer ? *found : json(start_of(text));
   };
   for (const Expected& one : asked.expected) keep(one.field);
   for (const char* const name : {"undefined", "skip", "error", "place"}) keep(name);
@@ -280,7 +273,7 @@ void Asker::hear(const std::string& line) {
                  fmt::format("{} is answered twice, or before it was asked", asked.id));
   if (!broken_.empty()) note_print(broken_line_);  // it was not the answer
   note_block();
-  take(line.size() > longest_answer ? asked_part(answer, asked) : std::move(answer));
+  take(line.size() > longest_kept_answer ? asked_part(answer, asked) : std::move(answer));
 }
 
 // Answers that come after the end of the input in blocks that break lines, or all together, were
@@ -312,18 +305,8 @@ void Asker::take(json answer) {
   stray_ = 0;
   last_heard_ = questions_.case_of(question);
   account.exit_code_without_answer = -1;
-  const auto reason = [](const json& what) {
-    return shortened(what.is_string() ? what.get<std::string>() : line_of(what));
-  };
-  if (answer.contains("skip")) {
-    settle(Outcome::skipped, {}, reason(answer["skip"]));
-  } else if (answer.contains("error")) {
-    const json& error = answer["error"];
-    const bool has_message = error.is_object() && error.contains("message");
-    settle(Outcome::refused, {}, reason(has_message ? error["message"] : error));
-  } else {
-    settle(Outcome::answered, std::move(answer), {});
-  }
+  Reply reply = reply_of(std::move(answer));
+  settle(reply.outcome, std::move(reply.fields), std::move(reply.reason));
   if (question != questions_.greeting()) questions_.reply(question).place = std::move(place);
   has_answered_ = true;
   if (!any_answer_) note_first_answer(question);

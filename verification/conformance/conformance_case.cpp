@@ -294,7 +294,17 @@ json TestCase::request() const {
 
 std::string TestCase::line() const { return request().dump(); }
 
-std::vector<TestCase> read_cases(const CaseSources& sources) {
+std::vector<TestCase> read_cases(const CaseSources& sources,
+                                 const std::vector<std::string>& functions) {
+  const auto is_wanted = [&](std::string_view name) {
+    return functions.empty() ||
+           std::find(functions.begin(), functions.end(), name) != functions.end();
+  };
+  for (const std::string& name : functions)
+    if (catalogue::function_named(name) == nullptr &&
+        std::find(operating_point_functions.begin(), operating_point_functions.end(), name) ==
+            operating_point_functions.end())
+      throw std::runtime_error(fmt::format("no function is called \"{}\"", printable(name)));
   std::vector<TestCase> all;
   const auto add = [&](std::vector<TestCase> part) {
     for (TestCase& one : part) all.push_back(std::move(one));
@@ -303,14 +313,18 @@ std::vector<TestCase> read_cases(const CaseSources& sources) {
     return read_reference_table(fmt::format("{}/{}.csv", sources.exact, name));
   };
   for (const catalogue::Function& function : catalogue::functions()) {
+    if (!is_wanted(function.name)) continue;
     const std::vector<TestCase> cases = cases_of(function, table(function.name));
     add(cases);
     add(without_defaults(function, cases));
   }
-  add(paper_points(sources.published));
-  const std::vector<TestCase> points = operating_points(table("operating_point"));
-  add(points);
-  add(without_defaults(points));
+  if (std::any_of(operating_point_functions.begin(), operating_point_functions.end(), is_wanted)) {
+    add(paper_points(sources.published));
+    const std::vector<TestCase> points = operating_points(table("operating_point"));
+    add(points);
+    add(without_defaults(points));
+    std::erase_if(all, [&](const TestCase& one) { return !is_wanted(one.function); });
+  }
   for (TestCase& one : all) complete(one);
   return all;
 }

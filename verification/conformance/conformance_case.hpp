@@ -60,7 +60,9 @@ struct CaseSources {
   std::string exact;      // the folder of certified tables
   std::string published;  // of the paper's scenes and independent.tsv
 };
-// Throws std::runtime_error with one line.
-std::vector<TestCase> read_cases(const CaseSources& sources);
+// The cases of these functions (TestCase::function), or of all where none is named. Throws
+// std::runtime_error with one line, as where there is no such function.
+std::vector<TestCase> read_cases(const CaseSources& sources,
+                                 const std::vector<std::string>& functions = {});
 
 }  // namespace tribo::conformance

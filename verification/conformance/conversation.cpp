@@ -284,6 +284,18 @@ std::string line_of(const json& value) {
 
 std::string start_of(const std::string& text) { return printable(text, 80); }
 
+Reply reply_of(json answer) {
+  const auto reason = [](const json& what) {
+    std::string text = what.is_string() ? what.get<std::string>() : line_of(what);
+    return text.size() <= longest_kept_answer ? text : printable(text, longest_kept_answer);
+  };
+  if (answer.contains("skip")) return {Outcome::skipped, {}, reason(answer["skip"])};
+  if (!answer.contains("error")) return {Outcome::answered, std::move(answer)};
+  const json& error = answer["error"];
+  const bool has_message = error.is_object() && error.contains("message");
+  return {Outcome::refused, {}, reason(has_message ? error["message"] : error)};
+}
+
 std::vector<std::string> without_repeats(const std::vector<KindLine>& lines) {
   constexpr std::size_t most_alike = 3;
   std::vector<std::string> made;

@@ -57,6 +57,11 @@ struct Reply {
   std::string place{};
 };
 
+// An answer that was read, with its reason where it is none.
+Reply reply_of(nlohmann::json answer);
+// Answers are kept until all are judged. Of a longer one only the part that was asked for is kept.
+inline constexpr std::size_t longest_kept_answer = 4096;
+
 struct Limits {
   std::chrono::milliseconds one_case{10000};
   std::chrono::milliseconds first_answer{60000};  // of each process: it may have much to load

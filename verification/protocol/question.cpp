@@ -32,12 +32,6 @@ std::string name_of(const Entry& member) {
   return path.starts_with('"') ? path.substr(1, path.size() - 2) : path;
 }
 
-std::string allowed_with_unit(const Parameter& parameter) {
-  std::string text = catalogue::allowed_text(parameter);
-  if (!parameter.unit.empty()) text += ", in " + std::string(parameter.unit);
-  return text;
-}
-
 std::optional<double> word_argument(const Parameter& parameter, const Entry& member,
                                     std::string& complaint) {
   if (member.value.kind != ValueKind::text) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "catalogue/catalogue.hpp"
+#include "catalogue/columns.hpp"
 #include "conformance/plugin_scene.hpp"
 #include "conformance/tribocheck_plugin.h"
 #include "tribo/operating_points.hpp"
@@ -49,14 +49,7 @@ int tribocheck_function(const char* name, size_t count, const double* const* arg
                         double* const* result, int* status) {
   const catalogue::Function* const function = catalogue::function_named(name);
   if (function == nullptr) return 0;
-  for (size_t i = 0; i < count; ++i) {
-    catalogue::Arguments arguments{};
-    catalogue::Results results{};
-    for (size_t k = 0; k < function->parameters.size(); ++k) arguments[k] = argument[k][i];
-    function->value(arguments, results);
-    for (size_t k = 0; k < function->results.size(); ++k) result[k][i] = or_undefined(results[k]);
-    status[i] = TRIBOCHECK_DONE;
-  }
+  catalogue::values_at(*function, count, argument, result, status);
   return 1;
 }
 

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * tribocheck as a library, libtribocheck.so, in C99: each function of the model by its name, with
+ * arguments and results in columns, and a solver of yours put to the tests within your own program.
+ *
+ *   cc -std=c99 solver.c $(pkg-config --cflags --libs tribocheck) -o solver
+ *
+ * SI units throughout. No exception and no memory crosses this interface, and any number of threads
+ * may call at once. Texts are UTF-8, and end with 0. A text that is told goes into the caller's
+ * `text`, of which `size` bytes are used at most, cut off where it is longer; its whole length, without
+ * the 0, goes to `length`. `text` may be null where `size` is 0, and `length` may be null.
+ *
+ * Formulas, symbols and ranges: model/README.md; `tribocheck functions NAME` has them of each function. */
+#ifndef TRIBOCHECK_H
+#define TRIBOCHECK_H
+
+#include <stddef.h>
+
+#include "tribocheck_plugin.h" /* statuses of points, codes of words */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a call returns, as the program's exit code. */
+enum {
+  TRIBOCHECK_OK = 0,     /* done; of a verdict: all that is offered holds */
+  TRIBOCHECK_WRONG = 1,  /* of a verdict: something fails, or nothing was answered */
+  TRIBOCHECK_REFUSED = 2 /* nothing was done, and `text` is one line that says why */
+};
+
+/* "0.2.0"; lives as long as the library. */
+const char* tribocheck_version(void);
+
+/* The catalogue of functions with names, units, ranges and sources, as `tribocheck functions --format
+ * json` has it: reference/schemas/functions.schema.json. */
+int tribocheck_describe(char* text, size_t size, size_t* length);
+
+/* The function of this name at `count` points. argument[k][i] is argument k of point i, in the order
+ * of the catalogue, of a word its code (its place in the catalogue's list, from 0). result[k][i] and
+ * status[i] belong to the caller, and overlap nothing else. A point has the status TRIBOCHECK_DONE and
+ * its results, to the error bound of the catalogue, with the bits that `tribocheck stream` gives; an
+ * infinity is a result that no double holds. Or an argument is out of its range, NaN or infinite: it
+ * has TRIBOCHECK_FAILED, and NaN. Returns 0 where no function has this name, and else another number. */
+int tribocheck_call(const char* name, size_t count, const double* const* argument,
+                    double* const* result, int* status);
+
+/* What is wrong with the arguments of one point, as "load: -3 is not allowed; allowed: a number above
+ * 0, in N", with TRIBOCHECK_REFUSED; TRIBOCHECK_OK where tribocheck_call() takes them. */
+int tribocheck_fault(const char* name, const double* arguments, char* text, size_t size,
+                     size_t* length);
+
+/* The number in the SI unit `unit` that a text with a unit means: 0.0202 of "20.2 mPa s" in "Pa·s". */
+int tribocheck_number(const char* with_unit, const char* unit, double* number);
+
+/* Questions to a solver: certified cases, as lines of JSON of `tribocheck verify --save-cases`, each with
+ * an id of its own; some come once more at the end. `request` is a JSON object, with any of these:
+ *
+ *   "functions": ["hertz_point"]       of these alone; operating_point is one too; without it: all
+ *   "tolerance": "engineering"         or "strict", or the path of a file, as --tolerance has it
+ *   "modulus": "E*", "ellipticity": "k", "sample": 0        as these options of `tribocheck verify`
+ *   "subject": "my solver"             its name in the verdict
+ *   "format": "table"                  of the verdict; or "json", "markdown"
+ *   "reference": "/path/reference"     the folder with exact, published and mistakes.toml; without
+ *                                      it: that in the data of the installed tribocheck */
+int tribocheck_cases(const char* request, char* text, size_t size, size_t* length);
+
+/* The verdict on answers to the questions that tribocheck_cases() gives for the same request, the worst
+ * case of each quantity that fails, and why its numbers are off, as `tribocheck verify --subject` finds it.
+ * `answers` are lines of JSON, each with the id of its question: {"id": "f0001", "value": 1.5e-7},
+ * {"id": …, "skip": "why"} or {"id": …, "error": "why"}. A diagnosis may take a second: give a text of
+ * a megabyte, as one that is cut off costs another call. */
+int tribocheck_judge(const char* request, const char* answers, char* text, size_t size,
+                     size_t* length);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: Apache-2.0
+"""libtribocheck.so: the functions of the catalogue by columns, and verdicts, as the program gives them."""
+import ctypes
+import json
+import math
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, run
+from subjects import answers_of, python
+
+BINDINGS = pathlib.Path(PROGRAM).resolve().parent / "reports/bindings"
+ROOT = pathlib.Path(ENVIRONMENT["TRIBOCHECK_ROOT"])
+LIBRARY = ctypes.CDLL(str(BINDINGS / "libtribocheck.so"))
+CATALOGUE = {one["name"]: one for one in run("functions", "--format", "json").json()["functions"]}
+DONE, FAILED = 0, 3
+POINTS = ["operating_point", "operating_point_of_other_film", "operating_point_of_ellipse", "operating_point_of_line"]
+
+
+def text_of(call, *arguments):
+    """What a call tells, with its code."""
+    room = ctypes.create_string_buffer(1 << 23)
+    length = ctypes.c_size_t()
+    code = call(*arguments, room, ctypes.c_size_t(len(room)), ctypes.byref(length))
+    assert length.value == len(room.value)
+    return code, room.value.decode()
+
+
+def columns(numbers, count):
+    made = [(ctypes.c_double * count)(*column) for column in numbers]
+    return made, (ctypes.POINTER(ctypes.c_double) * len(made))(*made)
+
+
+def call(name, points):
+    """The results of each point, and its status."""
+    function, count = CATALOGUE[name], len(points)
+    _, argument = columns(zip(*points), count)
+    results, result = columns([[0] * count for _ in function["results"]], count)
+    status = (ctypes.c_int * count)(*[-1] * count)
+    assert LIBRARY.tribocheck_call(name.encode(), ctypes.c_size_t(count), argument, result, status) != 0
+    return list(zip(*results)), list(status)
+
+
+def arguments_of(question):
+    parameters = CATALOGUE[question["function"]]["parameters"]
+    given = [question.get(one["name"], one.get("default")) for one in parameters]
+    return [one["words"].index(value) if "words" in one else value for one, value in zip(parameters, given)]
+
+
+class Functions(unittest.TestCase):
+    def test_the_catalogue_is_that_of_the_program(self):
+        self.assertEqual(json.loads(text_of(LIBRARY.tribocheck_describe)[1]),
+                         run("functions", "--format", "json").json())
+
+    def test_each_certified_case_has_the_bits_of_the_program(self):
+        asked = [json.loads(line) for line in run("verify", "--save-cases", "-").out.splitlines()]
+        asked = [one for one in asked if "function" in one]
+        self.assertEqual({one["function"] for one in asked}, set(CATALOGUE))
+        answers = run("stream", stdin="".join(json.dumps(one) + "\n" for one in asked)).json_lines()
+        for name, function in CATALOGUE.items():
+            mine = [(one, answer) for one, answer in zip(asked, answers, strict=True) if one["function"] == name]
+            results, statuses = call(name, [arguments_of(one) for one, _ in mine])
+            for (question, answer), numbers, status in zip(mine, results, statuses, strict=True):
+                expected = [answer[one["name"]] for one in function["results"]]
+                expected = [math.inf if value is None else value for value in expected]
+                self.assertEqual((list(numbers), status), (expected, DONE), question)
+        print(f"Ran {len(asked)} cases")
+
+    def test_arguments_out_of_range_are_refused_and_no_neighbour_of_theirs(self):
+        for name, function in CATALOGUE.items():
+            right = arguments_of(function["example"])
+            expected, = call(name, [right])[0]
+            for place, parameter in enumerate(function["parameters"]):
+                wrong = [math.nan, math.inf, -math.inf]
+                if "words" in parameter:
+                    wrong += [-1, len(parameter["words"]), 0.5]
+                elif parameter["allowed"] == "a number above 0":
+                    wrong += [-1, 0]
+                for value in wrong:
+                    spoilt = [*right[:place], value, *right[place + 1:]]
+                    results, statuses = call(name, [right] * 700 + [spoilt] + [right])
+                    self.assertEqual(statuses, [DONE] * 700 + [FAILED] + [DONE], (name, spoilt))
+                    self.assertTrue(all(map(math.isnan, results[700])), (name, spoilt))
+                    self.assertEqual({*results[:700], results[701]}, {expected}, (name, spoilt))
+                    code, why = text_of(LIBRARY.tribocheck_fault, name.encode(), (ctypes.c_double * 10)(*spoilt))
+                    self.assertEqual((code, why.split(":")[0]), (2, parameter["name"]))
+                    self.assertIn("allowed: ", why)
+            self.assertEqual(text_of(LIBRARY.tribocheck_fault, name.encode(), (ctypes.c_double * 10)(*right)), (0, ""))
+
+    def test_arguments_that_are_illegal_together_are_refused(self):
+        apart = [5e-3, -4e-3, 5e-3, 5e-3]  # a ball in a groove that is narrower than the ball
+        self.assertEqual(call("reduced_radius", [apart])[1], [FAILED])
+        code, why = text_of(LIBRARY.tribocheck_fault, b"reduced_radius", (ctypes.c_double * 10)(*apart))
+        self.assertEqual((code, why.split(":")[0]), (2, "first_radius_x"))
+
+    def test_an_unknown_function_is_no_function(self):
+        self.assertEqual(LIBRARY.tribocheck_call(b"hertz", ctypes.c_size_t(0), None, None, None), 0)
+        self.assertEqual(text_of(LIBRARY.tribocheck_fault, b"hertz", None), (2, 'no function is called "hertz"'))
+
+    def test_numbers_with_units(self):
+        for text, unit, expected in [("20.2 mPa s", "Pa·s", 0.0202), ("46 kN", "N", 46e3), ("60 °C", "K", 333.15),
+                                     ("1 nm", "m", 1e-9), ("3 kg", "m", None), ("", "m", None)]:
+            number = ctypes.c_double(-1)
+            code = LIBRARY.tribocheck_number(text.encode(), unit.encode(), ctypes.byref(number))
+            self.assertEqual((code, number.value), (2, -1) if expected is None else (0, expected), text)
+
+
+class Verdicts(unittest.TestCase):
+    def request(self, **members):
+        return json.dumps(members).encode()
+
+    def judged(self, mistake, only, **members):
+        functions = POINTS if only == POINTS[0] else [only]
+        request = self.request(functions=functions, subject="it", **members)
+        code, questions = text_of(LIBRARY.tribocheck_cases, request)
+        self.assertEqual(code, 0, questions)
+        asked = [json.loads(line) for line in questions.splitlines()]
+        answers = answers_of(python("fakes/fake.py", "--mistake", mistake), asked)
+        return text_of(LIBRARY.tribocheck_judge, request, "".join(json.dumps(one) + "\n" for one in answers).encode())
+
+    def test_the_verdict_and_the_cause_are_those_of_the_program(self):
+        command = " ".join(map(str, python("fakes/fake.py", "--mistake", "{}", "--only", "{}")))
+        for mistake, only in [("none", "hertz_ellipse"), ("film_half_radius", "hamrock_dowson_central"),
+                              ("moment_simpson_201_points", "gaussian_moment"), ("sharing_none", "load_sharing"),
+                              ("friction_roelands_log10", "operating_point")]:
+            with self.subTest(mistake=mistake):
+                whole = run("verify", "--subject", command.format(mistake, only), "--format", "json")
+                expected = whole.json()
+                code, text = self.judged(mistake, only, format="json")
+                found = json.loads(text)
+                self.assertEqual(code, whole.code)
+                self.assertEqual(found["diagnoses"], expected["diagnoses"])
+                asked = [one for one in expected["quantities"] if one["status"] != "not offered"]
+                self.assertEqual([one for one in found["quantities"] if one["status"] != "not offered"], asked)
+                self.assertEqual(found["examples"], expected["examples"])
+                self.assertEqual(found["overall"] == "failed", mistake != "none")
+
+    def test_the_same_question_gets_the_same_answer_or_a_note(self):
+        request = self.request(functions=["pull_off_force"])
+        lines = text_of(LIBRARY.tribocheck_cases, request)[1].splitlines()
+        again = [line for line in lines if lines.count(line) == 2]
+        self.assertGreater(len(again), 2)
+        answers = [{"id": json.loads(line)["id"], "value": place} for place, line in enumerate(lines)]
+        text = text_of(LIBRARY.tribocheck_judge, request, "\n".join(map(json.dumps, answers)).encode())[1]
+        self.assertIn(f"pull_off_force changes in {len(again) // 2} of {len(again) // 2} cases", text)
+
+    def test_a_bad_request_is_refused_in_one_line(self):
+        for request, words in [("[]", "no JSON object"), ('{"functions": ["x"]}', 'called "x"'),
+                               ('{"functions": 3}', "functions: 3"), ('{"colour": 1}', "colour"),
+                               ('{"tolerance": "loose"}', "loose"), ('{"modulus": "E"}', "allowed: E*, E', bodies"),
+                               ('{"reference": "/nowhere"}', "/nowhere")]:
+            code, why = text_of(LIBRARY.tribocheck_cases, request.encode())
+            self.assertEqual((code, why.count("\n")), (2, 0), why)
+            self.assertIn(words, why)
+
+    def test_answers_that_are_none_are_refused_in_one_line(self):
+        request = self.request(functions=["pull_off_force"])
+        first = json.loads(text_of(LIBRARY.tribocheck_cases, request)[1].splitlines()[1])["id"]
+        one = json.dumps({"id": first, "value": 1})
+        for answers, words in [("{", "line 1"), ('{"value": 1}', "without an id"), ('{"id": "?"}', "not asked"),
+                               (f"{one}\n\n{one}", "line 3 of the answers: a second answer")]:
+            code, why = text_of(LIBRARY.tribocheck_judge, request, answers.encode())
+            self.assertEqual((code, why.count("\n")), (2, 0), why)
+            self.assertIn(words, why)
+
+    def test_what_has_no_answer_fails(self):
+        code, text = text_of(LIBRARY.tribocheck_judge, self.request(functions=["pull_off_force"]), b"")
+        self.assertEqual(code, 1)
+        self.assertIn("nothing (no answer)", text)
+
+
+class InC(unittest.TestCase):
+    """A program in C99 without warnings, on the header and the library alone."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.user = pathlib.Path(cls.folder.name, "library_user")
+        subprocess.run(["cc", "-std=c99", "-D_GNU_SOURCE", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-I{ROOT}/reports/bindings",
+                        f"-I{ROOT}/verification/conformance", "library_user.c", "-o", cls.user, f"-L{BINDINGS}",
+                        f"-Wl,-rpath,{BINDINGS}", "-ltribocheck", "-lm", "-pthread"], check=True, timeout=TIMEOUT)
+
+    def ask(self, *words):
+        return subprocess.run([self.user, *words], capture_output=True, text=True, timeout=TIMEOUT)
+
+    def test_points(self):
+        lines = "".join(json.dumps({"function": "gaussian_moment", "order": 1.5, "argument": d}) + "\n" for d in (-3, 0.25, 30))
+        expected = [f"0 {one['value']:.17g}" for one in run("stream", stdin=lines).json_lines()]
+        self.assertEqual(self.ask("moments", "1.5", "-3", "0.25", "30", "nan").stdout.splitlines()[:3], expected)
+        self.assertRegex(self.ask("moments", "1.7", "0").stdout, r"^3 -?nan$")
+
+    def test_a_verdict(self):
+        right, wrong = self.ask("judge", "right"), self.ask("judge", "wrong")
+        self.assertEqual((right.returncode, wrong.returncode), (0, 1), right.stdout + wrong.stdout)
+        self.assertIn("Diagnosis: ", wrong.stdout)
+        self.assertRegex(wrong.stdout, "2E\\*|E′")
+
+    def test_threads(self):
+        done = self.ask("threads")
+        self.assertEqual((done.returncode, done.stdout), (0, "0 of 160 rounds differ\n"))
+
+    def test_texts(self):
+        self.assertEqual(self.ask("texts").stdout, "0 failures\n")
+
+
+class Built(unittest.TestCase):
+    def test_it_needs_no_library_under_the_gpl_and_shows_its_functions_alone(self):
+        needed = subprocess.run(["ldd", BINDINGS / "libtribocheck.so"], capture_output=True, text=True, check=True).stdout
+        self.assertNotRegex(needed, "gsl|cblas|fftw|gmp|mpfr|hdf5|mpi")
+        self.assertIn("libtribocheck.so.0", subprocess.run(["readelf", "-d", BINDINGS / "libtribocheck.so"], capture_output=True, text=True,
+                                                           check=True).stdout)
+        shown = subprocess.run(["nm", "-D", "--defined-only", BINDINGS / "libtribocheck.so"], capture_output=True, text=True,
+                               check=True).stdout
+        declared = set(re.findall(r"\b(tribocheck_\w+)\(", (ROOT / "reports/bindings/tribocheck.h").read_text()))
+        names = {line.split()[-1] for line in shown.splitlines()} - {"TRIBOCHECK_0"}
+        self.assertEqual(names, {f"{name}@@TRIBOCHECK_0" for name in declared})
+
+
+if __name__ == "__main__":
+    unittest.main()
