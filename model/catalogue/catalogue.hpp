@@ -95,6 +95,13 @@ struct Combination {
   std::string_view parameter;  // the number rises or falls with this one all the way
 };
 
+// One argument of many points: numbers[i], or where it `is_same` numbers[0] for all points, though
+// numbers[i] may be read.
+struct Column {
+  const double* numbers = nullptr;
+  bool is_same = false;
+};
+
 // Why arguments that are each legal are not legal together.
 struct Refusal {
   std::string_view parameter;  // its name
@@ -117,9 +124,9 @@ struct Function {
   std::optional<Refusal> (*refusal)(const Arguments& arguments) = nullptr;
   const FilmLaw* film_law = nullptr;  // of a film law: its row
   std::span<const Combination> combinations = {};
-  // The same of many points, each legal, by columns (columns.hpp), with the same bits. Null: there
-  // is no way that is faster than point by point.
-  void (*values)(std::size_t count, const double* const* argument, double* const* result) = nullptr;
+  // The same of many points, each legal, by columns (columns.hpp), with the same bits and no NaN.
+  // Null: no way is faster than point by point. No refusal() goes with it.
+  void (*values)(std::size_t count, const Column* argument, double* const* result) = nullptr;
 };
 // Whether a contact on earth can have these arguments: each number and each combination of them is
 // in its range.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A function of the catalogue at many points, by columns: argument[k][i] is argument k of point i,
-// in the order of the parameters, of a word its place; result[k][i] likewise.
+// in the order of the parameters, of a word its place; result[k][i] likewise. Where step[k] is 0
+// and not 1, argument[k][0] is that of all points; a null `step` is 1 for each.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +22,11 @@ struct ArgumentFault {
 };
 std::optional<ArgumentFault> fault_in(const Function& function, const Arguments& arguments);
 
-// Computes the results of `count` points and writes the status of each. The results of a point that
-// is refused are NaN; an infinity is a result that no double can hold. Each point has the bits that
-// it has alone. Columns of results overlap no others. Nothing is allocated, and any thread may
-// call.
-void values_at(const Function& function, std::size_t count, const double* const* argument,
-               double* const* result, int* status);
+// Computes the results of `count` points, writes the status of each unless `status` is null, and
+// returns how many are refused. The results of a point that is refused are NaN; an infinity is a
+// result that no double holds. Each point has the bits that it has alone. Columns of results
+// overlap no others. Nothing is allocated, and any thread may call.
+std::size_t values_at(const Function& function, std::size_t count, const double* const* argument,
+                      const std::size_t* step, double* const* result, int* status);
 
 }  // namespace tribo::catalogue

@@ -44,11 +44,13 @@ constexpr std::array entries{
         .contract = load_sharing_contract,
         .example = {0, 0.5, 20, 1.146},
         .values =
-            [](std::size_t count, const double* const* x, double* const* y) {
+            [](std::size_t count, const Column* x, double* const* y) {
               for_each_run(x[0], count, [&](std::size_t first, std::size_t length) {
-                const auto part = [&](auto* column) { return std::span(column + first, length); };
-                film_parameter(enum_at<AsperityModel>(x[0][first]), part(x[2]), part(x[3]),
-                               part(x[1]), part(y[0]));
+                const auto part = [&](std::size_t k) {
+                  return std::span(x[k].numbers + first, length);
+                };
+                film_parameter(enum_at<AsperityModel>(x[0].numbers[first]), part(2), part(3),
+                               part(1), std::span(y[0] + first, length));
               });
             }},
 };

@@ -14,9 +14,11 @@ Enum enum_at(double place) {
 
 // Calls `function` with the first place and the length of each run of equal numbers in a column.
 template <class Call>
-void for_each_run(const double* column, std::size_t count, Call function) {
+void for_each_run(const Column& column, std::size_t count, Call function) {
+  if (column.is_same) return function(std::size_t{0}, count);
+  const double* const numbers = column.numbers;
   for (std::size_t first = 0, end = 0; first < count; first = end) {
-    while (end < count && column[end] == column[first]) ++end;
+    while (end < count && numbers[end] == numbers[first]) ++end;
     function(first, end - first);
   }
 }

@@ -37,13 +37,15 @@ const char* tribocheck_version(void);
 int tribocheck_describe(char* text, size_t size, size_t* length);
 
 /* The function of this name at `count` points. argument[k][i] is argument k of point i, in the order
- * of the catalogue, of a word its code (its place in the catalogue's list, from 0). result[k][i] and
- * status[i] belong to the caller, and overlap nothing else. A point has the status TRIBOCHECK_DONE and
- * its results, to the error bound of the catalogue, with the bits that `tribocheck stream` gives; an
- * infinity is a result that no double holds. Or an argument is out of its range, NaN or infinite: it
- * has TRIBOCHECK_FAILED, and NaN. Returns 0 where no function has this name, and else another number. */
+ * of the catalogue, of a word its code (its place in the catalogue's list, from 0); where step[k] is 0
+ * and not 1, argument[k][0] is that of all points, and a null `step` means 1 for each. result[k][i] and
+ * status[i] belong to the caller, and overlap nothing else; `status` may be null. A point has the status
+ * TRIBOCHECK_DONE and its results, to the error bound of the catalogue, with the bits that `tribocheck
+ * stream` gives; an infinity is a result that no double holds. Or an argument is out of its range, NaN or
+ * infinite: then it has TRIBOCHECK_FAILED, and NaN. Returns 0 where no function has this name, 1 where
+ * all points are done, and 2 where some are refused. */
 int tribocheck_call(const char* name, size_t count, const double* const* argument,
-                    double* const* result, int* status);
+                    const size_t* step, double* const* result, int* status);
 
 /* What is wrong with the arguments of one point, as "load: -3 is not allowed; allowed: a number above
  * 0, in N", with TRIBOCHECK_REFUSED; TRIBOCHECK_OK where tribocheck_call() takes them. */

@@ -62,7 +62,7 @@ static void fill(double* order, double* d, double* result, int* status) {
   }
   argument[0] = order;
   argument[1] = d;
-  tribocheck_call("gaussian_moment", POINTS, argument, &result, status);
+  tribocheck_call("gaussian_moment", POINTS, argument, NULL, &result, status);
 }
 
 struct job {
@@ -145,7 +145,7 @@ int main(int count, char** words) {
       int status = -1;
       argument[0] = &order;
       argument[1] = &d;
-      if (!tribocheck_call("gaussian_moment", 1, argument, &result, &status)) return 2;
+      if (!tribocheck_call("gaussian_moment", 1, argument, NULL, &result, &status)) return 2;
       printf("%d %.17g\n", status, moment);
     }
     return 0;

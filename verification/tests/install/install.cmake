@@ -113,9 +113,19 @@ foreach(file IN LISTS installed)
   endif()
   math(EXPR binaries "${binaries} + 1")
 endforeach()
-if(binaries LESS 3)  # two programs and the library
+if(binaries LESS 4)  # two programs and two libraries
   message(FATAL_ERROR "${binaries} binaries are installed")
 endif()
+
+# A program in C finds the library by pkg-config, and the library the certified values of its prefix.
+file(GLOB_RECURSE pkgconfig ${prefix}/tribocheck.pc)
+get_filename_component(pkgconfig ${pkgconfig} DIRECTORY)
+run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pkgconfig} pkg-config --cflags --libs tribocheck)
+separate_arguments(flags UNIX_COMMAND "${output}")
+run(cc -std=c99 -D_GNU_SOURCE ${SOURCE_DIR}/reports/tests/library_user.c -o user ${flags} -lm -pthread)
+file(GLOB_RECURSE library ${prefix}/libtribocheck.so)
+get_filename_component(library ${library} DIRECTORY)
+run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library} ${scratch}/user judge right)
 
 # A public header that is not installed builds here, and is missing there.
 file(GLOB headers RELATIVE ${SOURCE_DIR}/model ${SOURCE_DIR}/model/include/tribo/*.hpp)

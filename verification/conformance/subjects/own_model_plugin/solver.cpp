@@ -49,7 +49,7 @@ int tribocheck_function(const char* name, size_t count, const double* const* arg
                         double* const* result, int* status) {
   const catalogue::Function* const function = catalogue::function_named(name);
   if (function == nullptr) return 0;
-  catalogue::values_at(*function, count, argument, result, status);
+  catalogue::values_at(*function, count, argument, nullptr, result, status);
   return 1;
 }
 

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck._library: the functions of tribocheck.h for Python, with arrays of numpy.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tribocheck.h"
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr std::size_t most_columns = 16;
+constexpr std::size_t block = 1 << 15;  // points between two looks for Ctrl-C
+
+using Array = py::array_t<double, py::array::c_style>;
+
+// The text that a call tells, and its code. A text with more than `room` costs a second call.
+template <class Call>
+std::pair<int, std::string> told_by(Call call, std::size_t room = 1 << 16) {
+  std::string text(room, '\0');
+  std::size_t length = 0;
+  int code = 0;
+  const auto ask = [&] {
+    const py::gil_scoped_release released;
+    code = call(text.data(), text.size(), &length);
+  };
+  ask();
+  if (length >= text.size()) {
+    text.resize(length + 1);
+    ask();
+  }
+  text.resize(length);
+  return {code, text};
+}
+
+std::string text_or_error(const std::pair<int, std::string>& told) {
+  if (told.first == TRIBOCHECK_REFUSED) throw py::value_error(told.second);
+  return told.second;
+}
+
+// The item that numpy has under a name.
+py::object of_numpy(const char* name) { return py::module_::import("numpy").attr(name); }
+
+// The place of a point as people write it: "at index 17", "at index (2, 3)".
+std::string place_text(std::size_t point, const std::vector<py::ssize_t>& shape) {
+  std::string text;
+  for (std::size_t k = shape.size(); k-- > 0;) {
+    const auto extent = static_cast<std::size_t>(shape[k]);
+    text.insert(0, std::to_string(point % extent) + (text.empty() ? "" : ", "));
+    point /= extent;
+  }
+  return shape.size() == 1 ? "at index " + text : "at index (" + text + ")";
+}
+
+// One argument: a number for all points, or an array of the common shape.
+struct Column {
+  double number = 0;
+  std::optional<Array> array;  // empty: it is a number
+};
+
+class Function {
+ public:
+  Function(std::string name, std::vector<std::string> parameters,
+           std::vector<std::vector<std::string>> words, std::size_t results)
+      : name_(std::move(name)),
+        parameters_(std::move(parameters)),
+        words_(std::move(words)),
+        result_count_(results) {
+    if (parameters_.size() > most_columns || result_count_ > most_columns ||
+        words_.size() != parameters_.size())
+      throw py::value_error("a function with too many columns");
+  }
+
+  // A number or an array; a tuple of these where the function has several results.
+  py::object call(const py::tuple& given, bool masked) const {
+    if (given.size() != parameters_.size()) throw py::type_error(name_ + ": too few arguments");
+    std::array<Column, most_columns> columns;
+    bool any_array = false;
+    for (std::size_t k = 0; k < parameters_.size(); ++k) {
+      columns[k] = column_of(k, given[k]);
+      any_array |= columns[k].array.has_value();
+    }
+    return any_array ? of_arrays(columns, masked) : of_numbers(columns, masked);
+  }
+
+ private:
+  std::string argument_text(std::size_t k) const { return name_ + ": " + parameters_[k]; }
+
+  double code_of(std::size_t k, const std::string& word) const {
+    const auto& words = words_[k];
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end()) return static_cast<double>(found - words.begin());
+    std::string allowed;
+    for (const std::string& one : words) allowed += (allowed.empty() ? "" : ", ") + one;
+    throw py::value_error(argument_text(k) + ": \"" + word +
+                          "\" is not known; allowed: " + allowed);
+  }
+
+  Column column_of(std::size_t k, const py::handle& given) const {
+    Column column;
+    if (!words_[k].empty()) {
+      if (PyUnicode_Check(given.ptr()) != 0) {
+        column.number = code_of(k, py::cast<std::string>(given));
+        return column;
+      }
+      const py::array texts = of_numpy("asarray")(given);
+      if (texts.dtype().kind() != 'U')
+        throw py::type_error(argument_text(k) + " is no text, nor an array of texts");
+      std::vector<py::ssize_t> shape(texts.shape(), texts.shape() + texts.ndim());
+      double* to = column.array.emplace(shape).mutable_data();
+      for (const py::handle one : texts.attr("ravel")())
+        *to++ = code_of(k, py::cast<std::string>(one));
+      return column;
+    }
+    if (PyFloat_Check(given.ptr()) != 0) {
+      column.number = PyFloat_AS_DOUBLE(given.ptr());
+      return column;
+    }
+    if (PyBool_Check(given.ptr()) != 0 || PyUnicode_Check(given.ptr()) != 0)
+      throw py::type_error(argument_text(k) + " is no number");
+    if (PyLong_Check(given.ptr()) != 0) {
+      column.number = PyLong_AsDouble(given.ptr());
+      if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+      return column;
+    }
+    const py::array numbers = of_numpy("asarray")(given);
+    const char kind = numbers.dtype().kind();
+    if (kind != 'f' && kind != 'i' && kind != 'u')
+      throw py::type_error(argument_text(k) + " is an array of " +
+                           py::cast<std::string>(py::str(numbers.dtype())) + ", not of numbers");
+    column.array = Array(numbers);
+    return column;
+  }
+
+  // Gives all arrays the same shape.
+  void broadcast(std::array<Column, most_columns>& columns) const {
+    py::list arrays;
+    std::string shapes;
+    bool is_same = true;
+    for (std::size_t k = 0; k < parameters_.size(); ++k) {
+      if (!columns[k].array) continue;
+      const py::object shape = columns[k].array->attr("shape");
+      is_same &= arrays.empty() || shape.equal(arrays[0].attr("shape"));
+      arrays.append(*columns[k].array);
+      shapes += (shapes.empty() ? "" : ", ") + parameters_[k] + " " +
+                py::cast<std::string>(py::str(shape));
+    }
+    if (is_same) return;
+    try {
+      const py::list wide = of_numpy("broadcast_arrays")(*arrays);
+      std::size_t place = 0;
+      for (Column& one : columns)
+        if (one.array) one.array = Array(py::object(wide[place++]));
+    } catch (const py::error_already_set& error) {
+      if (!error.matches(PyExc_ValueError)) throw;
+      throw py::value_error(name_ + ": shapes that do not go together: " + shapes);
+    }
+  }
+
+  [[noreturn]] void refuse(const double* arguments, const std::string& place) const {
+    const auto told = told_by([&](char* text, std::size_t size, std::size_t* length) {
+      return tribocheck_fault(name_.c_str(), arguments, text, size, length);
+    });
+    throw py::value_error(name_ + (place.empty() ? "" : " " + place) + ": " + told.second);
+  }
+
+  py::object of_numbers(const std::array<Column, most_columns>& columns, bool masked) const {
+    std::array<double, most_columns> numbers{}, found{};
+    std::array<const double*, most_columns> argument{};
+    std::array<double*, most_columns> result{};
+    for (std::size_t k = 0; k < parameters_.size(); ++k) {
+      numbers[k] = columns[k].number;
+      argument[k] = &numbers[k];
+    }
+    for (std::size_t k = 0; k < result_count_; ++k) result[k] = &found[k];
+    int status = TRIBOCHECK_FAILED;
+    tribocheck_call(name_.c_str(), 1, argument.data(), nullptr, result.data(), &status);
+    const bool is_done = status == TRIBOCHECK_DONE;
+    if (!is_done && !masked) refuse(numbers.data(), "");
+    const auto one = [&](double number) -> py::object {
+      return is_done ? py::object(py::float_(number)) : of_numpy("ma").attr("masked");
+    };
+    if (result_count_ == 1) return one(found[0]);
+    py::tuple all(result_count_);
+    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(found[k]);
+    return all;
+  }
+
+  py::object of_arrays(std::array<Column, most_columns>& columns, bool masked) const {
+    broadcast(columns);
+    const auto widest = std::find_if(columns.begin(), columns.end(),
+                                     [](const Column& one) { return one.array.has_value(); });
+    const std::vector<py::ssize_t> shape(widest->array->shape(),
+                                         widest->array->shape() + widest->array->ndim());
+    const auto count = static_cast<std::size_t>(widest->array->size());
+    std::vector<Array> results;
+    for (std::size_t k = 0; k < result_count_; ++k) results.emplace_back(shape);
+    py::array_t<bool> mask(masked ? shape : std::vector<py::ssize_t>{0});
+    std::array<const double*, most_columns> argument{};
+    std::array<std::size_t, most_columns> step{};
+    std::array<double*, most_columns> result{};
+    std::vector<int> status(std::min(block, count));
+    for (std::size_t first = 0; first < count; first += block) {
+      const std::size_t length = std::min(block, count - first);
+      for (std::size_t k = 0; k < parameters_.size(); ++k) {
+        step[k] = columns[k].array ? 1 : 0;
+        argument[k] = columns[k].array ? columns[k].array->data() + first : &columns[k].number;
+      }
+      for (std::size_t k = 0; k < result_count_; ++k) result[k] = results[k].mutable_data() + first;
+      const auto ask = [&](int* statuses) {
+        const py::gil_scoped_release released;
+        return tribocheck_call(name_.c_str(), length, argument.data(), step.data(), result.data(),
+                               statuses);
+      };
+      if (masked) {
+        ask(status.data());
+        bool* const to = mask.mutable_data() + first;
+        for (std::size_t i = 0; i < length; ++i) to[i] = status[i] != TRIBOCHECK_DONE;
+      } else if (ask(nullptr) != 1) {
+        ask(status.data());
+        const auto at = static_cast<std::size_t>(
+            std::find(status.begin(), status.end(), int{TRIBOCHECK_FAILED}) - status.begin());
+        std::array<double, most_columns> numbers{};
+        for (std::size_t k = 0; k < parameters_.size(); ++k) numbers[k] = argument[k][step[k] * at];
+        refuse(numbers.data(), shape.empty() ? "" : place_text(first + at, shape));
+      }
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
+    const auto one = [&](const Array& numbers) -> py::object {
+      if (masked) return of_numpy("ma").attr("masked_array")(numbers, mask);
+      return shape.empty() ? py::object(py::float_(*numbers.data())) : py::object(numbers);
+    };
+    if (result_count_ == 1) return one(results[0]);
+    py::tuple all(result_count_);
+    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(results[k]);
+    return all;
+  }
+
+  std::string name_;
+  std::vector<std::string> parameters_;
+  std::vector<std::vector<std::string>> words_;  // of each parameter; empty: it is a number
+  std::size_t result_count_;
+};
+
+double number_of(const std::string& text, const std::string& unit) {
+  double number = 0;
+  if (tribocheck_number(text.c_str(), unit.c_str(), &number) != TRIBOCHECK_OK)
+    throw py::value_error("\"" + text + "\" is no number in a unit of " +
+                          (unit.empty() ? "a number without one" : unit));
+  return number;
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_library, module) {
+  module.def("version", &tribocheck_version);
+  module.def("describe", [] {
+    return told_by([](char* text, std::size_t size, std::size_t* length) {
+             return tribocheck_describe(text, size, length);
+           })
+        .second;
+  });
+  module.def("cases", [](const std::string& request) {
+    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
+      return tribocheck_cases(request.c_str(), text, size, length);
+    }));
+  });
+  // Whether all that is offered holds, and the verdict's text.
+  module.def("judge", [](const std::string& request, const std::string& answers) {
+    const auto told = told_by(
+        [&](char* text, std::size_t size, std::size_t* length) {
+          return tribocheck_judge(request.c_str(), answers.c_str(), text, size, length);
+        },
+        1 << 20);
+    return std::pair(told.first == TRIBOCHECK_OK, text_or_error(told));
+  });
+  module.def("number", &number_of);
+  py::class_<Function>(module, "Function")
+      .def(py::init<std::string, std::vector<std::string>, std::vector<std::vector<std::string>>,
+                    std::size_t>())
+      .def("call", &Function::call);
+}

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The functions of the catalogue, made from what the library says of them."""
+import collections
+import json
+
+from . import _library
+
+catalogue = {one["name"]: one for one in json.loads(_library.describe())["functions"]}
+
+TEMPLATE = """
+def {name}({parameters}, *, masked=False):
+    return {result}
+"""
+
+
+def _unit(entry):
+    return entry["unit"] or "-"
+
+
+def _range(parameter):
+    if "words" in parameter:
+        return "one of " + ", ".join(parameter["words"])
+    least, greatest = parameter["physical"]
+    return f"{parameter['allowed']}; of contacts on earth {least:g} to {greatest:g}"
+
+
+def _docstring(entry):
+    rows = [f"{entry['meaning']}.".capitalize(), "", f"    {entry['equation']}", "",
+            "Arguments, each a number or an array (of words: a text or an array of texts):", ""]
+    for one in entry["parameters"]:
+        default = f"; default {one['default']}" if "default" in one else ""
+        rows += [f"    {one['name']:<24}{_unit(one):<8}{one['meaning']}", f"    {'':<32}{_range(one)}{default}"]
+    rows += ["", "An argument that is NaN, infinite or not allowed raises ValueError with its index. With masked=True", "the results are masked arrays, and masked there.", "",
+             "Result:" if len(entry["results"]) == 1 else "Results, by name:", ""]
+    rows += [f"    {one['name']:<24}{_unit(one):<8}{one['meaning']}" for one in entry["results"]]
+    example = ", ".join(f"{name}={value!r}" for name, value in entry["example"].items() if name != "function")
+    return "\n".join([*rows, "", "An infinity is a result that no double holds.",
+                      f"Source: {entry['source']}.", "", f"    >>> tribocheck.{entry['name']}({example})"])
+
+
+def _made(entry):
+    """The function of an entry, with the type of its results where it has several."""
+    name, parameters = entry["name"], [one["name"] for one in entry["parameters"]]
+    library = _library.Function(name, parameters, [one.get("words", []) for one in entry["parameters"]], len(entry["results"]))
+    call = f"_call(({', '.join(parameters)},), masked)"
+    scope = {"_call": library.call}
+    if len(entry["results"]) > 1:
+        kind = collections.namedtuple("".join(map(str.capitalize, name.split("_"))), [one["name"] for one in entry["results"]],
+                                      module="tribocheck")
+        kind.__doc__ = f"The results of tribocheck.{name}()."
+        for one in entry["results"]:
+            getattr(kind, one["name"]).__doc__ = f"{one['meaning']}, {_unit(one)}"
+        scope["_make"] = kind._make
+        call = f"_make({call})"
+    given = [one["name"] + (f"={one['default']!r}" if "default" in one else "") for one in entry["parameters"]]
+    # An argument without a default may follow one that has it: from there on all are given by name.
+    first = next((i for i, one in enumerate(given) if "=" in one), len(given))
+    if any("=" not in one for one in given[first:]):
+        given.insert(first, "*")
+        template = TEMPLATE.replace(", *, masked", ", masked")
+    else:
+        template = TEMPLATE
+    exec(template.format(name=name, parameters=", ".join(given), result=call), scope)  # as collections.namedtuple does
+    function = scope[name]
+    function.__doc__ = _docstring(entry)
+    function.__module__ = "tribocheck"
+    return function
+
+
+functions = {name: _made(entry) for name, entry in catalogue.items()}

@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The package of Python: the functions of the catalogue with arrays of numpy, and tribocheck.check().
+
+Some of the fakes and slips are judged by check() and by verify --subject; TRIBOCHECK_FAKES=1: all of them.
+"""
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import time
+import unittest
+import zipfile
+
+from conformance import SUBJECTS, run_python, subject, verify
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, run
+from test_fakes_named import NAMED
+
+PACKAGE = pathlib.Path(PROGRAM).resolve().parent / "reports/bindings/python"
+PYTHON_ENVIRONMENT = ENVIRONMENT | {"PYTHONPATH": str(PACKAGE), "PYTHONDONTWRITEBYTECODE": "1"}
+ALL = "TRIBOCHECK_FAKES" in os.environ
+START = "import json, numpy as np, tribocheck\n"
+FILM = textwrap.dedent("""
+    def film(speed, viscosity, pressure_viscosity, load, effective_modulus, reduced_radius, ellipticity):
+        U = viscosity * speed / (2 * effective_modulus * reduced_radius)
+        G = 2 * pressure_viscosity * effective_modulus
+        W = load / (2 * effective_modulus * reduced_radius**2)
+        return 2.69 * reduced_radius * U**0.67 * G**0.53 * W**-0.067 * (1 - 0.61 * np.exp(-0.73 * ellipticity))
+    """)
+
+
+def started(code, **more):
+    return subprocess.Popen([sys.executable, "-c", START + textwrap.dedent(code)], env=PYTHON_ENVIRONMENT, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **more)
+
+
+def ran(code):
+    """What a script prints."""
+    process = started(code)
+    out, err = process.communicate(timeout=TIMEOUT)
+    assert process.returncode == 0, err[-2000:]
+    return out
+
+
+def raised(expression, start=""):
+    """The exception of an expression, as `Kind: text`."""
+    return ran(start + f"try:\n    print({expression})\nexcept Exception as error:\n"
+                       f"    print(type(error).__mro__[-3].__name__ if isinstance(error, MemoryError) else type(error).__name__, error, sep=': ')")
+
+
+class Functions(unittest.TestCase):
+    def test_each_function_gives_its_example_with_the_bits_of_the_program(self):
+        functions = run("functions", "--format", "json").json()["functions"]
+        lines = "".join(json.dumps(one["example"]) + "\n" for one in functions)
+        expected = {one["name"]: [answer[result["name"]] for result in one["results"]]
+                    for one, answer in zip(functions, run("stream", stdin=lines).json_lines(), strict=True)}
+        found = json.loads(ran("""
+            found = {}
+            for name, function in tribocheck.functions.items():
+                example = function.__doc__[function.__doc__.index(">>> ") + 4:]
+                value = eval(example)
+                found[name] = list(value) if isinstance(value, tuple) else [value]
+                assert getattr(tribocheck, name) is function and "Source: " in function.__doc__
+            print(json.dumps(found))"""))
+        self.assertEqual(found, expected)
+
+    def test_help_names_units_ranges_words_and_results(self):
+        text = ran("help(tribocheck.hertz_ellipse); help(tribocheck.load_sharing); print(tribocheck.__version__)")
+        for words in ["load                    N       F", "a number above 0; of contacts on earth 0.001 to 1e+06", "peak_pressure           Pa",
+                      "one of greenwood_tripp, greenwood_williamson", ">>> tribocheck.hertz_ellipse(load="]:
+            self.assertIn(words, text)
+
+    def test_results_have_names(self):
+        self.assertEqual(ran("""
+            one = tribocheck.hertz_point(50., 1.079e11, 9.5e-3)
+            print(one._fields, one.peak_pressure == one[2], type(one).__name__)"""),
+                         "('radius', 'mean_pressure', 'peak_pressure', 'approach') True HertzPoint\n")
+
+    def test_numbers_and_arrays_of_any_kind_give_the_same_bits(self):
+        self.assertEqual(ran("""
+            d = np.linspace(-9, 9, 70001)
+            whole = tribocheck.gaussian_moment(1.5, d)
+            assert whole.dtype == float and whole.shape == d.shape
+            assert all(tribocheck.gaussian_moment(1.5, float(x)) == y for x, y in zip(d[::97], whole[::97]))
+            assert (tribocheck.gaussian_moment(1.5, d[::-3]) == whole[::-3]).all()
+            wide = tribocheck.gaussian_moment(np.array([[0.5], [1.5]]), d)
+            assert wide.shape == (2, d.size) and (wide[1] == whole).all()
+            square = d[:60000].reshape(200, 300)
+            assert (tribocheck.gaussian_moment(1.5, square.T) == whole[:60000].reshape(200, 300).T).all()
+            assert tribocheck.gaussian_moment(1, np.float32(0.5)) == tribocheck.gaussian_moment(1.0, 0.5)
+            assert (tribocheck.gaussian_moment(2, [1, 2]) == tribocheck.gaussian_moment(2, np.array([1., 2.]))).all()
+            assert type(tribocheck.gaussian_moment(1, np.array(0.5))) is float
+            assert tribocheck.gaussian_moment(1, []).shape == (0,)
+            words = tribocheck.load_sharing(["greenwood_tripp", "greenwood_williamson"], 0.5, 20, 1.1)
+            assert words[1] == tribocheck.load_sharing("greenwood_williamson", 0.5, 20, 1.1) != words[0]
+            assert tribocheck.barus_viscosity(0.1, 2e-8, 1e12) == float("inf")
+            print("same")"""), "same\n")
+
+    def test_arrays_of_doubles_are_not_copied(self):
+        peak = int(ran("""
+            import tracemalloc
+            d = np.linspace(-9, 9, 10**6)
+            tracemalloc.start()
+            tribocheck.gaussian_moment(1.5, d)
+            print(tracemalloc.get_traced_memory()[1])"""))
+        self.assertGreater(peak, 8e6)  # the result
+        self.assertLess(peak, 9e6)
+
+    def test_wrong_arguments_are_one_exception_each(self):
+        for expression, expected in [
+                ("hertz_point(50, np.array([1e11, -1, 2]), 1)", "ValueError: hertz_point at index 1: effective_modulus: -1 is not allowed"),
+                ("hertz_point([[1, 2], [np.nan, 1]], 1, 1)", "ValueError: hertz_point at index (1, 0): load: nan is not allowed"),
+                ("hertz_point(np.append(np.ones(10**5), np.inf), 1, 1)", "ValueError: hertz_point at index 100000: load: inf is not allowed"),
+                ("hertz_point(-1.0, 1, 1)", "ValueError: hertz_point: load: -1 is not allowed; allowed: a number above 0, in N"),
+                ("reduced_radius(1, -0.5, 1, 1)", "ValueError: reduced_radius: first_radius_x: "),
+                ("hertz_point(np.ones(3), np.ones(4), 1)", "ValueError: hertz_point: shapes that do not go together: load (3,), effective_modulus (4,)"),
+                ("hertz_point('1', 1, 1)", "TypeError: hertz_point: load is no number"),
+                ("hertz_point(True, 1, 1)", "TypeError: hertz_point: load is no number"),
+                ("hertz_point(None, 1, 1)", "TypeError: hertz_point: load is an array of object, not of numbers"),
+                ("hertz_point(np.array([1j]), 1, 1)", "TypeError: hertz_point: load is an array of complex128, not of numbers"),
+                ("hertz_point(np.array([True]), 1, 1)", "TypeError: hertz_point: load is an array of bool, not of numbers"),
+                ("hertz_point(10**400, 1, 1)", "OverflowError: "),
+                ("hertz_point(1, 1)", "TypeError: hertz_point() missing 1 required"),
+                ("hertz_point(1, 1, 1, radius=1)", "TypeError: hertz_point() got an unexpected keyword argument 'radius'"),
+                ("load_sharing('tripp', 1, 1, 1)", "ValueError: load_sharing: asperity: \"tripp\" is not known; allowed: greenwood_tripp"),
+                ("load_sharing(0, 1, 1, 1)", "TypeError: load_sharing: asperity is no text"),
+                ("gaussian_moment(1, np.broadcast_to(1.0, 1 << 50))", "Exception: Unable to allocate")]:
+            with self.subTest(expression=expression):
+                self.assertEqual(raised("tribocheck." + expression)[:len(expected)], expected)
+
+    def test_what_is_refused_is_masked_where_asked(self):
+        self.assertEqual(ran("""
+            found = tribocheck.hertz_point(50., [1e11, -1, np.nan], .01, masked=True)
+            print(found.radius.mask.tolist(), found.radius[0] == tribocheck.hertz_point(50., 1e11, .01).radius,
+                  tribocheck.gaussian_moment(0.7, 1, masked=True), tribocheck.gaussian_moment(1, [1.], masked=True).mask.tolist())"""),
+                         "[False, True, True] True -- [False]\n")
+
+    def test_a_long_call_ends_by_ctrl_c(self):
+        process = started("""
+            x = np.linspace(1, 2, 2 * 10**7)
+            print("begins", flush=True)
+            tribocheck.hertz_ellipse(50., 1e11, x, 1.5)""")
+        self.assertEqual(process.stdout.readline(), "begins\n")
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        begin = time.monotonic()
+        _, err = process.communicate(timeout=TIMEOUT)
+        self.assertEqual(err.splitlines()[-1], "KeyboardInterrupt")
+        self.assertLess(time.monotonic() - begin, 5)  # it would take twenty seconds
+
+    def test_threads_call_at_once(self):
+        self.assertEqual(ran("""
+            import threading
+            d = np.linspace(-9, 9, 10**6)
+            expected = tribocheck.gaussian_moment(2.5, d)
+            same = []
+            def work():
+                same.append(all((tribocheck.gaussian_moment(2.5, d) == expected).all() for _ in range(5)))
+            threads = [threading.Thread(target=work) for _ in range(4)]
+            for one in threads: one.start()
+            for one in threads: one.join()
+            print(same)"""), "[True, True, True, True]\n")
+
+    def test_nothing_leaks(self):
+        grown = int(ran("""
+            import resource
+            x = np.linspace(1, 2, 1000)
+            def once():
+                tribocheck.hertz_point(x, 1e11, 0.01)
+                tribocheck.hertz_point(50, 1e11, 0.01)
+                tribocheck.gaussian_moment([[0.5], [1]], x)
+                tribocheck.hertz_point(-x, 1e11, 0.01, masked=True)
+                for wrong in (-x, "x", x[:3] * 1j, [1, 2]):
+                    try: tribocheck.hertz_point(wrong, x, 1)
+                    except (TypeError, ValueError): pass
+            for _ in range(300): once()
+            before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+            for _ in range(3000): once()
+            print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)"""))
+        self.assertLess(grown, 1000)  # KiB; one array of each round would be 24000
+
+    def test_one_point_takes_under_five_microseconds(self):
+        for name, arguments in [("gaussian_moment", "order=1.5, argument=0.3"), ("hertz_point", "load=50., effective_modulus=1e11, reduced_radius=0.01")]:
+            least = float(ran(f"""
+                import timeit
+                print(min(timeit.repeat(lambda: tribocheck.{name}({arguments}), number=2000, repeat=20)) / 2000)"""))
+            self.assertLess(least, 5e-6, name)
+
+
+class Readme(unittest.TestCase):
+    def test_the_example_prints_what_it_says(self):
+        text = pathlib.Path(ENVIRONMENT["TRIBOCHECK_ROOT"], "reports/bindings/README.md").read_text()
+        example = next(block for block in re.findall(r"```python\n(.*?)```", text, re.DOTALL) if "print" in block)
+        expected = re.findall(r"(?m)^print.*# (\S+)", example)
+        self.assertEqual(ran("\n" + example).split(), expected)
+
+
+class Check(unittest.TestCase):
+    def judged(self, expression, start=""):
+        return ran(textwrap.dedent(start) + FILM + f"try:\n    print(tribocheck.check({expression}))\nexcept AssertionError as error:\n    print('WRONG', error)")
+
+    def test_a_right_function_holds(self):
+        for expression in ["film, 'hamrock_dowson_central'", "{'hamrock_dowson_central': film}",
+                           "lambda **given: film(**{'ellipticity': 1} | given), 'hamrock_dowson_central'",
+                           "lambda h, E, R: tribocheck.hertz_point(h, E, R), 'hertz_point', arguments={'load': 'h', 'effective_modulus': 'E', 'reduced_radius': 'R'}",
+                           "tribocheck.gaussian_moment, 'gaussian_moment', 'strict'", "tribocheck.load_sharing, 'load_sharing'",
+                           "lambda order, argument: math.fsum([tribocheck.gaussian_moment(order, argument)]), 'gaussian_moment'",
+                           "lambda speed, **given: film(speed, **{'ellipticity': 1} | given | {'viscosity': 1e-3 * given['viscosity']}) * 1e9, "
+                           "'hamrock_dowson_central', units={'viscosity': 'mPa s', 'value': 'nm'}",
+                           "lambda effective_modulus, **given: film(effective_modulus=effective_modulus / 2, **{'ellipticity': 1} | given), "
+                           "'hamrock_dowson_central', modulus=\"E'\""]:
+            with self.subTest(expression=expression):
+                self.assertRegex(self.judged(expression, "import math\n"), r"\nCOMPLETE: \d+ of \d+ quantities held")
+
+    def test_a_wrong_function_is_told_with_its_worst_case_and_cause(self):
+        text = self.judged("lambda **given: film(**{'ellipticity': 1} | given | {'speed': 2 * given['speed']}), 'hamrock_dowson_central', name='mine'")
+        self.assertTrue(text.startswith("WRONG"), text)
+        for words in ["Worst of hamrock_dowson_central, in case f", "the sum of the surface speeds in place of their mean", "\nFAILED: 0 of 1 quantities held"]:
+            self.assertIn(words, text)
+
+    def test_answers_that_are_none_are_told(self):
+        for answer, words in [("float('nan')", 'got "NaN", expected'), ("'x'", 'got "x", expected'), ("1j", 'got "1j", expected'),
+                              ("{'colour': 1}", 'has a field "colour", which is no result of it'), ("1 / 0", "ZeroDivisionError: division by zero"),
+                              ("None", "Not offered: pull_off_force"), ("[1, 2, 3]", "a result has the shape (3,), not (1,)")]:
+            with self.subTest(answer=answer):
+                text = self.judged(f"lambda **given: {answer}, 'pull_off_force'")
+                self.assertIn(words, text)
+                self.assertTrue(text.startswith("WRONG"), text)
+
+    def test_several_results_come_in_any_shape(self):
+        for made in ["tuple(found)", "list(found)", "found._asdict()", "np.array(found)", "types.SimpleNamespace(**found._asdict())"]:
+            with self.subTest(made=made):
+                text = self.judged("mine, 'hertz_point'", f"import types\ndef mine(**given):\n    found = tribocheck.hertz_point(**given)\n    return {made}\n")
+                self.assertIn("COMPLETE: 4 of 4", text)
+        self.assertIn("1 of 4 quantities held", self.judged("lambda **given: {'radius': tribocheck.hertz_point(**given).radius}, 'hertz_point'"))
+
+    def test_questions_that_are_not_offered_are_skipped(self):
+        start = """
+            def mine(asperity, **given):
+                if asperity == "greenwood_williamson":
+                    raise NotImplementedError("only one")
+                return tribocheck.load_sharing(asperity, **given)
+            """
+        text = self.judged("mine, 'load_sharing'", start)
+        self.assertIn("held in part", text)
+        self.assertFalse(text.startswith("WRONG"), text)
+
+    def test_what_keeps_something_between_calls_is_told(self):
+        text = self.judged("mine, 'pull_off_force'", "calls = []\ndef mine(**given):\n    calls.append(1)\n    return tribocheck.pull_off_force(**given) * (1 + len(calls) / 10)\n")
+        self.assertIn("Asked the same again", text)
+
+    def test_a_bad_question_is_a_value_error(self):
+        for expression, words in [("check(abs, 'hertz')", 'ValueError: no function is called "hertz"'), ("check(abs)", "TypeError: check() needs the name"),
+                                  ("check(abs, 'hertz_point', 'loose')", "ValueError: loose: cannot be read"),
+                                  ("check(abs, 'hertz_point', units={'load': 'mm'})", 'ValueError: "0 mm" is no number in a unit of N')]:
+            self.assertIn(words, raised("tribocheck." + expression))
+
+
+class Fakes(unittest.TestCase):
+    def same(self, folder, names, command):
+        done = subprocess.run([sys.executable, "-B", "python_fakes.py", folder, *names], env=PYTHON_ENVIRONMENT, capture_output=True, text=True,
+                              timeout=TIMEOUT * len(names))
+        found = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([one[0] for one in found], names, done.stderr)
+        for name, diagnoses, holds in found:
+            with self.subTest(name=name):
+                expected = verify("--subject", command(name))
+                self.assertEqual(holds, expected.code == 0)
+                self.assertEqual(diagnoses, [one["text"] for one in expected.json()["diagnoses"]])
+
+    def test_fakes_have_the_causes_that_verify_names(self):
+        names = ["none", *NAMED] if ALL else ["none", *list(NAMED)[::40]]
+        self.same("fakes", names, lambda name: subject("fakes/fake.py", "--mistake", name))
+
+    def test_slips_have_the_causes_that_verify_names(self):
+        names = run_python("-c", f"import sys; sys.path.insert(0, {str(SUBJECTS / 'slips')!r}); import solver; print(*solver.SLIPS)").split()
+        self.same("slips", names if ALL else names[::50], lambda name: subject("slips/solver.py", "--slip", name))
+
+
+class Wheel(unittest.TestCase):
+    """The package as it is installed from a wheel, away from the tree."""
+
+    def test_it_judges_and_has_its_library_and_tables_and_the_plug_in_of_pytest(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, "-m", "build", "--no-isolation", "--wheel", "--outdir", folder,
+                            pathlib.Path(ENVIRONMENT["TRIBOCHECK_ROOT"], "reports/bindings/python")], check=True, capture_output=True, timeout=TIMEOUT,
+                           env=ENVIRONMENT | {"TRIBOCHECK_BUILD": str(PACKAGE.parents[2])})
+            wheel, = pathlib.Path(folder).glob("tribocheck-*-cp311-cp311-linux_x86_64.whl")
+            with zipfile.ZipFile(wheel) as archive:
+                archive.extractall(f"{folder}/site")
+            pathlib.Path(folder, "test_mine.py").write_text("import tribocheck\n\ndef test_circle():\n"
+                                                            "    tribocheck.check(tribocheck.hertz_point, 'hertz_point')\n"
+                                                            "    print(*(line for line in open('/proc/self/maps') if 'libtribocheck' in line))\n")
+            done = subprocess.run([sys.executable, "-m", "pytest", "-qs", "-p", "no:cacheprovider", "--tribocheck"], cwd=folder, capture_output=True,
+                                  text=True, timeout=TIMEOUT, env=ENVIRONMENT | {"PYTHONPATH": f"{folder}/site", "PYTHONDONTWRITEBYTECODE": "1"})
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"hertz_point +COMPLETE: 4 of 4 quantities held")
+        self.assertEqual(set(re.findall(r"\S*libtribocheck\S*", done.stdout)), {f"{folder}/site/tribocheck/libtribocheck.so.0"})
+
+
+class Pytest(unittest.TestCase):
+    def test_the_plug_in_prints_a_table_at_the_end(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "test_mine.py").write_text(START + FILM + textwrap.dedent("""
+                def test_film():
+                    tribocheck.check(film, "hamrock_dowson_central")
+
+                def test_circle():
+                    tribocheck.check(lambda **given: 2 * tribocheck.hertz_point(**given).radius, "hertz_point")
+                """))
+            done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "tribocheck.pytest_plugin", "--tribocheck"],
+                                  cwd=folder, env=PYTHON_ENVIRONMENT, capture_output=True, text=True, timeout=TIMEOUT)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        table = done.stdout[done.stdout.index(" tribocheck "):]
+        self.assertRegex(table, r"hamrock_dowson_central +COMPLETE: 1 of 1 quantities held")
+        self.assertRegex(table, r"hertz_point +FAILED: 0 of")
+        self.assertIn("1 failed, 1 passed", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
