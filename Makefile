@@ -77,7 +77,7 @@ film-survey: build ## solve 300 random line contacts to four tolerances, judge t
 	verification/gates/film_survey.py build/release/verification/tests/film_survey \
 	  --out reference/baselines/film_survey.json
 
-point-survey: build ## solve 200 random point contacts, hold 60 to finer and longer grids: some three hours of one core, goes on where it was stopped
+point-survey: build ## solve 200 random point contacts, hold 60 to finer and longer grids: an hour and a half of one core, goes on where it was stopped
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target film_survey
 	verification/gates/film_survey.py build/release/verification/tests/film_survey --points \
@@ -190,7 +190,7 @@ profile: gate-program ## run callgrind on the inner loop: build/profile/callgrin
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
 ##@ Numbers made anew
-references: ## make the tables of reference/exact and reference/ehl anew, and rows that the tables of points lack (all: two hours); some eight minutes
+references: ## make the tables of reference/exact and reference/ehl anew, and rows that the tables of points lack (all: an hour and a half); some eight minutes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references generate_line_films generate_point_films generate_point_films_second_method
