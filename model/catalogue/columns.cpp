@@ -31,7 +31,7 @@ bool is_legal(const Parameter& parameter, double number) {
 bool are_between(const double* column, std::size_t count, double least, double greatest) {
   std::int64_t beyond = 0;
   for (std::size_t i = 0; i < count; ++i)
-    beyond |= (column[i] >= least) & (column[i] <= greatest) ? 0 : 1;  // no branch
+    beyond |= ((column[i] >= least) & (column[i] <= greatest)) ? 0 : 1;  // no branch
   return beyond == 0;
 }
 
