@@ -14,8 +14,8 @@ namespace tribo::catalogue {
 // Whether the results of a point were computed; the numbers are those of tribocheck_plugin.h.
 inline constexpr int point_done = 0, point_refused = 3;
 
-// What is wrong with the arguments of a point; empty: they are legal. A NaN or an infinity never
-// is.
+// The first thing that is wrong with the arguments of a point; empty: they are legal. A NaN or an
+// infinity never is.
 struct ArgumentFault {
   std::string_view parameter;  // its name
   std::string message;         // "-3 is not allowed; allowed: a number above 0, in N"

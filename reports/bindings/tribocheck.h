@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/* What a call returns, as the program's exit code. */
+/* The code that a call returns, as the program's exit code. */
 enum {
   TRIBOCHECK_OK = 0,     /* done; of a verdict: all that is offered holds */
   TRIBOCHECK_WRONG = 1,  /* of a verdict: something fails, or nothing was answered */
@@ -47,7 +47,7 @@ int tribocheck_describe(char* text, size_t size, size_t* length);
 int tribocheck_call(const char* name, size_t count, const double* const* argument,
                     const size_t* step, double* const* result, int* status);
 
-/* What is wrong with the arguments of one point, as "load: -3 is not allowed; allowed: a number above
+/* The fault in the arguments of one point, as "load: -3 is not allowed; allowed: a number above
  * 0, in N", with TRIBOCHECK_REFUSED; TRIBOCHECK_OK where tribocheck_call() takes them. */
 int tribocheck_fault(const char* name, const double* arguments, char* text, size_t size,
                      size_t* length);

@@ -21,7 +21,7 @@ POINTS = ["operating_point", "operating_point_of_other_film", "operating_point_o
 
 
 def text_of(call, *arguments):
-    """What a call tells, with its code."""
+    """The text that a call tells, with its code."""
     room = ctypes.create_string_buffer(1 << 23)
     length = ctypes.c_size_t()
     code = call(*arguments, room, ctypes.c_size_t(len(room)), ctypes.byref(length))

@@ -39,7 +39,7 @@ def started(code, **more):
 
 
 def ran(code):
-    """What a script prints."""
+    """The output of a script."""
     process = started(code)
     out, err = process.communicate(timeout=TIMEOUT)
     assert process.returncode == 0, err[-2000:]

@@ -42,7 +42,7 @@ def side(factor, decay):
 
 
 def formulas(ratio):
-    """Of contacts of this R_y/R_x."""
+    """The printed formulas for contacts of this R_y/R_x."""
     k, radii = page_contacts.elliptic_contact(1, 1, 1, ratio)[0], ratio**(2 / 3)
     return {
         "hamrock_dowson_central": ("central", powers(2.69 * side(0.61, 0.73 * k), 0.67, 0.53, -0.067)),
