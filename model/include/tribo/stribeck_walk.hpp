@@ -22,8 +22,8 @@ template <class T>
 struct WalkPoint {
   FloodedFilm<T> flooded;
   InletState<T> inlet;
-  T film_slope;  // d ln λ/d ln u, in (0, a]
-  T rate;        // ds/d ln u
+  T film_slope{};  // d ln λ/d ln u, in (0, a]
+  T rate{};        // ds/d ln u
 };
 
 namespace detail {

@@ -621,6 +621,7 @@ TEST(Continuity, WalkHasNoStepAtAnyBranch) {
       }
       for (const Edge& edge : edges) {
         const WalkPoint<long double> below = walk_at(edge.below), above = walk_at(edge.above);
+        ASSERT_GT(above.rate, 0) << "the bound below would be infinite";
         // Coordinates near −40 are logarithms: one ulp of them is 32 ε of the number itself. A
         // change by `rate` e-foldings in u for each e-folding of s is no step.
         const double bound =
