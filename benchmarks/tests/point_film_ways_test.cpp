@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <thread>
 
 #include "contenders/textbook_point_film.hpp"
 #include "ehl/film_features.hpp"
@@ -69,6 +72,15 @@ TEST(PointFilmGrowth, IsMeasuredOnEverFinerGridsOfBothSolvers) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_GT(rows[i].at("step_ns").get<double>(), 0) << rows[i];
     EXPECT_GE(rows[i].at("bytes").get<double>(), 0) << rows[i];
+  }
+}
+
+TEST(PointFilmGrowth, IsMeasuredOnEachNumberOfThreadsThatHaveACore) {
+  const Rows rows = point_films_on_threads(1);
+  ASSERT_EQ(rows.size(), std::bit_width(std::thread::hardware_concurrency()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].at("threads"), 1 << i);
+    EXPECT_GT(rows[i].at("ns").get<double>(), 0);
   }
 }
 

@@ -76,8 +76,10 @@ Json line_film_parts(const Arguments& arguments, const Effort& effort) {
 
 Json point_film_parts(const Arguments& arguments, const Effort& effort) {
   step("films of point contacts");
-  return film_parts(arguments, "point_film", point_film_errors(judged_points(), effort),
-                    point_film_growth());
+  Json parts = film_parts(arguments, "point_film", point_film_errors(judged_points(), effort),
+                          point_film_growth());
+  parts["point_film_threads"] = point_films_on_threads();
+  return parts;
 }
 
 // Writes a row a line, so that a change can be read.

@@ -54,6 +54,10 @@ Rows point_film_errors(const std::vector<JudgedFilm<ehl::PointContact>>& contact
 // memory that was in use at most, of ours up to so many nodes; cells of the half plane.
 Rows point_film_growth(Eigen::Index greatest_nodes = 80'000);
 
+// threads, ns: the time on the clock for each of several circles that so many threads solve beside
+// each other, to 1e-3 at M = 20 and L = 5; on one thread, on two, and so on while cores are left.
+Rows point_films_on_threads(int films_a_thread = 4);
+
 // solver, quantity, exponent, uncertainty, from_cells, to_cells: least squares of the logarithms of
 // a growth over the cells, from 512 cells on; the uncertainty is its standard error.
 Rows film_exponents(const Rows& growth);

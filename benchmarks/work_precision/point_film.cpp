@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <functional>
 #include <optional>
@@ -13,6 +15,7 @@
 #include "accuracy/reference_table.hpp"
 #include "contenders/textbook_point_film.hpp"
 #include "ehl/plane_kernel.hpp"
+#include "sweep/on_threads.hpp"
 #include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
@@ -137,6 +140,21 @@ Rows point_film_growth(Eigen::Index greatest_nodes) {
     one.step_seconds = seconds_of([&] { textbook.newton_step(); });
     one.bytes = static_cast<double>(textbook.newton_bytes());
     rows.push_back(growth_row(one));
+  }
+  return rows;
+}
+
+Rows point_films_on_threads(int films_a_thread) {
+  using Clock = std::chrono::steady_clock;
+  const ehl::PointContact contact = ehl::barus_point(20, 5, radius_ratio);
+  Rows rows;
+  for (int threads = 1; threads <= thread_count(0); threads *= 2) {
+    const auto films = static_cast<std::size_t>(threads * films_a_thread);
+    const auto start = Clock::now();
+    each_on_threads(threads, films, [&](std::size_t) { ehl::solve_point_film(contact); });
+    const std::chrono::duration<double, std::nano> took = Clock::now() - start;
+    rows.push_back(
+        {{"threads", threads}, {"ns", four_digits(took.count() / static_cast<double>(films))}});
   }
   return rows;
 }

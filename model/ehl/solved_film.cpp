@@ -133,19 +133,25 @@ Estimate estimate_of(const std::vector<double>& values, const Caution& caution,
   e.error = 1.5 * (std::fabs(last) + std::fabs(before));
   if (last == 0 && before == 0) return e;
   const double order = std::log2(before / last);
-  if (!(order > caution.least_order && order < caution.greatest_order)) return e;
-  e.order = order;
+  const bool is_regular = order > caution.least_order && order < caution.greatest_order;
+  const bool is_beside = !std::isnan(beside.value);
+  if (!is_regular && !(is_beside && caution.of_irregular > 0)) return e;
   const auto richardson = [&](std::size_t i) {
     return values[i] + (values[i] - values[i - 1]) / 3;
   };
   e.value = richardson(n - 1);
   e.error = caution.of_change * std::fabs(last);
-  const bool is_beside = !std::isnan(beside.value);
   if (is_beside) {
     const double second_order =
         e.value + (values[n - 1] - e.value) * beside.cells_ratio * beside.cells_ratio;
     e.error = std::fmax(e.error, caution.of_waver * std::fabs(beside.value - second_order));
   }
+  if (!is_regular) {
+    e.error = std::fmax(e.error,
+                        caution.of_irregular * std::fmax(std::fabs(last), std::fabs(before) / 4));
+    return e;
+  }
+  e.order = order;
   double share = n == 3 && !is_beside ? 3 * caution.of_last : caution.of_last;
   for (std::size_t i = n - 1; i >= 2 && i + 3 >= n; --i, share *= caution.falling)
     e.error = std::fmax(e.error, share * std::fabs(richardson(i) - richardson(i - 1)));

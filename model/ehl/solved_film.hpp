@@ -39,12 +39,16 @@ struct Caution {
   double of_last = 0.5, falling = 0.125, of_change = 0.022, of_waver = 0;
   // The value is Richardson's where the observed order lies between these.
   double least_order = 1.5, greatest_order = 2.6;
+  // Of the last change of the value, and a quarter of it of the change before, where the order does
+  // not lie there and a grid stands beside; 0: such a grid tells nothing then.
+  double of_irregular = 0;
 };
 
 // From the values on grids that halve the cells: at least three. Where the observed order is near
 // the second, the value is Richardson's and the error the greatest of the shares; the last change
 // of Richardson's value counts three times where it is the only one and no grid stands beside. Else
-// the value is the last one and the error one and a half times the sum of its last two changes.
+// the value is the last one and the error one and a half times the sum of its last two changes; or,
+// by of_irregular, Richardson's with shares of these changes.
 Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {},
                      const Beside& beside = {});
 

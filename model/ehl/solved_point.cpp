@@ -52,24 +52,37 @@ double domain_part_of(const PointContact& contact, const FilmFeatures& grid,
                    domain_error_of(&FilmFeatures::minimum, contact, grid, larger) / minimum_share);
 }
 
-// Sets the films and their errors.
+// A fourth grid beside three has so many times the cells of the coarsest, which has a quarter of
+// the finest's.
+constexpr int times_beside = 3;
+
+// Sets the films and their errors. `beside`: on the grid beside, null where there is none.
 void estimate_all(SolvedPoint& solved, const PointContact& contact,
-                  const std::vector<FilmFeatures>& grids, const FilmFeatures& larger) {
+                  const std::vector<FilmFeatures>& grids, const FilmFeatures& larger,
+                  const FilmFeatures* beside = nullptr) {
   solved.domain_error = 0;
   const auto estimate = [&](double FilmFeatures::*feature, const Caution& caution) {
     std::vector<double> values;
     values.reserve(grids.size());
     for (const FilmFeatures& f : grids) values.push_back(f.*feature);
-    Estimate e = estimate_of(values, caution);
+    Estimate e =
+        estimate_of(values, caution,
+                    beside == nullptr ? Beside{} : Beside{beside->*feature, 4. / times_beside});
     const double domain = domain_error_of(feature, contact, grids.front(), larger);
     if (feature != &FilmFeatures::integral)
       solved.domain_error = std::fmax(solved.domain_error, domain);
     e.error += domain * std::fabs(e.value);
     return e;
   };
-  constexpr Caution away_from_edge{.of_last = 0.25};
+  // Where the order is not near the second, one Richardson's value and a grid beside are better
+  // than the sum of the changes: on 29 contacts of `make point-survey` whose three grids missed
+  // their tolerance no error was below the true one by these shares.
+  constexpr double of_waver = 3, of_irregular = 1;
+  constexpr Caution away_from_edge{
+      .of_last = 0.25, .of_waver = of_waver, .of_irregular = of_irregular};
   // Two of Richardson's values of the least film may agree by chance: its errors are less regular.
-  constexpr Caution at_edge{.of_last = 0.5, .of_change = 0.1};
+  constexpr Caution at_edge{
+      .of_last = 0.5, .of_change = 0.1, .of_waver = of_waver, .of_irregular = of_irregular};
   solved.central = estimate(&FilmFeatures::central, away_from_edge);
   solved.minimum = estimate(&FilmFeatures::minimum, at_edge);
   solved.at_greatest_pressure = estimate(&FilmFeatures::at_greatest_pressure, away_from_edge);
@@ -176,6 +189,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     grids.front() = features_of(film, options.integrand);
   }
   const double domain_part = domain_part_of(contact, grids.front(), larger);
+  const PlaneGrid coarsest = grid;
   while (4 * grid.size() <= options.greatest_nodes) {
     grid = grid.finer();
     PointFilm finer = solve_on(contact, grid, film, watch);
@@ -185,6 +199,14 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     if (grids.size() < 3) continue;
     estimate_all(solved, contact, grids, larger);
     if (is_met(solved, options) || domain_share * worst_of(solved) < domain_part) break;
+  }
+  if (grids.size() == 3 && !is_met(solved, options) && domain_part <= options.tolerance) {
+    const PointFilm beside = solve_on(contact, coarsest.finer(times_beside), film, watch);
+    if (beside.outcome == Outcome::stopped && failed(beside)) return solved;
+    if (beside.outcome == Outcome::solved) {
+      const FilmFeatures features = features_of(beside, options.integrand);
+      estimate_all(solved, contact, grids, larger, &features);
+    }
   }
   solved.grids = static_cast<int>(grids.size());
   solved.steps = film.steps;

@@ -112,7 +112,8 @@ def work_precision(base):
             "ways": [of(row, "family", "name", "ns", "steps", "max_relative", "mean_relative", "no_numbers", "judged") for row in base[films]],
             "exponents": [of(row, "solver", "quantity", "exponent", "uncertainty", "from_cells", "to_cells") for row in base[f"{films}_exponents"]],
             "largest": [of(rows[-1], "solver", "cells", "kernel_ns", "step_ns", "bytes")
-                        for rows in groups(base[f"{films}_growth"], "solver").values()]} for films in ("line_film", "point_film")}}
+                        for rows in groups(base[f"{films}_growth"], "solver").values()],
+            "threads": [of(row, "threads", "ns") for row in base.get(f"{films}_threads", [])]} for films in ("line_film", "point_film")}}
 
 
 def promised(bases):

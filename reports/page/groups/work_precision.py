@@ -92,7 +92,7 @@ FILMS = ("line_film", "point_film")  # films of line contacts and of circles, ea
 
 
 def films_of(baseline, films):
-    """Every way, and the growth of time and memory with our solver and with a dense matrix."""
+    """Every way, the growth of time and memory with our solver and with a dense matrix, and the time on threads."""
     return run_of(baseline[f"{films}_run"]) | {
         "ways": [copied(row, text, "family", "name") | copied(row, number, "ns") |
                  copied(row, number_or_none, "steps", "max_relative", "mean_relative") |
@@ -100,7 +100,8 @@ def films_of(baseline, films):
         "exponents": [copied(row, text, "solver", "quantity") | copied(row, number, "exponent", "uncertainty") |
                       copied(row, count, "from_cells", "to_cells") for row in baseline[f"{films}_exponents"]],
         "largest": [copied(rows[-1], text, "solver") | copied(rows[-1], number, "cells", "kernel_ns", "step_ns", "bytes")
-                    for rows in grouped(baseline[f"{films}_growth"], "solver").values()]}  # one grid of each solver
+                    for rows in grouped(baseline[f"{films}_growth"], "solver").values()],  # one grid of each solver
+        "threads": [copied(row, count, "threads") | copied(row, number, "ns") for row in baseline.get(f"{films}_threads", [])]}
 
 
 def cell(value):

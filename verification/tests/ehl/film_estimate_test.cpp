@@ -109,6 +109,49 @@ TEST(EstimateOf, IrregularValuesKeepTheLastAndItsChanges) {
   EXPECT_EQ(ehl::estimate_of({2, 2, 2}).error, 0);
 }
 
+TEST(EstimateOf, IrregularValuesTakeRichardsonsWhereAGridBesideCounts) {
+  const std::vector<double> values{1, 1.5, 1.54};  // an order of 3.6
+  const double richardson = 1.54 + 0.04 / 3, ratio = 4. / 3;
+  const double second_order = richardson - ratio * ratio * 0.04 / 3;
+  const ehl::Caution caution{.of_waver = 3, .of_irregular = 0.5};
+  for (const double waver : {-0.1, -0.02, 0., 0.02, 0.1}) {
+    const Estimate got = ehl::estimate_of(values, caution, {second_order + waver, ratio});
+    EXPECT_TRUE(is_within(got.value, richardson, 1e-15)) << waver;
+    // The change before counts a quarter, and here more than the last one.
+    EXPECT_TRUE(is_within(got.error, std::fmax(0.5 * 0.5 / 4, 3 * std::abs(waver)), 1e-14))
+        << waver;
+    EXPECT_TRUE(std::isnan(got.order)) << waver;
+  }
+  const Estimate by_last = ehl::estimate_of({1, 1.1, 1.5}, caution, {1.3, ratio});
+  EXPECT_GE(by_last.error, 0.5 * 0.4);
+  for (const Estimate& got : {ehl::estimate_of(values, caution),
+                              ehl::estimate_of(values, {.of_waver = 3}, {second_order, ratio})}) {
+    EXPECT_EQ(got.value, 1.54);
+    EXPECT_TRUE(is_within(got.error, 1.5 * 0.54, 1e-14));
+  }
+}
+
+// Values of any order from 1 to 4, and of the second order with noise that falls like it.
+TEST(EstimateOf, ErrorHoldsForIrregularValuesWithAGridBeside) {
+  constexpr ehl::Caution caution{.of_waver = 3, .of_irregular = 1};
+  Sampler sampler(71);
+  int judged = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const bool is_noisy = i % 2 == 0;
+    const double order = is_noisy ? 2 : sampler.uniform(1, 4);
+    const auto value = [&](double cells) {
+      const double noise = is_noisy ? 0.3 * sampler.uniform(-1, 1) : 0;
+      return 5 - (1 + noise) * std::pow(cells, -order);
+    };
+    const std::vector<double> values{value(1), value(2), value(4)};
+    const Estimate got = ehl::estimate_of(values, caution, {value(3), 4. / 3});
+    if (!std::isnan(got.order)) continue;
+    ++judged;
+    EXPECT_TRUE(is_estimated(got, 5, 0)) << "order " << order << (is_noisy ? ", noisy" : "");
+  }
+  EXPECT_GT(judged, 500);
+}
+
 TEST(EstimateOf, TooFewValuesGiveNoNumber) {
   for (const std::vector<double>& values : {std::vector<double>{}, {1}, {1, 2}}) {
     EXPECT_EQ(std::isnan(ehl::estimate_of(values).value), true);

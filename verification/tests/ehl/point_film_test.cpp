@@ -264,6 +264,20 @@ TEST(SolvedPoint, ErrorsHoldAgainstAFinerGrid) {
   }
 }
 
+// The least film of a liquid of constant viscosity comes nearer by more than the second order says.
+TEST(SolvedPoint, GridBesideThreeGridsTellsTheErrorOfAnIrregularFilm) {
+  const ehl::PointContact contact = ehl::barus_point(20, 0);
+  const auto on = [&](Eigen::Index nodes) {
+    return ehl::solve_point_film(contact, {.tolerance = 1e-9, .greatest_nodes = nodes});
+  };
+  const ehl::SolvedPoint coarse = on(25'000), fine = on(90'000);
+  ASSERT_EQ(coarse.grids, 3);
+  ASSERT_TRUE(std::isnan(coarse.minimum.order));
+  EXPECT_TRUE(is_estimated(coarse.minimum, fine.minimum.value, 0));
+  EXPECT_LT(coarse.minimum.relative_error(), 0.03);
+  EXPECT_EQ(fine.grids, 4);
+}
+
 // Ellipses of whose error the grid's ends make the greater part: of the first in the least film, of
 // the second in the central film. Of the others' first change by the ends nearly half is left.
 TEST(SolvedPoint, LongerGridMovesItByNoMoreThanStated) {
