@@ -254,10 +254,10 @@ class Installed(unittest.TestCase):
             subprocess.run(["cmake", "--install", BINDINGS.parents[1], "--component", "octave", "--prefix", prefix], check=True, capture_output=True,
                            timeout=TIMEOUT)
             mex, = pathlib.Path(prefix).glob("**/octave/site/oct/*/tribocheck/private/library.mex")
-            path, = re.findall(r"R(?:UN)?PATH.*\[(.*)\]", subprocess.run(["readelf", "-d", mex], capture_output=True, text=True, check=True).stdout)
+            needed = subprocess.run(["readelf", "-d", mex], capture_output=True, text=True, check=True).stdout
+            path, = re.findall(r"R(?:UN)?PATH.*\[(.*)\]", needed)
             place = os.path.relpath(os.path.normpath(path.replace("$ORIGIN", str(mex.parent))), prefix)
             self.assertRegex(place, r"^lib(/x86_64-linux-gnu)?$")
-            needed = subprocess.run(["readelf", "-d", mex], capture_output=True, text=True, check=True).stdout
             self.assertEqual(re.findall(r"NEEDED.*\[(.*)\]", needed), ["libtribocheck.so.0", "libc.so.6"])
             self.assertEqual(ran("tribocheck_check (@film, 'hamrock_dowson_central');\ndisp (which ('tribocheck_hertz_point'))", mex.parents[1],
                                  LD_LIBRARY_PATH=str(BINDINGS)), f"{mex.parents[1]}/tribocheck_hertz_point.m\n")

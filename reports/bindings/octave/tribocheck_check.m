@@ -122,11 +122,8 @@ function [ask, columns] = way_to_ask (solver, name, questions, own)
     return;
   end
   entry = all.(name);
-  results = cellfun (@(one) one.name, entry.results, 'UniformOutput', false);
-  parameters = entry.parameters;
-  names = cellfun (@(one) one.name, parameters, 'UniformOutput', false);
   units = struct ();
-  for one = [parameters, entry.results]
+  for one = [entry.parameters, entry.results]
     if isfield (own.units, one{1}.name)
       units.(one{1}.name) = unit_of (own.units.(one{1}.name), one{1}.unit);
     end
@@ -134,13 +131,13 @@ function [ask, columns] = way_to_ask (solver, name, questions, own)
   if iscell (own.arguments)
     wanted = own.arguments;
   else
-    wanted = names;
+    wanted = entry.arguments;
   end
   for k = 1:numel (wanted)
-    known = find (strcmp (wanted{k}, names));
+    known = find (strcmp (wanted{k}, entry.arguments));
     default = [];
-    if ~isempty (known) && isfield (parameters{known}, 'default')
-      default = parameters{known}.default;
+    if ~isempty (known) && isfield (entry.parameters{known}, 'default')
+      default = entry.parameters{known}.default;
     end
     columns{k} = column_of (wanted{k}, questions, default);
     if isfield (units, wanted{k})
@@ -148,7 +145,7 @@ function [ask, columns] = way_to_ask (solver, name, questions, own)
       columns{k} = (columns{k} - unit(1)) / unit(2);
     end
   end
-  ask = @(given) as_struct (solver, given, results, units);
+  ask = @(given) as_struct (solver, given, entry.fields, units);
 end
 
 % Zero and one of a unit, in the SI unit.

@@ -5,7 +5,7 @@ function answer = called (name, given)
   entry = catalogue ();
   entry = entry.(name);
   parameters = entry.parameters;
-  names = cellfun (@(one) one.name, parameters, 'UniformOutput', false);
+  names = entry.arguments;
   own = ['tribocheck_', name];
   if numel (given) > numel (names)
     error ('tribocheck:argument', '%s: too many arguments; it takes %s', own, strjoin (names, ', '));
@@ -20,14 +20,14 @@ function answer = called (name, given)
     end
   end
   [columns, shape] = spread (own, names, columns);
-  results = cellfun (@(one) one.name, entry.results, 'UniformOutput', false);
-  [fault, place, values{1:numel (results)}] = library ('call', name, columns{:});
+  count = numel (entry.fields);
+  [fault, place, values{1:count}] = library ('call', name, columns{:});
   if ~isempty (fault)
     error ('tribocheck:argument', '%s: %s%s', own, place_text (place, shape), fault);
-  elseif numel (results) == 1
+  elseif count == 1
     answer = values{1};
   else
-    answer = cell2struct (values(:), results(:), 1);
+    answer = cell2struct (values, entry.fields, 2);
   end
 end
 
@@ -55,7 +55,7 @@ end
 % Gives all arrays the same shape, as Octave's own operators do.
 function [columns, shape] = spread (own, names, columns)
   shape = [1, 1];
-  is_array = ~cellfun (@(one) numel (one) == 1, columns);
+  is_array = cellfun (@numel, columns) ~= 1;
   for column = columns(is_array)
     shape(end + 1:ndims (column{1})) = 1;
     extent = extent_of (column{1}, shape);

@@ -1,6 +1,6 @@
 % SPDX-License-Identifier: Apache-2.0
 
-% The functions of the catalogue by name, with parameters and results as rows of cells.
+% The functions of the catalogue by name, with parameters, results and the names of both as rows of cells.
 function all = catalogue ()
   persistent kept
   if isempty (kept)
@@ -9,6 +9,8 @@ function all = catalogue ()
       entry = one{1};
       entry.parameters = listed (entry.parameters);
       entry.results = listed (entry.results);
+      entry.arguments = cellfun (@(one) one.name, entry.parameters, 'UniformOutput', false);
+      entry.fields = cellfun (@(one) one.name, entry.results, 'UniformOutput', false);
       kept.(entry.name) = entry;
     end
   end
