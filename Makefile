@@ -5,7 +5,7 @@ FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -48,6 +48,14 @@ help: ## print this list
 ##@ What is right
 test-elsewhere: ## run the built tests as on a machine without AVX-512, and on one without AVX2 and FMA; some 15 minutes
 	.ci/test-elsewhere
+
+thread-check: ## four threads call libtribocheck.so at once under ThreadSanitizer; some three minutes
+	@.ci/deps build check
+	cmake --preset threads
+	cmake --build --preset threads
+	clang-14 -std=c99 -g -fsanitize=thread -Ireports/bindings -Iverification/conformance reports/tests/library_user.c \
+	  -Lbuild/threads/reports/bindings -Wl,-rpath,$(CURDIR)/build/threads/reports/bindings -ltribocheck -lm -o build/threads/library_user
+	build/threads/library_user threads
 
 test-slow: build ## run ten million lines, a billion points, 300 kills, 150 tries, 200 pairs, 200 attacks, 500 forged results, each write failing, the scripts of CI in a clean root; some 40 minutes
 	@.ci/deps test

@@ -52,9 +52,8 @@ double domain_part_of(const PointContact& contact, const FilmFeatures& grid,
                    domain_error_of(&FilmFeatures::minimum, contact, grid, larger) / minimum_share);
 }
 
-// A fourth grid beside three has so many times the cells of the coarsest, which has a quarter of
-// the finest's.
-constexpr int times_beside = 3;
+// The cells of a grid beside the others, over those of the finest.
+constexpr double share_beside = 3. / 4;
 
 // Sets the films and their errors. `beside`: on the grid beside, null where there is none.
 void estimate_all(SolvedPoint& solved, const PointContact& contact,
@@ -65,9 +64,8 @@ void estimate_all(SolvedPoint& solved, const PointContact& contact,
     std::vector<double> values;
     values.reserve(grids.size());
     for (const FilmFeatures& f : grids) values.push_back(f.*feature);
-    Estimate e =
-        estimate_of(values, caution,
-                    beside == nullptr ? Beside{} : Beside{beside->*feature, 4. / times_beside});
+    Estimate e = estimate_of(
+        values, caution, beside == nullptr ? Beside{} : Beside{beside->*feature, 1 / share_beside});
     const double domain = domain_error_of(feature, contact, grids.front(), larger);
     if (feature != &FilmFeatures::integral)
       solved.domain_error = std::fmax(solved.domain_error, domain);
@@ -200,8 +198,10 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     estimate_all(solved, contact, grids, larger);
     if (is_met(solved, options) || domain_share * worst_of(solved) < domain_part) break;
   }
-  if (grids.size() == 3 && !is_met(solved, options) && domain_part <= options.tolerance) {
-    const PointFilm beside = solve_on(contact, coarsest.finer(times_beside), film, watch);
+  if (grids.size() >= 3 && !is_met(solved, options) && domain_part <= options.tolerance) {
+    const double times = share_beside * (1 << (grids.size() - 1));
+    const PointFilm beside =
+        solve_on(contact, coarsest.finer(static_cast<int>(times)), film, watch);
     if (beside.outcome == Outcome::stopped && failed(beside)) return solved;
     if (beside.outcome == Outcome::solved) {
       const FilmFeatures features = features_of(beside, options.integrand);

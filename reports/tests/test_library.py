@@ -218,6 +218,13 @@ class InC(unittest.TestCase):
     def test_texts(self):
         self.assertEqual(self.ask("texts").stdout, "0 failures\n")
 
+    def test_no_memory_is_lost_or_used_wrongly(self):
+        for words in [("moments", "2.5", "1", "nan"), ("judge", "wrong"), ("texts",)]:
+            done = subprocess.run(["valgrind", "-q", "--leak-check=full", "--errors-for-leak-kinds=definite,indirect,possible",
+                                   "--error-exitcode=9", self.user, *words], capture_output=True, text=True, timeout=TIMEOUT)
+            self.assertEqual(done.stderr, "", words)
+            self.assertNotEqual(done.returncode, 9, words)
+
 
 class Built(unittest.TestCase):
     def test_it_needs_no_library_under_the_gpl_and_shows_its_functions_alone(self):
