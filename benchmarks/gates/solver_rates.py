@@ -118,7 +118,7 @@ def main():
     version = subprocess.run([given.program, "--version"], capture_output=True, text=True, check=True).stdout
     cpu = next((line.partition(": ")[2].strip() for line in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
                 if line.startswith("model name")), "unknown")
-    result = {"commit": version.partition("commit ")[2].strip(" )\n"), "date": datetime.date.today().isoformat(),
+    result = {"commit": version.partition("commit ")[2].partition(",")[0], "date": datetime.date.today().isoformat(),
               "environment": {"cpu": cpu, "cores": os.cpu_count()}, "rates": []}
     with tempfile.TemporaryDirectory() as folder:
         solvers = Solvers(given.program.resolve(), include, pathlib.Path(folder))

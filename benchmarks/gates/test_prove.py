@@ -148,7 +148,7 @@ class Rates(Folder):
 
         def run(words, **_):
             if words[0] == "cc" or words[1] == "--version":
-                return mock.Mock(returncode=0, stdout="tribocheck 1 (commit abc)\n")
+                return mock.Mock(returncode=0, stdout="tribocheck 1 (commit abc, instruction set AVX2)\n")
             asked.append(words)
             if "--update-baseline" in words:
                 return mock.Mock(returncode=0, stderr="")

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_commit.hpp"
+#include "tribo/batch.hpp"
 #include "tribo/scene_reader.hpp"
 #include "tribo/version.hpp"
 
@@ -19,7 +20,8 @@ std::string_view program_commit() {
 }
 
 std::string version_line() {
-  return fmt::format("tribocheck {} (commit {})", version, program_commit());
+  return fmt::format("tribocheck {} (commit {}, instruction set {})", version, program_commit(),
+                     instruction_set());
 }
 
 std::string today() { return fmt::format("{:%F}", fmt::gmtime(std::time(nullptr))); }

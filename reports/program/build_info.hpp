@@ -12,7 +12,7 @@ namespace tribo::cli {
 // the program was built outside of a checkout.
 std::string_view program_commit();
 
-// "tribocheck 0.2.0 (commit 9d7fa6d…)".
+// "tribocheck 0.2.0 (commit 9d7fa6d…, instruction set AVX2)", by the name of instruction_set().
 std::string version_line();
 
 std::string today();  // in UTC, as 2026-11-26

@@ -38,10 +38,16 @@ influence of surface roughness on starvation in a point contact. Its scenes are 
 reference/published, its sweeps in reference/published/sweeps.
 See also: tribocheck solve --help)";
 
+constexpr std::size_t description_column = 34;
+
 // The column at which a line goes on: below the description of an option, else below its own start.
 std::size_t indent_of(const std::string& line) {
   const std::size_t start = line.find_first_not_of(' ');
   if (start == 0 || start == std::string::npos) return 0;
+  // One space parts a description from an option or argument that nearly fills its column.
+  const bool is_option = line.starts_with("  -") || line.find(" TEXT") < description_column;
+  if (is_option && line.size() > description_column && line[description_column - 1] == ' ')
+    return description_column;
   const std::size_t gap = line.find("  ", start);
   const std::size_t description =
       gap == std::string::npos ? std::string::npos : line.find_first_not_of(' ', gap);
@@ -117,7 +123,8 @@ int answer_parse_error(const CLI::App& program, const CLI::ParseError& error,
   if (error.get_exit_code() == 0) {
     std::ostringstream text;
     program.exit(error, text, text);
-    append(output.text(), wrapped_help(text.str()));
+    const bool is_version = error.get_name() == "CallForVersion";  // one line, which programs read
+    append(output.text(), is_version ? text.str() : wrapped_help(text.str()));
     output.flush();
     return exit_done;
   }
@@ -140,13 +147,13 @@ int run(std::span<const AddCommand> commands, int count, char** arguments, Outpu
       "Starved, rough point contacts: film, load shares, friction, onset of starvation");
   program.name("tribocheck");
   program.footer(footer_with_scenes(program_footer));
-  program.set_version_flag("--version", version_line());
-  program.get_formatter()->column_width(34);
+  program.set_version_flag("--version", version_line);
+  program.get_formatter()->column_width(description_column);
   program.require_subcommand(1);
   std::vector<Command> added;
   for (const AddCommand add : commands) {
     added.push_back(add(program));
-    added.back().app->set_version_flag("--version", version_line());
+    added.back().app->set_version_flag("--version", version_line);
   }
   if (const std::string fault = command_fault(program, count, arguments); !fault.empty())
     return fail(exit_bad, fault);

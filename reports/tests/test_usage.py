@@ -48,7 +48,8 @@ class Help(unittest.TestCase):
             with self.subTest(arguments=arguments):
                 result = run(*arguments, "--version")
                 self.assertEqual((result.code, result.err), (0, ""))
-                self.assertRegex(result.out, r"^tribocheck \d+\.\d+\.\d+ \(commit ([0-9a-f]{40}(-dirty)?|unknown)\)\n$")
+                self.assertRegex(result.out, r"^tribocheck \d+\.\d+\.\d+ \(commit ([0-9a-f]{40}(-dirty)?|unknown), "
+                                 r"instruction set [A-Z]+[0-9A-Z_]*\)\n$")
 
     def test_the_citation_and_the_list_of_changes_have_the_programs_version(self):
         version = run("--version").out.split()[1]
