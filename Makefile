@@ -4,8 +4,10 @@ PURPOSE ?= build report test
 FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
+# What is packed has the date of its commit.
+same_dates = SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct)
 
-.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -37,6 +39,14 @@ install: ## install under PREFIX (default /usr/local)
 	  echo "make install: PREFIX is the folder of the sources; allowed: any other folder" >&2; exit 2; fi
 	@$(MAKE) --no-print-directory build
 	cmake --install build/release $(if $(PREFIX),--prefix "$(PREFIX)")
+
+package: ## make packages of Debian: build/package/packages; OCTAVE=1: that of Octave too; some four minutes
+	@.ci/deps build python package
+	$(same_dates) cmake --preset package $(if $(OCTAVE),-DTRIBOCHECK_BUILD_OCTAVE=ON)
+	$(same_dates) cmake --build --preset package --target tribocheck tribocheck_pages
+	rm -rf build/package/packages
+	cd build/package && $(same_dates) cpack
+	lintian --fail-on error --tag-display-limit 0 --allow-root build/package/packages/*.deb
 
 clean: ## remove build/ and the last report
 	rm -rf build reports/out
