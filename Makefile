@@ -48,6 +48,13 @@ package: ## make packages of Debian: build/package/packages; OCTAVE=1: that of O
 	cd build/package && $(same_dates) cpack
 	lintian --fail-on error --tag-display-limit 0 --allow-root build/package/packages/*.deb
 
+package-check: package ## install the packages on a fresh Debian, use them, remove them without a trace; some five minutes
+	@.ci/deps package-check || echo "package-check: going on with what is installed" >&2
+	reports/bindings/packages/check build/package/packages
+
+data: build ## pack certified values, cases, solved films and mistakes, to be read without the program: build/tribocheck-data-VERSION.zip
+	/usr/bin/python3 -B reports/bindings/packages/data.py build/release/tribocheck build
+
 clean: ## remove build/ and the last report
 	rm -rf build reports/out
 
