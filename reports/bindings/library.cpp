@@ -74,7 +74,8 @@ const catalogue::Function& function_called(const char* name) {
 fs::path reference_folder() {
   Dl_info library{};
   if (::dladdr(reinterpret_cast<const void*>(&tribocheck_version), &library) != 0)
-    for (fs::path folder = fs::absolute(library.dli_fname).parent_path();;
+    // Debian's loader finds it under /lib, a link to /usr/lib.
+    for (fs::path folder = fs::weakly_canonical(library.dli_fname).parent_path();;
          folder = folder.parent_path()) {
       for (const char* const name : {"reference", "share/tribocheck"})
         if (std::error_code none; fs::is_directory(folder / name / "exact", none))
