@@ -125,7 +125,8 @@ separate_arguments(flags UNIX_COMMAND "${output}")
 run(cc -std=c99 -D_GNU_SOURCE ${SOURCE_DIR}/reports/tests/library_user.c -o user ${flags} -lm -pthread)
 file(GLOB_RECURSE library ${prefix}/libtribocheck.so)
 get_filename_component(library ${library} DIRECTORY)
-run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library} ${scratch}/user judge right)
+file(CREATE_LINK ${library} ${scratch}/lib SYMBOLIC)  # by a link, as Debian's loader has /lib
+run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${scratch}/lib ${scratch}/user judge right)
 
 # A public header that is not installed builds here, and is missing there.
 file(GLOB headers RELATIVE ${SOURCE_DIR}/model ${SOURCE_DIR}/model/include/tribo/*.hpp)
