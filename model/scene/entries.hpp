@@ -85,6 +85,9 @@ std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& 
 std::optional<std::vector<Entry>> json_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields = max_entries);
 
+// Puts the names of outputs in place of those that the entries have; none: leaves these.
+void put_outputs(std::span<const std::string_view> outputs, std::vector<Entry>& entries);
+
 // Fills reading.scene from the entries, or reading.errors.
 void bind_scene(std::span<const Entry> entries, SceneUse use, Problems& problems,
                 SceneReading& reading);

@@ -567,6 +567,16 @@ class SceneBinder {
 
 }  // namespace
 
+void put_outputs(std::span<const std::string_view> outputs, std::vector<Entry>& entries) {
+  if (outputs.empty()) return;
+  std::erase_if(entries, [](const Entry& one) { return one.path == "outputs"; });
+  Entry& list = entries.emplace_back();
+  list.path = "outputs";
+  list.value.kind = ValueKind::list;
+  for (const std::string_view name : outputs)
+    list.elements.push_back({.kind = ValueKind::text, .text = std::string(name)});
+}
+
 void bind_scene(std::span<const Entry> entries, SceneUse use, Problems& problems,
                 SceneReading& reading) {
   SceneBinder(use, problems, reading).bind(entries);

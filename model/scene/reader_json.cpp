@@ -267,11 +267,14 @@ std::optional<std::vector<Entry>> json_entries(std::string_view text, Problems& 
 
 }  // namespace scene_detail
 
-SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use) {
+SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use,
+                              std::span<const std::string_view> outputs) {
   SceneReading reading;
   scene_detail::Problems problems(reading, source);
-  if (const auto entries = scene_detail::json_entries(text, problems))
-    scene_detail::bind_scene(*entries, use, problems, reading);
+  auto entries = scene_detail::json_entries(text, problems);
+  if (!entries) return reading;
+  scene_detail::put_outputs(outputs, *entries);
+  scene_detail::bind_scene(*entries, use, problems, reading);
   return reading;
 }
 

@@ -190,11 +190,13 @@ std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& 
 
 }  // namespace scene_detail
 
-SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use) {
+SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use,
+                              std::span<const std::string_view> outputs) {
   SceneReading reading;
   scene_detail::Problems problems(reading, source);
-  const auto entries = scene_detail::toml_entries(text, problems);
+  auto entries = scene_detail::toml_entries(text, problems);
   if (!entries) return reading;
+  scene_detail::put_outputs(outputs, *entries);
   if (std::any_of(entries->begin(), entries->end(), scene_detail::is_of_sweep))
     problems.error("", {.what = "this is a sweep: use `tribocheck sweep`"});
   else

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// libtribocheck.so: the functions of tribocheck.h.
+// libtribocheck.so: the functions of tribocheck.h but for those about scenes, which scenes.cpp has.
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <cstring>
-#include <exception>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,49 +15,19 @@
 #include "program/functions_json.hpp"
 #include "program/verify_subject.hpp"
 #include "scene/units.hpp"
+#include "telling.hpp"
 #include "tribo/version.hpp"
 #include "tribocheck.h"
-
-#define TRIBOCHECK_EXPORT __attribute__((visibility("default")))
 
 namespace {
 
 using namespace tribo;
+using namespace tribo::bindings;
 using namespace tribo::conformance;
 namespace fs = std::filesystem;
 
 static_assert(catalogue::point_done == TRIBOCHECK_DONE);
 static_assert(catalogue::point_refused == TRIBOCHECK_FAILED);
-
-// Where a text goes that the caller is told.
-struct Told {
-  char* text;
-  std::size_t size;
-  std::size_t* length;
-
-  void write(std::string_view whole) const {
-    if (length != nullptr) *length = whole.size();
-    if (size == 0) return;
-    const std::size_t copied = std::min(whole.size(), size - 1);
-    std::memcpy(text, whole.data(), copied);
-    text[copied] = '\0';
-  }
-};
-
-// Tells the text that `make` gives, with the code that it sets, or why it threw.
-template <class Make>
-int tell(const Told& told, Make make) noexcept {
-  try {
-    int code = TRIBOCHECK_OK;
-    told.write(make(code));
-    return code;
-  } catch (const std::exception& error) {
-    told.write(error.what());
-  } catch (...) {
-    told.write("an unknown fault");
-  }
-  return TRIBOCHECK_REFUSED;
-}
 
 const catalogue::Function& function_called(const char* name) {
   const catalogue::Function* const function = catalogue::function_named(name);
@@ -85,46 +52,6 @@ fs::path reference_folder() {
   throw std::runtime_error(
       "reference: the certified tables are not found above the library; give their folder");
 }
-
-// The members of a request, which are read once each; any other is refused.
-class Members {
- public:
-  explicit Members(const char* text) : all_(nlohmann::json::parse(text, nullptr, false)) {
-    if (!all_.is_object()) throw std::invalid_argument("the request is no JSON object");
-  }
-
-  template <class Value>
-  Value take(const char* name, Value otherwise) {
-    const auto found = all_.find(name);
-    if (found == all_.end()) return otherwise;
-    try {
-      Value value = found->template get<Value>();
-      all_.erase(found);
-      return value;
-    } catch (const nlohmann::json::exception&) {
-      throw std::invalid_argument(std::string(name) + ": " + start_of(line_of(*found)) +
-                                  " is not allowed");
-    }
-  }
-
-  std::string take_one_of(const char* name, const std::vector<std::string>& allowed) {
-    std::string value = take(name, allowed[0]);
-    if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
-    std::string list;
-    for (const std::string& one : allowed) list += (list.empty() ? "" : ", ") + one;
-    throw std::invalid_argument(std::string(name) + ": \"" + start_of(value) +
-                                "\" is not known; allowed: " + list);
-  }
-
-  void refuse_others() const {
-    if (!all_.empty())
-      throw std::invalid_argument("the request has an unknown member " +
-                                  start_of(all_.begin().key()));
-  }
-
- private:
-  nlohmann::json all_;
-};
 
 struct Request {
   explicit Request(const char* text) {

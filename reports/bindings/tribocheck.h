@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * tribocheck as a library, libtribocheck.so, in C99: each function of the model by its name, with
- * arguments and results in columns, and a solver of yours put to the tests within your own program.
+ * arguments and results in columns; operating points, curves, onsets and solved films of scenes; and a
+ * solver of yours put to the tests within your own program.
  *
  *   cc -std=c99 solver.c $(pkg-config --cflags --libs tribocheck) -o solver
  *
@@ -54,6 +55,51 @@ int tribocheck_fault(const char* name, const double* arguments, char* text, size
 
 /* The number in the SI unit `unit` that a text with a unit means: 0.0202 of "20.2 mPa s" in "Pa·s". */
 int tribocheck_number(const char* with_unit, const char* unit, double* number);
+
+/* A scene is its text, TOML or JSON (that whose first sign is {), at most 1 MiB, as in files:
+ * model/README.md, section 1. The fault in one is told in one line, "scene: load: -3 is not allowed;
+ * allowed: a number above 0, in N", with TRIBOCHECK_REFUSED. What is told of it here: {"id": "a ball"
+ * or null, "speeds": how many, "outputs": all that there are, each with its name, whether the scene
+ * asks for it ("asked"), unit, words (in the order of their codes; none: a number) and meaning, "warnings": the limits of the model that it
+ * passes, as in the documents of the program, "notes": lines about what has no effect}. A scene that
+ * has enough for solved films alone asks for no output. */
+int tribocheck_describe_scene(const char* scene, char* text, size_t size, size_t* length);
+
+/* Operating points of a scene at `count` speeds in m/s, whatever its own are; null: at its own, in
+ * their order, and `count` is their number. names[k] is "speed" or an output, whether the scene asks for
+ * it or not, and result[k][i] belongs to the caller: that output of point i with the bits of `tribocheck
+ * solve`, of a word its code, NaN where it is undefined. `text` gets a fault, or is empty. */
+int tribocheck_solve(const char* scene, size_t count, const double* speeds, size_t columns,
+                     const char* const* names, double* const* result, char* text, size_t size,
+                     size_t* length);
+
+/* The same of the Stribeck curve, `tribocheck curve`: at a list of speeds the least first, at a range
+ * evenly in the logarithm of the speed. `count` is the number of the scene's speeds. */
+int tribocheck_curve(const char* scene, size_t count, size_t columns, const char* const* names,
+                     double* const* result, char* text, size_t size, size_t* length);
+
+/* The onsets of starvation as `tribocheck onset --format json` has them, reference/schemas/onset.schema.json.
+ * `departure`: above 0 and below 1, of film_departure; the program's default is 0.05. */
+int tribocheck_onset(const char* scene, double departure, char* text, size_t size, size_t* length);
+
+/* Called before each step of a solve, on a grid of `cells` cells; the solve stops where it returns
+ * another number than 0. */
+typedef int (*tribocheck_watch)(void* user, int cells, int step);
+
+/* Solved films of a scene as `tribocheck film --format json` has them, reference/schemas/film.schema.json.
+ * TRIBOCHECK_WRONG where one is not solved, or not to its tolerance: its "reason" says why. That takes
+ * from a tenth of a second to minutes; give a text of some megabytes where there is a profile, as one
+ * that is cut off costs another solve. `watch` may be null; where it stops the solve, TRIBOCHECK_REFUSED.
+ * `request` is a JSON object, with any of these:
+ *
+ *   "speed": 0.5                       m/s; without it: all speeds of the scene
+ *   "tolerance": 1e-4                  relative, from 1e-6 to 1e-2, as --tolerance has it
+ *   "viscosity": "barus"               or "roelands"; without it: the scene's
+ *   "density": "incompressible"        or "dowson_higginson"
+ *   "flooded": true                    whatever supply the scene has
+ *   "profile": true                    pressure and film along the middle, too */
+int tribocheck_film(const char* scene, const char* request, tribocheck_watch watch, void* user,
+                    char* text, size_t size, size_t* length);
 
 /* Questions to a solver: certified cases, as lines of JSON of `tribocheck verify --save-cases`, each with
  * an id of its own; some come once more at the end. `request` is a JSON object, with any of these:

@@ -16,11 +16,11 @@
 #include "messages.hpp"
 #include "picture.hpp"
 #include "point_writers.hpp"
+#include "prepared_scenes.hpp"
 #include "progress.hpp"
 #include "protocol/answers.hpp"
 #include "scene_arguments.hpp"
 #include "tribo/onset.hpp"
-#include "tribo/stribeck_walk.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -30,31 +30,6 @@ struct CurveArguments : SceneArguments {
   std::string picture;  // empty: none
 };
 
-// Says why a scene has no curve; empty if it has one.
-std::string fault_of(const Scene& scene) {
-  const detail::SpeedSpan span = detail::speed_span(scene.speeds);
-  if (span.low < span.high) return {};
-  return fmt::format(
-      "speed: {} alone is no curve; allowed: a range, or a list of at least two different speeds",
-      span.low);
-}
-
-void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
-  const MixedContact<double> contact(scene);
-  const detail::SpeedSpan span = detail::speed_span(scene.speeds);
-  writer.begin_scene(scene, contact);
-  const auto add = [&](const OperatingPoint<double>& point) {
-    writer.add(point);
-    progress.step();
-  };
-  if (scene.speeds.list.empty())
-    return stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
-                          protocol::needed_for(scene), add);
-  std::vector<double> speeds = scene.speeds.list;
-  std::sort(speeds.begin(), speeds.end());
-  for (const double speed : speeds) add(contact.solve(speed, protocol::needed_for(scene)));
-}
-
 void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
                   OutputStream& output) {
   const std::vector<Scene>& scenes = loaded.scenes;
@@ -62,7 +37,7 @@ void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
   for (const Scene& scene : scenes) total += scene.speeds.size();
   Progress progress(total);
   PointWriter writer(arguments.format, output, scenes);
-  for (const Scene& scene : scenes) draw_scene(scene, writer, progress);
+  for (const Scene& scene : scenes) write_points(scene, 1, writer, progress);
   writer.finish({{"warnings", loaded.warnings.json()}});
 }
 
@@ -101,8 +76,7 @@ std::string fault_of(const CurveArguments& arguments, const std::vector<Scene>& 
 }
 
 int curve(const CurveArguments& arguments, OutputStream& output) {
-  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds,
-                                          [](const Scene& scene) { return fault_of(scene); });
+  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds, prepare_curve);
   if (loaded.scenes.empty()) return exit_bad;
   if (const std::string fault = fault_of(arguments, loaded.scenes); !fault.empty())
     return fail(exit_bad, fault);

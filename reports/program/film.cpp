@@ -20,6 +20,7 @@
 #include "messages.hpp"
 #include "options.hpp"
 #include "picture.hpp"
+#include "prepared_scenes.hpp"
 #include "progress.hpp"
 #include "scene_arguments.hpp"
 #include "stop_signal.hpp"
@@ -28,7 +29,6 @@
 #include "sweep/output_file.hpp"
 #include "sweep/plan.hpp"
 #include "table.hpp"
-#include "tribo/friction.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -45,40 +45,13 @@ struct FilmArguments {
 
 bool is_csv(const std::string& name) { return std::filesystem::path(name).extension() == ".csv"; }
 
-// Puts the options into a scene, in place of its own speeds and its law of viscosity.
-void take_options(const FilmArguments& arguments, Scene& scene) {
-  if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
-  if (!arguments.settings.viscosity.empty())
-    scene.friction.viscosity =
-        arguments.settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus;
-  if (arguments.settings.is_flooded) scene.supply = {};
-}
-
-// Says why a scene cannot be solved with these arguments; empty if it can.
-std::string fault_of(const Scene& scene) {
-  if (scene.speeds.empty())
-    return "speed: missing; allowed: a number above 0, in m/s, a list or a range of such numbers, "
-           "or the option --speed in their place";
-  if (scene.friction.viscosity == ViscosityLaw::roelands &&
-      !(scene.lubricant.viscosity > least_roelands_viscosity))
-    return fmt::format(
-        "lubricant.viscosity: {} is not allowed with --viscosity roelands; allowed: a number above "
-        "{}, in Pa·s",
-        scene.lubricant.viscosity, least_roelands_viscosity);
-  if (scene.supply.kind == SupplyKind::inlet_film_ratio && scene.surface.is_smooth())
-    return "supply.inlet_film_ratio: it is a ratio to σ_s, and without summits the bodies are "
-           "smooth; allowed: inlet_film or inlet_flow, or the summits in a table surface";
-  return {};
-}
-
 // The good scenes, at the speeds that are asked for.
 LoadedScenes scenes_of(const FilmArguments& arguments) {
   bool has_supply = false;
   LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::film, [&](Scene& scene) {
     has_supply |=
         scene.supply.kind != SupplyKind::flooded && scene.bodies.shape() != ContactShape::line;
-    take_options(arguments, scene);
-    return fault_of(scene);
+    return prepare_film(scene, arguments.speed, arguments.settings);
   });
   if (arguments.settings.is_flooded && !has_supply) {
     complain(
@@ -432,8 +405,7 @@ void add_settings(CLI::App& app, FilmSettings& settings) {
                "take the inlet as flooded, whatever [supply] says; the inlet of a line always is");
   add_number_option(
       app, "--tolerance", [&settings](double tolerance) { settings.tolerance = tolerance; },
-      [](double tolerance) { return tolerance >= 1e-6 && tolerance <= 1e-2; },
-      "a number from 1e-6 to 1e-2",
+      is_film_tolerance, std::string(film_tolerance_allowed),
       "relative error of the films, 1e-6 to 1e-2 (default: 1e-4 of a line, 1e-3 of a circle or an "
       "ellipse)");
 }

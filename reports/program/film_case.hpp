@@ -25,6 +25,11 @@ struct FilmSettings {
   bool is_flooded = false;   // the inlet, whatever supply the scene has
 };
 
+constexpr bool is_film_tolerance(double tolerance) {
+  return tolerance >= 1e-6 && tolerance <= 1e-2;
+}
+inline constexpr std::string_view film_tolerance_allowed = "a number from 1e-6 to 1e-2";
+
 // A number and its absolute error; both NaN where there is no number.
 struct Measured {
   double value, error;

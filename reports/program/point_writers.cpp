@@ -8,6 +8,8 @@
 #include <new>
 #include <span>
 
+#include "sweep/parallel_points.hpp"
+
 namespace tribo::cli {
 namespace {
 
@@ -67,6 +69,21 @@ void PointWriter::add(const OperatingPoint<double>& point) {
       new (&cells_[++column]) protocol::OutputValue(
           protocol::value_of(point, smooth_ ? &*smooth_ : nullptr, info.output));
   rows_.add(cells_);
+}
+
+void write_points(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
+  const MixedContact<double> contact(scene);
+  const OutputSet outputs = protocol::needed_for(scene);
+  writer.begin_scene(scene, contact);
+  OperatingPoints points;
+  in_chunks(scene, [&](const std::vector<double>& speeds) {
+    points.resize(speeds.size(), outputs);
+    solve_in_parallel(contact, speeds, outputs, points, threads);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      writer.add(points[i]);
+      progress.step();
+    }
+  });
 }
 
 }  // namespace tribo::cli

@@ -2,10 +2,13 @@
 // Operating points of scenes as rows: the speed, and the outputs that each scene asks for.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "progress.hpp"
 #include "table.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene.hpp"
@@ -30,5 +33,21 @@ class PointWriter {
   std::optional<SmoothContact> smooth_;  // where the scene needs it
   std::vector<protocol::OutputValue> cells_;
 };
+
+// Calls solve(speeds) with the speeds of a scene, some at a time: enough for several threads, and
+// few enough to keep memory flat for any number of them.
+template <class Solve>
+void in_chunks(const Scene& scene, const Solve& solve) {
+  constexpr std::size_t chunk = std::size_t{1} << 16;
+  std::vector<double> speeds;
+  for (std::size_t first = 0; first < scene.speeds.size(); first += chunk) {
+    speeds.resize(std::min(chunk, scene.speeds.size() - first));
+    scene.speeds.fill(first, speeds);
+    solve(speeds);
+  }
+}
+
+// Writes the points of a scene at its speeds, on `threads` threads as solve_in_parallel() has it.
+void write_points(const Scene& scene, int threads, PointWriter& writer, Progress& progress);
 
 }  // namespace tribo::cli

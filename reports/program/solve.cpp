@@ -22,7 +22,6 @@
 #include "protocol/answers.hpp"
 #include "scene/schema.hpp"
 #include "scene_arguments.hpp"
-#include "sweep/parallel_points.hpp"
 #include "table.hpp"
 #include "tribo/onset.hpp"
 
@@ -33,34 +32,6 @@ struct SolveArguments : SceneArguments {
   int threads = 0;
   bool is_about_scenes = false, explains = false;
 };
-
-// A chunk of speeds is enough for several threads, and keeps memory flat for any number of them.
-constexpr std::size_t chunk = std::size_t{1} << 16;
-
-template <class Solve>
-void in_chunks(const Scene& scene, const Solve& solve) {
-  std::vector<double> speeds;
-  for (std::size_t first = 0; first < scene.speeds.size(); first += chunk) {
-    speeds.resize(std::min(chunk, scene.speeds.size() - first));
-    scene.speeds.fill(first, speeds);
-    solve(speeds);
-  }
-}
-
-void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
-  const MixedContact<double> contact(scene);
-  const OutputSet outputs = protocol::needed_for(scene);
-  writer.begin_scene(scene, contact);
-  OperatingPoints points;
-  in_chunks(scene, [&](const std::vector<double>& speeds) {
-    points.resize(speeds.size(), outputs);
-    solve_in_parallel(contact, speeds, outputs, points, threads);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      writer.add(points[i]);
-      progress.step();
-    }
-  });
-}
 
 WorkCounts work_of(const Scene& scene, const MixedContact<double>& contact) {
   const OutputSet outputs = protocol::needed_for(scene);
@@ -286,7 +257,7 @@ int solve(const SolveArguments& arguments, OutputStream& output) {
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
   PointWriter writer(arguments.format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) solve_scene(scene, arguments.threads, writer, progress);
+  for (const Scene& scene : loaded.scenes) write_points(scene, arguments.threads, writer, progress);
   ordered_json members{{"warnings", loaded.warnings.json()}};
   if (arguments.explains) members["validity"] = explained(loaded.scenes);
   writer.finish(members);

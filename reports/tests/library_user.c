@@ -3,7 +3,8 @@
  *
  *   library_user moments ORDER D...   the moments, a number a line
  *   library_user judge right|wrong    the verdict on the radius of Hertz' circle
- *   library_user threads              0 where each of four threads gets what one alone gets
+ *   library_user threads FILE         0 where each of four threads gets what one alone gets
+ *   library_user curve FILE           speed and film of the curve of a scene, a point a line
  *   library_user texts                0 where texts of any size are told as the header says */
 #include <math.h>
 #include <pthread.h>
@@ -65,9 +66,32 @@ static void fill(double* order, double* d, double* result, int* status) {
   tribocheck_call("gaussian_moment", POINTS, argument, NULL, &result, status);
 }
 
+/* The text of a file, which the caller frees. */
+static char* text_of_file(const char* path) {
+  char* text = calloc(1, ROOM);
+  FILE* file = fopen(path, "rb");
+  if (file == NULL || fread(text, 1, ROOM - 1, file) == 0) exit(2);
+  fclose(file);
+  return text;
+}
+
+static int curve(const char* path) {
+  const char* const names[] = {"speed", "film"};
+  char *scene = text_of_file(path), told[512];
+  double speed[200], film[200], *result[2];
+  int code, i;
+  result[0] = speed;
+  result[1] = film;
+  code = tribocheck_curve(scene, 200, 2, names, result, told, sizeof told, NULL);
+  if (code != TRIBOCHECK_OK) puts(told);
+  for (i = 0; code == TRIBOCHECK_OK && i < 200; ++i) printf("%.17g %.17g\n", speed[i], film[i]);
+  free(scene);
+  return code;
+}
+
 struct job {
   const double* expected;
-  const char* verdict;
+  const char *verdict, *scene, *onsets;
   int failures;
 };
 
@@ -81,6 +105,8 @@ static void* work(void* given) {
   for (round = 0; round < ROUNDS; ++round) {
     fill(order, d, result, status);
     job->failures += memcmp(result, job->expected, sizeof(double) * POINTS) != 0;
+    job->failures += tribocheck_onset(job->scene, 0.05, text, ROOM, NULL) != TRIBOCHECK_OK;
+    job->failures += strcmp(text, job->onsets) != 0;
     if (round % 10 != 0) continue;
     job->failures += tribocheck_judge(request, "", text, ROOM, NULL) != TRIBOCHECK_WRONG;
     job->failures += strcmp(text, job->verdict) != 0;
@@ -93,18 +119,21 @@ static void* work(void* given) {
   return NULL;
 }
 
-static int threads(void) {
+static int threads(const char* path) {
   static double order[POINTS], d[POINTS], expected[POINTS];
   static int status[POINTS];
-  char* verdict = malloc(ROOM);
+  char *verdict = malloc(ROOM), *onsets = malloc(ROOM), *scene = text_of_file(path);
   pthread_t thread[THREADS];
   struct job job[THREADS];
   int i, failures = 0;
   fill(order, d, expected, status);
   tribocheck_judge(request, "", verdict, ROOM, NULL);
+  tribocheck_onset(scene, 0.05, onsets, ROOM, NULL);
   for (i = 0; i < THREADS; ++i) {
     job[i].expected = expected;
     job[i].verdict = verdict;
+    job[i].scene = scene;
+    job[i].onsets = onsets;
     job[i].failures = 0;
     pthread_create(&thread[i], NULL, work, &job[i]);
   }
@@ -113,6 +142,8 @@ static int threads(void) {
     failures += job[i].failures;
   }
   free(verdict);
+  free(onsets);
+  free(scene);
   printf("%d of %d rounds differ\n", failures, THREADS * ROUNDS);
   return failures != 0;
 }
@@ -151,7 +182,8 @@ int main(int count, char** words) {
     return 0;
   }
   if (count > 2 && strcmp(words[1], "judge") == 0) return judge(strcmp(words[2], "wrong") == 0 ? 2 : 1);
-  if (count > 1 && strcmp(words[1], "threads") == 0) return threads();
+  if (count > 2 && strcmp(words[1], "curve") == 0) return curve(words[2]);
+  if (count > 2 && strcmp(words[1], "threads") == 0) return threads(words[2]);
   if (count > 1 && strcmp(words[1], "texts") == 0) return texts();
   return 2;
 }

@@ -354,7 +354,7 @@ class Scenes(FilmTest):
     def test_roelands_law_needs_a_viscosity(self):
         tree = line(10, 5)
         tree["lubricant"]["viscosity"] = 6e-5
-        self.assert_film_refused("lubricant.viscosity: 6e-05 is not allowed with --viscosity roelands", self.write(tree),
+        self.assert_film_refused("lubricant.viscosity: 6e-05 is not allowed with viscosity roelands", self.write(tree),
                                  "--viscosity", "roelands")
 
 

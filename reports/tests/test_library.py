@@ -172,6 +172,138 @@ class Verdicts(unittest.TestCase):
         self.assertIn("nothing (no answer)", text)
 
 
+def scene_text(path):
+    return (ROOT / "reference" / path).read_bytes()
+
+
+def about(text):
+    code, told = text_of(LIBRARY.tribocheck_describe_scene, text)
+    assert code == 0, told
+    return json.loads(told)
+
+
+def points(call, names, count, *before):
+    """The columns of points by name; or the fault of a refusal."""
+    made, result = columns([[-1] * count for _ in names], count)
+    code, text = text_of(call, *before, ctypes.c_size_t(len(names)), (ctypes.c_char_p * len(names))(*map(str.encode, names)), result)
+    assert (code == 0) == (text == ""), text
+    return text or dict(zip(names, map(list, made), strict=True))
+
+
+class Scenes(unittest.TestCase):
+    """Operating points, curves, onsets and films are those of the program."""
+
+    SCENES = ["published/rough.toml", "published/smooth.toml", "scenes/ball_on_flat.toml", "scenes/roller.toml",
+              "scenes/bearing_outer_ring.toml", "scenes/gear_flank.toml"]
+    WIDE = b"speed = {from = 1e-7, to = 400, count = 700}\noutputs = [\"inlet\", \"fluid_load_share\", \"friction\", \"regime\"%s]\n"
+
+    def same(self, command, text, own):
+        """The columns against the document of the program, for the outputs that the scene asks for."""
+        asked = {one["name"]: one["words"] for one in own["outputs"] if one["asked"]}
+        rows = run(command, "-", "--format", "json", stdin=text.decode()).json()["points"]
+        count = own["speeds"]
+        before = [text, ctypes.c_size_t(count)] + ([None] if command == "solve" else [])
+        found = points(getattr(LIBRARY, f"tribocheck_{command}"), ["speed", *asked], count, *before)
+        self.assertEqual(len(rows), count)
+        for name, column in found.items():
+            told = [row[name] for row in rows]
+            if words := asked.get(name):
+                column = [None if math.isnan(code) else words[int(code)] for code in column]
+            self.assertEqual([None if value != value else value for value in column], told, (command, name))
+        return rows
+
+    def test_points_and_curves_have_the_bits_of_the_program(self):
+        regimes = set()
+        for name in self.SCENES:
+            text = scene_text(name)
+            with self.subTest(name=name):
+                own = about(text)
+                self.same("solve", text, own)
+                if own["speeds"] > 1:
+                    self.same("curve", text, own)
+        plain = re.sub(rb"(?m)^(speed|outputs) *=.*\n", b"", scene_text("published/rough.toml"))
+        for law, more in [(b"flooded_inlet", b""), (b"flooded_inlet", b', "minimum_film"'), (b"damiens", b"")]:
+            text = self.WIDE % more + re.sub(rb"(?m)^starvation *=.*$", b'starvation = "' + law + b'"', plain)
+            for command in ("solve", "curve"):
+                regimes |= {row["regime"] for row in self.same(command, text, about(text))}
+        self.assertEqual(regimes, {"mixed", "elastohydrodynamic", "collapsed"})
+
+    def test_points_at_other_speeds_and_of_other_outputs_are_those_of_such_a_scene(self):
+        text = scene_text("published/rough.toml")
+        speeds = [0.3, 1e-6, 1e300, 2.5]
+        names = ["peak_pressure", "film", "speed", "film", "regime"]
+        found = points(LIBRARY.tribocheck_solve, names, 4, text, ctypes.c_size_t(4), (ctypes.c_double * 4)(*speeds))
+        changed = (f"outputs = {json.dumps(sorted(set(names) - {'speed'}))}\nspeed = {json.dumps(speeds)}\n".encode()
+                   + re.sub(rb"(?m)^(speed|outputs) *=.*\n", b"", text))
+        expected = self.same("solve", changed, about(changed))
+        for name in ("peak_pressure", "film", "speed"):
+            self.assertEqual([None if value != value else value for value in found[name]], [row[name] for row in expected])
+
+    def test_onsets_are_the_document_of_the_program(self):
+        for name in self.SCENES[:4]:
+            for departure in (0.05, 0.3):
+                path = ROOT / "reference" / name
+                self.assertEqual(text_of(LIBRARY.tribocheck_onset, scene_text(name), ctypes.c_double(departure)),
+                                 (0, run("onset", path, "--format", "json", "--departure", str(departure)).out), name)
+
+    def test_films_are_the_document_of_the_program(self):
+        for name, request, options in [
+                ("roller", {"speed": 0.5}, ["--speed", "0.5"]),
+                ("roller", {"speed": 2, "tolerance": 1e-3, "viscosity": "barus", "density": "dowson_higginson", "profile": True},
+                 ["--speed", "2", "--tolerance", "1e-3", "--viscosity", "barus", "--density", "dowson_higginson", "--profile"]),
+                ("ball_on_flat", {"speed": 1, "tolerance": 1e-2}, ["--speed", "1", "--tolerance", "1e-2"])]:
+            whole = run("film", ROOT / f"reference/scenes/{name}.toml", "--format", "json", *options)
+            told = text_of(LIBRARY.tribocheck_film, scene_text(f"scenes/{name}.toml"), json.dumps(request).encode(), None, None)
+            self.assertEqual(told, (whole.code, whole.out), request)
+
+    def test_a_film_stops_where_its_watch_says_so(self):
+        steps = []
+        watch = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_int, ctypes.c_int)(lambda user, cells, step: steps.append(step) or len(steps) == 3)
+        told = text_of(LIBRARY.tribocheck_film, scene_text("scenes/roller.toml"), b'{"speed": 1}', watch, None)
+        self.assertEqual((told, len(steps)), ((2, "stopped"), 3))
+
+    def test_a_film_that_is_refused_says_why_as_the_program_does(self):
+        text = scene_text("scenes/ball_on_flat.toml")
+        whole = run("film", "-", "--format", "json", "--speed", "1e-7", stdin=text.decode())
+        self.assertEqual(whole.code, 1)
+        self.assertEqual(text_of(LIBRARY.tribocheck_film, text, b'{"speed": 1e-7}', None, None), (1, whole.out))
+
+    def test_a_scene_tells_its_outputs_warnings_and_what_has_no_effect(self):
+        text = scene_text("published/rough.toml")
+        own = about(text)
+        self.assertEqual({one["name"] for one in own["outputs"] if one["asked"]},
+                         {name for name in run("solve", "-", "--format", "json", stdin=text.decode()).json()["points"][0]} - {"id", "speed"})
+        self.assertEqual([one["words"] for one in own["outputs"] if one["name"] == "inlet"], [["flooded", "starved", "collapsed"]])
+        hot = re.sub(rb"(?m)^viscosity *=.*$", b"viscosity = 20.2", text)
+        warned = run("solve", "-", "--format", "json", stdin=hot.decode()).json()["warnings"]
+        self.assertEqual(about(hot)["warnings"], warned)
+        self.assertIn("perhaps mPa·s was meant", str(warned))
+
+    def test_faults_are_one_line_and_leave_the_columns_alone(self):
+        text, one = scene_text("published/rough.toml"), (ctypes.c_double * 3)(1, 2, -3)
+        count = ctypes.c_size_t(3)
+        films = [LIBRARY.tribocheck_film, text]
+        for told, words in [
+                (text_of(LIBRARY.tribocheck_describe_scene, b"load = -3\n")[1], "scene: "),
+                (text_of(LIBRARY.tribocheck_describe_scene, b"{")[1], "scene:1:2: not JSON"),
+                (text_of(LIBRARY.tribocheck_describe_scene, b"x" * (1 << 20) + b"y")[1], "too large; allowed: at most 1048576 bytes"),
+                (points(LIBRARY.tribocheck_solve, ["film"], 3, text, count, one), "speeds[2]: -3 is not allowed; allowed: a number above 0, in m/s"),
+                (points(LIBRARY.tribocheck_solve, ["film"], 3, text, count, None), "count: 3 is not allowed; allowed: 200"),
+                (points(LIBRARY.tribocheck_solve, ["fim"], 3, text, count, one), 'outputs[0]: "fim" is not known; allowed: '),
+                (points(LIBRARY.tribocheck_curve, ["film"], 1, b"speed = 1\n" + re.sub(rb"(?m)^speed *=.*\n", b"", text), ctypes.c_size_t(1)),
+                 "speed: 1 alone is no curve"),
+                (text_of(LIBRARY.tribocheck_onset, text, ctypes.c_double(1))[1], "departure: 1 is not allowed; allowed: a number above 0 and below 1"),
+                (text_of(*films, b'{"speed": 0}', None, None)[1], "speed: 0 is not allowed; allowed: a number above 0, in m/s"),
+                (text_of(*films, b'{"speed": "1"}', None, None)[1], 'speed: "1" is not allowed'),
+                (text_of(*films, b'{"tolerance": 1}', None, None)[1], "tolerance: 1 is not allowed; allowed: a number from 1e-6 to 1e-2"),
+                (text_of(*films, b'{"viscosity": "x"}', None, None)[1], 'viscosity: "x" is not known; allowed: barus, roelands'),
+                (text_of(*films, b'{"threads": 1}', None, None)[1], "threads")]:
+            with self.subTest(words=words):
+                self.assertIsInstance(told, str)
+                self.assertIn(words, told)
+                self.assertNotIn("\n", told)
+
+
 class InC(unittest.TestCase):
     """A program in C99 without warnings, on the header and the library alone."""
 
@@ -197,6 +329,11 @@ class InC(unittest.TestCase):
         self.assertEqual(self.ask("moments", "1.5", "-3", "0.25", "30", "nan").stdout.splitlines()[:3], expected)
         self.assertRegex(self.ask("moments", "1.7", "0").stdout, r"^3 -?nan$")
 
+    def test_a_curve(self):
+        path = ROOT / "reference/published/rough.toml"
+        expected = [(one["speed"], one["film"]) for one in run("curve", path, "--format", "json").json()["points"]]
+        self.assertEqual([tuple(map(float, line.split())) for line in self.ask("curve", path).stdout.splitlines()], expected)
+
     def test_a_verdict(self):
         right, wrong = self.ask("judge", "right"), self.ask("judge", "wrong")
         self.assertEqual((right.returncode, wrong.returncode), (0, 1), right.stdout + wrong.stdout)
@@ -212,7 +349,7 @@ class InC(unittest.TestCase):
         self.assertEqual(subprocess.run([path], capture_output=True, text=True, timeout=TIMEOUT).stdout, expected + "\n")
 
     def test_threads(self):
-        done = self.ask("threads")
+        done = self.ask("threads", ROOT / "reference/published/rough.toml")
         self.assertEqual((done.returncode, done.stdout), (0, "0 of 160 rounds differ\n"))
 
     def test_texts(self):

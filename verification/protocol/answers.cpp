@@ -4,8 +4,11 @@
 #include <fmt/compile.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,7 +16,6 @@
 #include <vector>
 
 #include "protocol/question.hpp"
-#include "tribo/operating_points.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::protocol {
@@ -32,6 +34,15 @@ OutputValue word(std::string_view text, bool rests_on_finite_numbers) {
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(),
                      [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; });
+}
+
+// Without a branch, so that several numbers are looked at in one step.
+bool all_finite(std::span<const double> numbers) {
+  std::uint64_t any = 0;  // its highest bit is set where the exponent of a number has all its bits
+  for (const double number : numbers)
+    any |= (std::bit_cast<std::uint64_t>(number) & ~(std::uint64_t{1} << 63)) +
+           (std::uint64_t{1} << 52);
+  return any >> 63 == 0;
 }
 
 // {"id": …, "film": …}, or what is wrong with the scene.
@@ -93,6 +104,39 @@ OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* s
       smooth->has_unknown_summits(point.speed, point.film))
     return {.undefined = unknown_summits, .word = {}};
   return value_of(point, output);
+}
+
+void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
+                std::span<double> to) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto words = info(output).words;
+  if (smooth != nullptr) {
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      const OutputValue value = value_of(points[i], smooth, output);
+      const auto word = std::find(words.begin(), words.end(), value.word);
+      to[i] = !value.undefined.empty() ? nan
+              : words.empty()          ? value.number
+                                       : static_cast<double>(word - words.begin());
+    }
+    return;
+  }
+  // As value_of() has it, without a look at all the rest of each point.
+  const auto put = [&](const auto& column, const std::vector<double>& rests_on, bool may_collapse) {
+    const auto number = [](auto value) { return static_cast<double>(value); };
+    std::transform(column.begin(), column.begin() + std::ssize(to), to.begin(), number);
+    const bool is_finite =
+        all_finite(std::span(rests_on).first(std::min(rests_on.size(), to.size())));
+    for (std::size_t i = 0; !is_finite && i < to.size(); ++i)
+      if (!std::isfinite(rests_on[i])) to[i] = nan;
+    for (std::size_t i = 0; may_collapse && i < to.size(); ++i)
+      if (points.regime[i] == Regime::collapsed)
+        to[i] = output == Output::regime ? number(Regime::collapsed) : nan;
+  };
+  if (output == Output::regime) return put(points.regime, points.asperity_load_share, true);
+  if (output == Output::inlet) return put(points.inlet, points.film, false);
+  for_each_number(points, [&](Output one, const std::vector<double>& numbers) {
+    if (one == output) put(numbers, numbers, balance_outputs().contains(output));
+  });
 }
 
 OutputSet needed_for(const Scene& scene) { return needed_for(scene, scene.outputs); }

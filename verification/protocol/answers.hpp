@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "protocol/question.hpp"
 #include "protocol/text_streams.hpp"
 #include "tribo/mixed_contact.hpp"
+#include "tribo/operating_points.hpp"
 #include "tribo/scene_reader.hpp"
 #include "tribo/smooth_contact.hpp"
 #include "tribo/validity.hpp"
@@ -49,6 +51,10 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output);
 OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* smooth,
                      Output output);
 bool needs_smooth_contact(const Scene& scene);
+// The same at the first `to.size()` points of a batch, as numbers: of a word its place among the
+// output's words, NaN where the output is undefined.
+void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
+                std::span<double> to);
 
 // The outputs to compute so that value_of() has what it needs: the film of the least film and of Λ,
 // and of a word the number by which an overflow is told.

@@ -75,6 +75,7 @@ struct OutputFailed : std::runtime_error {
 class OutputStream {
  public:
   explicit OutputStream(int descriptor) : descriptor_(descriptor) {}
+  OutputStream() = default;  // keeps all text
   OutputStream(const OutputStream&) = delete;
   OutputStream& operator=(const OutputStream&) = delete;
 
@@ -83,7 +84,7 @@ class OutputStream {
 
   // Writes the text once a block is full.
   void end_row() {
-    if (text_.size() >= block_bytes) flush();
+    if (text_.size() >= block_bytes && descriptor_ >= 0) flush();
   }
 
   // Throws OutputClosed or OutputFailed. Text that was not flushed is lost with the object.
@@ -92,7 +93,7 @@ class OutputStream {
  private:
   static constexpr std::size_t block_bytes = std::size_t{1} << 16;
 
-  int descriptor_;
+  int descriptor_ = -1;
   Text text_;
 };
 

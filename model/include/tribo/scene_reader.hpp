@@ -136,12 +136,18 @@ constexpr bool is_of_solved_films(SceneUse use) {
 
 inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 20;
 
-// `source` names the input in messages. None of these throws on bad input.
-SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use);
-SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use);
+// `source` names the input in messages. None of these throws on bad input. `outputs`: names that
+// stand in place of the scene's own list; empty: its own.
+SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use,
+                              std::span<const std::string_view> outputs = {});
+SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use,
+                              std::span<const std::string_view> outputs = {});
+// Text whose first sign is `{` is read as JSON, all else as TOML.
+SceneReading parse_scene(std::string_view text, std::string_view source, SceneUse use,
+                         std::span<const std::string_view> outputs = {});
 
-// Reads a file or pipe of at most 1 MiB; "-" is standard input. `.json` files and text whose first
-// sign is `{` are read as JSON, all else as TOML. A scene without `id` gets the file's stem.
+// Reads a file or pipe of at most 1 MiB; "-" is standard input. `.json` files are read as JSON,
+// others as parse_scene() does. A scene without `id` gets the file's stem.
 SceneReading read_scene(const std::string& path, SceneUse use);
 
 }  // namespace tribo

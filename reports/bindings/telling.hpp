@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the functions of tribocheck.h read requests and tell texts, without an exception.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "conformance/conversation.hpp"
+#include "tribocheck.h"
+
+#define TRIBOCHECK_EXPORT __attribute__((visibility("default")))
+
+namespace tribo::bindings {
+
+// Where a text goes that the caller is told.
+struct Told {
+  char* text;
+  std::size_t size;
+  std::size_t* length;
+
+  void write(std::string_view whole) const {
+    if (length != nullptr) *length = whole.size();
+    if (size == 0) return;
+    const std::size_t copied = std::min(whole.size(), size - 1);
+    std::memcpy(text, whole.data(), copied);
+    text[copied] = '\0';
+  }
+};
+
+// Tells the text that `make` gives, with the code that it sets, or why it threw.
+template <class Make>
+int tell(const Told& told, Make make) noexcept {
+  try {
+    int code = TRIBOCHECK_OK;
+    told.write(make(code));
+    return code;
+  } catch (const std::exception& error) {
+    told.write(error.what());
+  } catch (...) {
+    told.write("an unknown fault");
+  }
+  return TRIBOCHECK_REFUSED;
+}
+
+// "speed: -1 is not allowed; allowed: a number above 0, in m/s".
+inline std::string refusal(std::string_view name, double number, std::string_view allowed) {
+  return fmt::format("{}: {} is not allowed; allowed: {}", name, number, allowed);
+}
+
+// The members of a request, which are read once each; any other is refused.
+class Members {
+ public:
+  explicit Members(const char* text) : all_(nlohmann::json::parse(text, nullptr, false)) {
+    if (!all_.is_object()) throw std::invalid_argument("the request is no JSON object");
+  }
+
+  template <class Value>
+  Value take(const char* name, Value otherwise) {
+    const auto found = all_.find(name);
+    if (found == all_.end()) return otherwise;
+    try {
+      Value value = found->template get<Value>();
+      all_.erase(found);
+      return value;
+    } catch (const nlohmann::json::exception&) {
+      throw std::invalid_argument(std::string(name) + ": " +
+                                  conformance::start_of(conformance::line_of(*found)) +
+                                  " is not allowed");
+    }
+  }
+
+  // A number that `is_allowed` takes, or `otherwise` where none is given.
+  double take_number(const char* name, double otherwise, bool (*is_allowed)(double),
+                     std::string_view allowed) {
+    if (!all_.contains(name)) return otherwise;
+    const double number = take(name, otherwise);
+    if (is_allowed(number)) return number;
+    throw std::invalid_argument(refusal(name, number, allowed));
+  }
+
+  // The first word stands for none; an empty one is not told.
+  std::string take_one_of(const char* name, const std::vector<std::string>& allowed) {
+    std::string value = take(name, allowed[0]);
+    if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
+    std::string list;
+    for (const std::string& one : allowed)
+      if (!one.empty()) list += (list.empty() ? "" : ", ") + one;
+    throw std::invalid_argument(std::string(name) + ": \"" + conformance::start_of(value) +
+                                "\" is not known; allowed: " + list);
+  }
+
+  void refuse_others() const {
+    if (!all_.empty())
+      throw std::invalid_argument("the request has an unknown member " +
+                                  conformance::start_of(all_.begin().key()));
+  }
+
+ private:
+  nlohmann::json all_;
+};
+
+}  // namespace tribo::bindings

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the options of a command change in a scene, for the program and for the library of other
+// languages. Each function returns why the scene cannot be taken; empty if it can.
+#pragma once
+
+#include <string>
+
+#include "film_case.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::cli {
+
+// Puts the speeds of the scene's Stribeck curve in place of its own: those of a list, the least
+// first; of a range as many, evenly in their logarithm.
+std::string prepare_curve(Scene& scene);
+
+// Puts one speed, 0: the scene's own, and the settings into a scene that was read with
+// SceneUse::film.
+std::string prepare_film(Scene& scene, double speed, const FilmSettings& settings);
+
+}  // namespace tribo::cli
