@@ -40,9 +40,9 @@ install: ## install under PREFIX (default /usr/local)
 	@$(MAKE) --no-print-directory build
 	cmake --install build/release $(if $(PREFIX),--prefix "$(PREFIX)")
 
-package: ## make packages of Debian: build/package/packages; OCTAVE=1: that of Octave too; some four minutes
-	@.ci/deps build python package $(if $(OCTAVE),octave)
-	$(same_dates) cmake --preset package -DTRIBOCHECK_BUILD_OCTAVE=$(if $(OCTAVE),ON,OFF)
+package: ## make packages of Debian, in build/package/packages; some four minutes
+	@.ci/deps build python octave package
+	$(same_dates) cmake --preset package
 	$(same_dates) cmake --build --preset package --target tribocheck tribocheck_pages
 	rm -rf build/package/packages
 	cd build/package && $(same_dates) cpack

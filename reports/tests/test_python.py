@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The package of Python: the functions of the catalogue with arrays of numpy, and tribocheck.check().
+"""The package of Python: the functions of the catalogue with arrays of numpy, scenes, solved films, and tribocheck.check().
 
 Some of the fakes and slips are judged by check() and by verify --subject; TRIBOCHECK_FAKES=1: all of them.
 """
+import ast
 import json
 import os
 import pathlib
@@ -22,6 +23,8 @@ from test_fakes_named import NAMED
 
 PACKAGE = pathlib.Path(PROGRAM).resolve().parent / "reports/bindings/python"
 PYTHON_ENVIRONMENT = ENVIRONMENT | {"PYTHONPATH": str(PACKAGE), "PYTHONDONTWRITEBYTECODE": "1"}
+SCENES = pathlib.Path(ENVIRONMENT["TRIBOCHECK_ROOT"], "reference/scenes")
+ROUGH = SCENES.parent / "published/rough.toml"
 ALL = "TRIBOCHECK_FAKES" in os.environ
 START = "import json, numpy as np, tribocheck\n"
 FILM = textwrap.dedent("""
@@ -191,12 +194,179 @@ class Functions(unittest.TestCase):
             self.assertLess(least, 5e-6, name)
 
 
+class Scenes(unittest.TestCase):
+    START = f"scene = tribocheck.Scene({str(ROUGH)!r})\n"
+
+    def test_points_and_curves_have_the_bits_of_the_program(self):
+        for command in ("solve", "curve"):
+            rows = run(command, ROUGH, "--format", "json").json()["points"]
+            found = json.loads(ran(self.START + f"print(json.dumps({{name: np.where(column == column, column, None).tolist() "
+                                                f"for name, column in vars(scene.{command}()).items()}}))"))
+            self.assertEqual(found, {name: [row[name] for row in rows] for name in found})
+            self.assertEqual({"id", *found}, {*rows[0]} - {"undefined"})
+
+    def test_a_path_a_text_a_dict_and_a_path_object_are_the_same_scene(self):
+        self.assertEqual(ran(self.START + textwrap.dedent("""
+            import pathlib, tomllib
+            path = pathlib.Path(%r)
+            tree = tomllib.loads(path.read_text())
+            tree["load"] = np.float64(tree["load"])
+            expected = scene.solve(0.5).film
+            for source in (path, path.read_text(), tree, json.dumps(tree, default=float), tree | {"surface": dict(tree["surface"])}):
+                assert tribocheck.Scene(source).solve(0.5).film == expected and tribocheck.Scene(source).id == "rough"
+            del tree["id"]
+            print(tribocheck.Scene(tree).id, tribocheck.Scene(tree), scene.warnings)""" % str(ROUGH))),
+                         "scene <tribocheck.Scene 'scene', 200 speeds> []\n")
+
+    def test_speeds_of_any_shape_and_outputs_by_name(self):
+        self.assertEqual(ran(self.START + textwrap.dedent("""
+            u = np.logspace(-3, 0, 90001)
+            whole = scene.solve(u, ["film", "inlet"])
+            assert [*vars(whole)] == ["speed", "film", "inlet"] and (whole.speed == u).all() and len(u) == whole.film.size
+            assert (scene.solve(u[::-3], ["film"]).film == whole.film[::-3]).all()
+            square = scene.solve(u[:90000].reshape(300, 300).T, ["film", "inlet"])
+            assert (square.film == whole.film[:90000].reshape(300, 300).T).all() and square.inlet.shape == (300, 300)
+            one = scene.solve(float(u[7]), ["film", "inlet", "peak_pressure"])
+            assert one.film == whole.film[7] and one.inlet == whole.inlet[7] and isinstance(one.film, float) and isinstance(one.inlet, str)
+            assert scene.solve(1, ["film"]).film == scene.solve(np.float32(1), ["film"]).film == scene.solve([1], ["film"]).film[0]
+            assert scene.solve([], ["film"]).film.shape == (0,)
+            print(sorted(set(whole.inlet)))""")), "['flooded', 'starved']\n")
+
+    def test_what_is_undefined_is_nan_and_a_word_without_it_empty(self):
+        self.assertEqual(ran(self.START + textwrap.dedent("""
+            dry = tribocheck.Scene("outputs = ['film', 'friction', 'regime', 'inlet']\\n" + scene.text.replace("inlet_film_ratio = 4", "inlet_flow = 1e-12"))
+            found = dry.solve([1e-3, 300.0, 1e308])
+            print(found.friction, found.regime, found.inlet)""")), "[nan nan nan] ['collapsed' 'collapsed' 'collapsed'] ['collapsed' 'collapsed' 'collapsed']\n")
+
+    def test_onsets_are_those_of_the_program_and_say_why_there_is_none(self):
+        found = json.loads(ran(self.START + 'print(json.dumps(scene.onset(departure=0.2)))'))
+        expected = run("onset", ROUGH, "--departure", "0.2", "--format", "json").json()["onsets"]
+        self.assertEqual(found, {row["criterion"]: [row["speed"], row["film"], row["film_parameter"], ""] for row in expected})
+        none = ran(self.START + 'print(tribocheck.Scene(scene.text.replace("[supply]", "").replace("inlet_film_ratio = 4", "")).onset()["film_maximum"])')
+        self.assertRegex(none, r"^Onset\(speed=nan, film=nan, film_parameter=nan, reason='.*flooded.*'\)")
+
+    def test_wrong_speeds_outputs_and_scenes_are_one_exception_each(self):
+        for expression, expected in [
+                ("scene.solve([1, np.nan])", "ValueError: speeds at index 1: nan is not allowed; allowed: a number above 0, in m/s"),
+                ("scene.solve([[1, 2], [3, -4]])", "ValueError: speeds at index (1, 1): -4.0 is not allowed"),
+                ("scene.solve(0)", "ValueError: speeds: 0.0 is not allowed"), ("scene.solve(np.append(np.ones(10**5), np.inf))", "ValueError: speeds at index 100000: inf"),
+                ("scene.solve('1')", "TypeError: speeds: an array of <U1, not of numbers"), ("scene.solve(True)", "TypeError: speeds: an array of bool"),
+                ("scene.solve([1j])", "TypeError: speeds: an array of complex128"), ("scene.solve(10**400)", "TypeError: speeds: an array of object"),
+                ("scene.solve(np.broadcast_to(1.0, 1 << 50))", "Exception: Unable to allocate"),
+                ("scene.solve(1, ['colour'])", 'ValueError: scene: outputs[0]: "colour" is not known; allowed: '),
+                ("scene.solve(1, 'film')", "TypeError: outputs: a list of names, as ['film']"), ("scene.solve(1).colour", "AttributeError: no output colour was computed; there are: speed, film_flooded"),
+                ("scene.onset(departure=1)", "ValueError: departure: 1 is not allowed; allowed: "),
+                ("tribocheck.Scene('nowhere.toml')", "FileNotFoundError: "), ("tribocheck.Scene(3)", "TypeError: a scene is a path, a text or a dict, not int"),
+                ("tribocheck.Scene(scene.text.replace('load = 50', 'load = -3'))", "ValueError: scene: load: -3 is not allowed; allowed: a number above 0, in N"),
+                ("tribocheck.Scene({'load': object()})", "TypeError: a scene has no object"), ("tribocheck.Scene('a\\0\\n')", "ValueError: a scene has no sign 0")]:
+            with self.subTest(expression=expression):
+                self.assertEqual(raised(expression, self.START)[:len(expected)], expected)
+
+    def test_a_long_solve_ends_by_ctrl_c(self):
+        self.interrupted(self.START + 'u = np.logspace(-4, 1, 4 * 10**7)\nprint("begins", flush=True)\nwhile True: scene.solve(u)')
+
+    def test_a_film_ends_by_ctrl_c(self):
+        self.interrupted(f'print("begins", flush=True)\nwhile True: tribocheck.film({str(SCENES / "ball_on_flat.toml")!r}, speed=1)')
+
+    def interrupted(self, code):
+        process = started("\n" + code)
+        self.assertEqual(process.stdout.readline(), "begins\n")
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        begin = time.monotonic()
+        _, err = process.communicate(timeout=TIMEOUT)
+        self.assertEqual(err.splitlines()[-1], "KeyboardInterrupt")
+        self.assertLess(time.monotonic() - begin, 10)
+
+    def test_threads_solve_at_once(self):
+        self.assertEqual(ran(self.START + textwrap.dedent("""
+            import threading
+            u = np.logspace(-4, 0, 10**5)
+            expected, roller = scene.solve(u).film, %r
+            film = tribocheck.film(roller, speed=1).central
+            same = []
+            def work():
+                same.append(all((scene.solve(u).film == expected).all() for _ in range(5)) and tribocheck.film(roller, speed=1).central == film)
+            threads = [threading.Thread(target=work) for _ in range(4)]
+            for one in threads: one.start()
+            for one in threads: one.join()
+            print(same)""" % str(SCENES / "roller.toml"))), "[True, True, True, True]\n")
+
+    def test_a_curve_is_drawn_by_matplotlib_alone(self):
+        self.assertEqual(ran(self.START + textwrap.dedent("""
+            import sys, types
+            assert "matplotlib" not in sys.modules
+            class Axes:
+                def __getattr__(self, name):
+                    return lambda *given: print(name, *(np.shape(one) or one for one in given))
+            curve = scene.curve(["film", "regime"])
+            curve.plot([Axes()])
+            sys.modules["matplotlib"] = None
+            try: curve.plot()
+            except ImportError as error: print(error)
+            try: scene.curve(["regime"]).plot()
+            except ValueError as error: print(error)""")),
+                         "semilogx (200,) (200,)\nset_ylabel film [m]\nset_xlabel speed [m/s]\n"
+                         "Curve.plot() needs matplotlib, which is not installed: python3-matplotlib on Debian, or `pip install matplotlib`\n"
+                         "nothing to draw; the curve has: speed, regime\n")
+
+
+class Films(unittest.TestCase):
+    def test_a_film_has_the_numbers_of_the_program_with_errors_and_units(self):
+        options = ["--viscosity", "barus", "--density", "dowson_higginson", "--tolerance", "1e-3"]
+        expected, = run("film", SCENES / "roller.toml", "--speed", "0.5", *options, "--profile", "--format", "json").json()["films"]
+        found, central, text, dirs = json.loads(ran(f"""
+            film = tribocheck.film({str(SCENES / "roller.toml")!r}, 0.5, 1e-3, viscosity="barus", density="dowson_higginson")
+            assert film.central.value == film.central[0] == float(film.central) and film.central.unit == "m"
+            print(json.dumps([[film.central, film.minimum, film.at_greatest_pressure, film.friction, film.profile.film.tolist(), film.tolerance, film.formulas],
+                              str(film.central), str(film), dir(film)]))"""))
+        self.assertEqual([one[:2] for one in found[:4]], [[expected[name][key] for key in ("value", "error")] for name in
+                                                          ("central_film", "minimum_film", "film_at_greatest_pressure", "friction")])
+        self.assertEqual(found[4:], [expected["profile"]["film"], expected["tolerance"], expected["formulas"]])
+        self.assertRegex(central, r"^\d\.\d+e-08 ± \d\.\de-\d\d m$")
+        self.assertIn(f"\n  central               {central}\n", text)
+        self.assertIn("spike_place", dirs)
+
+    def test_what_is_undefined_is_nan_with_its_reason(self):
+        self.assertRegex(ran(f"film = tribocheck.film({str(SCENES / 'ball_on_flat.toml')!r}, 1, 1e-2)\nprint(film.spike_pressure, film.undefined['spike_pressure'])"),
+                         r"^nan Pa not given for circles and ellipses")
+
+    def test_wrong_arguments_are_one_exception_each(self):
+        for arguments, expected in [
+                ("", "ValueError: speed: the scene has 200 speeds; allowed: one number above 0, in m/s"), ("speed=-1", "ValueError: speed: -1 is not allowed; allowed: a number above 0, in m/s"),
+                ("speed=np.nan", "ValueError: speed: nan is not allowed"), ("speed='1'", "TypeError: speed: '1' is no number"), ("speed=[1]", "TypeError: speed: [1] is no number"),
+                ("1, 1", "ValueError: tolerance: 1 is not allowed; allowed: a number from 1e-6 to 1e-2"), ("1, viscosity='x'", 'ValueError: viscosity: "x" is not known; allowed: barus, roelands'),
+                ("1, density=3", "ValueError: density: 3 is not allowed"), ("1e-7", "RuntimeError: rough: not solved: the layer of liquid at the"),
+                ("1, colour=1", "TypeError: film() got an unexpected keyword argument 'colour'")]:
+            with self.subTest(arguments=arguments):
+                self.assertEqual(raised(f"tribocheck.film({str(ROUGH)!r}, {arguments})")[:len(expected)], expected)
+
+
+class Stubs(unittest.TestCase):
+    def test_each_name_of_the_package_has_a_type_and_each_function_its_arguments(self):
+        def names(path):
+            return {alias.asname for node in ast.parse(path.read_text()).body if isinstance(node, ast.ImportFrom) for alias in node.names}
+
+        package = PACKAGE / "tribocheck"
+        self.assertTrue((package / "py.typed").exists())
+        told = json.loads(ran("""
+            import inspect
+            print(json.dumps([tribocheck.__all__, {name: [*inspect.signature(one).parameters] for name, one in tribocheck.functions.items()}]))"""))
+        self.assertEqual(names(package / "__init__.pyi"), set(told[0]))
+        defined = [node for node in ast.parse((package / "_functions.pyi").read_text()).body if isinstance(node, ast.FunctionDef)]
+        self.assertEqual(len(defined), 2 * len(told[1]))
+        for node in defined:
+            self.assertEqual([one.arg for one in node.args.args + node.args.kwonlyargs], told[1][node.name])
+
+
 class Readme(unittest.TestCase):
-    def test_the_example_prints_what_it_says(self):
+    def test_the_examples_print_what_they_say(self):
         text = pathlib.Path(ENVIRONMENT["TRIBOCHECK_ROOT"], "reports/bindings/README.md").read_text()
-        example = next(block for block in re.findall(r"```python\n(.*?)```", text, re.DOTALL) if "print" in block)
-        expected = re.findall(r"(?m)^print.*# (\S+)", example)
-        self.assertEqual(ran("\n" + example).split(), expected)
+        examples = [block for block in re.findall(r"```python\n(.*?)```", text, re.DOTALL) if "print" in block]
+        self.assertEqual(len(examples), 2)
+        for example in examples:
+            expected = re.findall(r"(?m)^print.*?# (.+?)(?: Pa)?$", example)
+            self.assertEqual(ran(f"import os\nos.chdir({ENVIRONMENT['TRIBOCHECK_ROOT']!r})\n" + example).splitlines(), expected)
 
 
 class Check(unittest.TestCase):

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -259,6 +260,72 @@ double number_of(const std::string& text, const std::string& unit) {
   return number;
 }
 
+// The speeds of a scene, or those of its curve.
+Array speeds_of(const std::string& scene, bool is_curve, std::size_t count) {
+  Array speeds(static_cast<py::ssize_t>(count));
+  const char* const name = "speed";
+  double* const result = speeds.mutable_data();
+  text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
+    return is_curve ? tribocheck_curve(scene.c_str(), count, 1, &name, &result, text, size, length)
+                    : tribocheck_solve(scene.c_str(), count, nullptr, 1, &name, &result, text, size,
+                                       length);
+  }));
+  return speeds;
+}
+
+// Outputs at speeds, each an array of their shape.
+std::vector<Array> solved(const std::string& scene, const py::array& given,
+                          const std::vector<std::string>& outputs) {
+  const char kind = given.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw py::type_error("speeds: an array of " + py::cast<std::string>(py::str(given.dtype())) +
+                         ", not of numbers");
+  const Array speeds(given);
+  const std::vector<py::ssize_t> shape(speeds.shape(), speeds.shape() + speeds.ndim());
+  const auto count = static_cast<std::size_t>(speeds.size());
+  for (std::size_t i = 0; i < count; ++i)
+    if (const double speed = speeds.data()[i]; !(speed > 0 && std::isfinite(speed)))
+      throw py::value_error("speeds" + (shape.empty() ? "" : " " + place_text(i, shape)) + ": " +
+                            py::cast<std::string>(py::str(py::float_(speed))) +
+                            " is not allowed; allowed: a number above 0, in m/s");
+  std::vector<Array> columns;
+  std::vector<const char*> names;
+  for (const std::string& name : outputs) {
+    columns.emplace_back(shape);
+    names.push_back(name.c_str());
+  }
+  std::vector<double*> result(columns.size());
+  std::size_t first = 0;
+  do {  // once for no speeds, too, so that a faulty scene is told
+    const std::size_t length = std::min(2 * block, count - first);
+    for (std::size_t k = 0; k < columns.size(); ++k) result[k] = columns[k].mutable_data() + first;
+    text_or_error(told_by([&](char* text, std::size_t size, std::size_t* told) {
+      return tribocheck_solve(scene.c_str(), length, speeds.data() + first, names.size(),
+                              names.data(), result.data(), text, size, told);
+    }));
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    first += length;
+  } while (first < count);
+  return columns;
+}
+
+// Looks for Ctrl-C; the exception of Python stays set.
+int stops(void*, int, int) {
+  const py::gil_scoped_acquire held;
+  return PyErr_CheckSignals();
+}
+
+// Solved films as JSON, with a profile of up to some megabytes.
+std::string film(const std::string& scene, const std::string& request) {
+  const auto told = told_by(
+      [&](char* text, std::size_t size, std::size_t* length) {
+        return tribocheck_film(scene.c_str(), request.c_str(), stops, nullptr, text, size, length);
+      },
+      1 << 22);
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  return text_or_error(told);
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_library, module) {
@@ -284,6 +351,19 @@ PYBIND11_MODULE(_library, module) {
     return std::pair(told.first == TRIBOCHECK_OK, text_or_error(told));
   });
   module.def("number", &number_of);
+  module.def("describe_scene", [](const std::string& scene) {
+    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
+      return tribocheck_describe_scene(scene.c_str(), text, size, length);
+    }));
+  });
+  module.def("speeds", &speeds_of);
+  module.def("solve", &solved);
+  module.def("onset", [](const std::string& scene, double departure) {
+    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
+      return tribocheck_onset(scene.c_str(), departure, text, size, length);
+    }));
+  });
+  module.def("film", &film);
   py::class_<Function>(module, "Function")
       .def(py::init<std::string, std::vector<std::string>, std::vector<std::vector<std::string>>,
                     std::size_t>())

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the type stubs of the package, made from the catalogue of its library: make_stubs.py PACKAGE."""
+import inspect
+import pathlib
+import sys
+
+PACKAGE = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(PACKAGE.parent))
+import tribocheck  # noqa: E402
+from tribocheck._functions import catalogue  # noqa: E402
+
+HEAD = """from typing import Any, Callable, Generic, Literal, NamedTuple, Sequence, TypeVar, overload
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+_T = TypeVar("_T")
+_Array = NDArray[numpy.float64]
+
+catalogue: dict[str, Any]
+functions: dict[str, Callable[..., Any]]
+"""
+
+
+def stubs_of(entry):
+    """A function with numbers alone and with arrays, after the type of its results where it has several."""
+    name, results = entry["name"], entry["results"]
+    kind = "".join(map(str.capitalize, name.split("_")))  # as _functions has it
+    if len(results) > 1:
+        yield f"class {kind}(NamedTuple, Generic[_T]):\n" + "".join(f"    {one['name']}: _T\n" for one in results)
+    words = {one["name"]: f"Literal[{', '.join(map(repr, one['words']))}]" for one in entry["parameters"] if "words" in one}
+    for number, result in (("float", "float"), ("ArrayLike", "_Array")):
+        kinds = {one: text + (" | Sequence[str]" if number == "ArrayLike" else "") for one, text in words.items()}
+        kinds["masked"] = "bool" if number == "ArrayLike" else "Literal[False]"
+        given, by_name = [], False
+        for one in inspect.signature(tribocheck.functions[name]).parameters.values():
+            if one.kind is one.KEYWORD_ONLY and not by_name:
+                given.append("*")
+                by_name = True
+            given.append(f"{one.name}: {kinds.get(one.name, number)}" + ("" if one.default is one.empty else " = ..."))
+        yield f"@overload\ndef {name}({', '.join(given)}) -> {f'{kind}[{result}]' if len(results) > 1 else result}: ...\n"
+
+
+(PACKAGE / "_functions.pyi").write_text("\n".join([HEAD, *(text for entry in catalogue.values() for text in stubs_of(entry))]))
+homes = {name: getattr(getattr(tribocheck, name), "__module__", "tribocheck._functions") for name in tribocheck.__all__} | dict.fromkeys(
+    catalogue, "tribocheck._functions")
+(PACKAGE / "__init__.pyi").write_text("".join(f"from .{home.removeprefix('tribocheck.')} import {name} as {name}\n" for name, home in homes.items())
+                                      + "\n__version__: str\n")
+(PACKAGE / "py.typed").touch()

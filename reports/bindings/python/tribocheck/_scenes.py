@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes: operating points, Stribeck curves, onsets of starvation, and solved films."""
+from __future__ import annotations
+
+import collections
+import json
+import math
+import os
+import pathlib
+import types
+from typing import Any, Iterable, Mapping, NamedTuple
+
+import numpy
+import numpy.typing
+
+from . import _library
+
+
+class Points(types.SimpleNamespace):
+    """Operating points: an array for the speed and for each output, by its name, as `.speed` and `.film`.
+
+    The arrays have the shape of the speeds that were asked for. A number that is undefined, as where the film has
+    collapsed, is NaN, a word is "". `vars(points)` is the dict of all, as pandas.DataFrame takes it.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"no output {name} was computed; there are: {', '.join(vars(self))}")
+
+
+class Curve(Points):
+    """The points of a Stribeck curve, from the least speed to the greatest."""
+
+    def plot(self, axes: Any = None, outputs: Iterable[str] = ("friction", "film", "asperity_load_share")) -> Any:
+        """Draws outputs against the logarithm of the speed, with matplotlib, and returns the axes, one an output.
+
+            >>> scene.curve().plot()
+
+        axes    a list of as many as outputs are drawn; without it a figure is made
+        outputs of them those that the curve has
+        """
+        outputs = [name for name in outputs if hasattr(self, name)]
+        if not outputs:
+            raise ValueError(f"nothing to draw; the curve has: {', '.join(vars(self))}")
+        if axes is None:
+            try:
+                from matplotlib import pyplot
+            except ImportError as error:
+                raise ImportError("Curve.plot() needs matplotlib, which is not installed: python3-matplotlib on Debian, "
+                                  "or `pip install matplotlib`") from error
+            axes = pyplot.subplots(len(outputs), sharex=True, squeeze=False)[1].ravel()
+        for name, one in zip(outputs, axes, strict=True):
+            one.semilogx(self.speed, getattr(self, name))
+            one.set_ylabel(name + (" [m]" if name in ("film", "film_flooded", "separation", "minimum_film") else ""))
+        axes[-1].set_xlabel("speed [m/s]")
+        return axes
+
+
+class Onset(NamedTuple):
+    """The onset of starvation by one criterion. Where it has none, the numbers are NaN, and `reason` says why."""
+
+    speed: float  # m/s
+    film: float  # m
+    film_parameter: float  # film over summit_height_sd
+    reason: str
+
+
+class Measured(NamedTuple):
+    """A number and what it may be off by, which prints as `3.008330e-08 ± 2.9e-13 m`."""
+
+    value: float
+    error: float
+    unit: str
+
+    def __str__(self) -> str:
+        if not (self.value and self.error > 0):
+            return f"{self.value:g} {self.unit}".rstrip()
+        digits = math.ceil(math.log10(abs(self.value) / self.error)) + 1
+        return f"{self.value:#.{min(max(digits, 3), 12)}g} ± {self.error:.1e} {self.unit}".rstrip()
+
+    def __float__(self) -> float:
+        return self.value
+
+
+class Profile(NamedTuple):
+    """Pressure and film along the middle of a contact, arrays over the nodes of the finest grid."""
+
+    x: numpy.ndarray  # m, along the direction of entrainment from the middle of the contact
+    pressure: numpy.ndarray  # Pa
+    film: numpy.ndarray  # m
+
+
+class Film:
+    """A contact that is solved. Its numbers with an error have `.value`, `.error` and `.unit`:
+
+        central                 m   film in the middle
+        minimum                 m   the least film
+        at_greatest_pressure    m   film where the pressure is greatest
+        friction                    of the oil over the load; needs lubricant.eyring_stress
+        spike_pressure          Pa  of a line contact
+        spike_place             m
+        flooded_central         m   of a starved contact: its central film with a flooded inlet,
+        film_ratio                  and the central film over that
+
+    Where one is undefined its value is NaN, and `undefined` is a dict of the reasons, by name. `profile` has x, pressure and
+    film along the middle. `formulas` lists each formula's film; `half_width`, `peak_pressure`, `load_number` (M),
+    `material_number` (L), `tolerance`, `grids`, `cells`, `assumptions` and the rest are as in `tribocheck film --format
+    json`. `reason` is empty, or says that another error was reached in place of the tolerance. `warnings`: the limits that
+    the scene passes. str() has all that is measured, a line each.
+    """
+
+    def __init__(self, document: Mapping[str, Any]) -> None:
+        film = document["films"][0]
+        self.reason = ""
+        self.undefined: dict[str, str] = {}
+        self.warnings = [one["text"] for one in document["warnings"]]
+        self.measured: dict[str, Measured] = {}
+        for name, value in film.items():
+            if name == "undefined":
+                self.undefined = {_short(one): reason for one, reason in value.items()}
+            elif name == "profile":
+                self.profile = Profile(*(numpy.array(value[one]) for one in Profile._fields))
+            elif isinstance(value, dict) and "error" in value or name in film.get("undefined", ()):
+                one = value or {"value": math.nan, "error": math.nan}
+                unit = {"spike_pressure": "Pa", "friction": "", "film_ratio": ""}.get(name, "m")
+                self.measured[_short(name)] = Measured(one["value"], one["error"], unit)
+            else:
+                setattr(self, name, value)
+
+    def __getattr__(self, name: str) -> Any:
+        measured = self.__dict__.get("measured", {})
+        if name in measured:
+            return measured[name]
+        raise AttributeError(f"a Film of this contact has no {name}; its numbers are: {', '.join(measured)}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.measured]
+
+    def __str__(self) -> str:
+        rows = [f"{self.id} at {self.speed:g} m/s, solved"]
+        rows += [f"  {name:<22}{one}" for name, one in self.measured.items() if name not in self.undefined]
+        rows += [f"  {name:<22}undefined: {reason}" for name, reason in self.undefined.items()]
+        return "\n".join(rows + ([f"  {self.reason}"] if self.reason else []))
+
+    __repr__ = __str__
+
+
+def _short(name: str) -> str:
+    """central_film is .central, film_at_greatest_pressure .at_greatest_pressure."""
+    return name.removesuffix("_film").removeprefix("film_") if name != "film_ratio" else name
+
+
+class Scene:
+    """One contact: load, bodies, roughness, oil and speeds, as `tribocheck` reads it from a file.
+
+        >>> scene = tribocheck.Scene("scene.toml")
+        >>> scene.solve([0.01, 0.1]).film
+        array([7.06943154e-09, 2.58009855e-08])
+        >>> scene.onset()["film_maximum"].speed
+        0.1176...
+
+    source  the path of a file in TOML or JSON, such a text (with a line end, or of JSON), or a dict of the same shape.
+            model/README.md, section 1, has all fields with units, ranges and defaults
+
+    A fault in it is a ValueError that names the field, its value and what is allowed.
+
+    id        its name
+    outputs   those that it asks for, a dict {name: meaning, with its unit}
+    speeds    how many speeds it has
+    warnings  the limits of the model that it passes, and notes on what has no effect: texts
+    text      as the library reads it
+    """
+
+    def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any]) -> None:
+        name = "scene"
+        if isinstance(source, Mapping):
+            self.text = json.dumps(source, default=_plain)
+        elif isinstance(source, str) and ("\n" in source or source.lstrip().startswith("{")):
+            self.text = source
+        elif isinstance(source, (str, os.PathLike)):
+            name = pathlib.Path(source).stem
+            self.text = pathlib.Path(source).read_text(encoding="utf-8")
+        else:
+            raise TypeError(f"a scene is a path, a text or a dict, not {type(source).__name__}")
+        if "\0" in self.text:
+            raise ValueError("a scene has no sign 0")
+        about = json.loads(_library.describe_scene(self.text))
+        if about["id"] is None:  # as the program names it
+            self.text = (json.dumps({"id": name, **json.loads(self.text)}) if self.text.lstrip().startswith("{") else
+                         f"id = {json.dumps(name)}\n{self.text}")
+        self.id: str = about["id"] or name
+        self.speeds: int = about["speeds"]
+        self.outputs: dict[str, str] = {one["name"]: f"{one['meaning']}, {one['unit'] or '-'}" for one in about["outputs"] if one["asked"]}
+        self._words = {one["name"]: numpy.array([*one["words"], ""]) for one in about["outputs"] if one["words"]}
+        self.warnings: list[str] = [*about["notes"], *(one["text"] for one in about["warnings"])]
+
+    def __repr__(self) -> str:
+        return f"<tribocheck.Scene {self.id!r}, {self.speeds} speed{'' if self.speeds == 1 else 's'}>"
+
+    def solve(self, speeds: numpy.typing.ArrayLike | None = None, outputs: Iterable[str] | None = None) -> Points:
+        """The operating points at these speeds, with the bits of `tribocheck solve`.
+
+            >>> scene.solve(numpy.logspace(-3, 0, 200), outputs=["film", "regime"]).film
+
+        speeds   m/s, above 0: a number or an array; without it the scene's own
+        outputs  names, whether the scene asks for them or not; without it those that it asks for
+
+        A speed that is NaN, infinite or not above 0 is a ValueError that tells its index. Other threads run during
+        the call, and Ctrl-C ends it.
+        """
+        given = _library.speeds(self.text, False, self.speeds) if speeds is None else numpy.asarray(speeds)
+        return Points(**self._columns(given, outputs))
+
+    def curve(self, outputs: Iterable[str] | None = None) -> Curve:
+        """The Stribeck curve as `tribocheck curve` has it: over the scene's range of speeds, evenly in their logarithm, or at
+        its list of them. Its method plot() draws it.
+
+            >>> curve = scene.curve()
+            >>> curve.speed[curve.friction.argmin()]
+        """
+        return Curve(**self._columns(_library.speeds(self.text, True, self.speeds), outputs))
+
+    def _columns(self, speeds: numpy.ndarray, outputs: Iterable[str] | None) -> dict[str, Any]:
+        if isinstance(outputs, str):
+            raise TypeError(f"outputs: a list of names, as [{outputs!r}]")
+        names = [one for one in dict.fromkeys(self.outputs if outputs is None else outputs) if one != "speed"]
+        found = _library.solve(self.text, speeds, names)
+        columns = {"speed": numpy.asarray(speeds, float)[()]}
+        for name, column in zip(names, found, strict=True):
+            is_word = name in self._words  # what is undefined is the last one
+            columns[name] = self._words[name][numpy.nan_to_num(column, nan=-1).astype(numpy.intp)] if is_word else column[()]
+        return columns
+
+    def onset(self, departure: float = 0.05) -> dict[str, Onset]:
+        """The speeds at which starvation sets in, by each criterion: film_maximum, film_departure, friction_minimum and
+        asperity_minimum, with the bits of `tribocheck onset`.
+
+            >>> scene.onset(departure=0.1)["film_departure"].speed
+
+        departure  of film_departure: so much thinner than the flooded film is the film there, above 0 and below 1
+        """
+        def number(row: Mapping[str, Any], name: str) -> float:
+            return math.nan if row[name] is None else row[name]
+
+        return {row["criterion"]: Onset(*(number(row, name) for name in Onset._fields[:3]), next(iter(row.get("undefined", {}).values()), ""))
+                for row in json.loads(_library.onset(self.text, departure))["onsets"]}
+
+
+def film(scene: Scene | str | os.PathLike[str] | Mapping[str, Any], speed: float | None = None, tolerance: float | None = None, *,
+         viscosity: str | None = None, density: str | None = None, flooded: bool = False) -> Film:
+    """The film and the pressure of a smooth contact, solved from the Reynolds equation, as `tribocheck film` solves it.
+
+        >>> film = tribocheck.film("reference/scenes/roller.toml", speed=0.5)
+        >>> print(film.central)
+        3.008330e-08 ± 2.9e-13 m
+
+    scene      a Scene, or what tribocheck.Scene() takes; its roughness is not used
+    speed      m/s; without it the scene's one
+    tolerance  relative, of the films, from 1e-6 to 1e-2; without it 1e-4 of a line, 1e-3 of a circle or an ellipse
+    viscosity  the law "barus" or "roelands"; without it the scene's, else Barus'
+    density    "incompressible", the default, or "dowson_higginson"
+    flooded    takes the inlet as flooded, whatever the scene's supply
+
+    A line takes some tenths of a second, a circle or an ellipse from a second to minutes; Ctrl-C ends it. Arguments that are
+    not allowed are a ValueError, a contact that is not solved is a RuntimeError with the reason.
+    """
+    if not isinstance(scene, Scene):
+        scene = Scene(scene)
+    if speed is None and scene.speeds != 1:
+        raise ValueError(f"speed: the scene has {scene.speeds} speeds; allowed: one number above 0, in m/s")
+    request: dict[str, Any] = {"profile": True, "flooded": flooded}
+    for name, value in (("speed", speed), ("tolerance", tolerance)):
+        if value is not None:
+            if isinstance(value, (bool, str)) or numpy.ndim(value):
+                raise TypeError(f"{name}: {value!r} is no number")
+            if not math.isfinite(float(value)):
+                raise ValueError(f"{name}: {value} is not allowed; allowed: a finite number")
+            request[name] = float(value)
+    request |= {name: value for name, value in (("viscosity", viscosity), ("density", density)) if value is not None}
+    document = json.loads(_library.film(scene.text, json.dumps(request)))
+    if document["films"][0]["central_film"] is None:
+        raise RuntimeError(f"{scene.id}: not solved: {document['films'][0]['reason']}")
+    return Film(document)
+
+
+def _plain(value: Any) -> Any:
+    """A number or an array of numpy, for JSON."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a scene has no {type(value).__name__}")
