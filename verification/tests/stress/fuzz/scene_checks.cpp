@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace tribo::fuzz {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Parse = SceneReading (*)(std::string_view, std::string_view, SceneUse);
+using Parse = SceneReading (*)(std::string_view, std::string_view, SceneUse,
+                               std::span<const std::string_view>);
 
 constexpr std::string_view source = "fuzz";
 
@@ -348,7 +350,7 @@ void check_written_again(const Scene& scene) {
   const Json json = as_json(scene);
   for (const auto& [parse, text] : {std::pair{Parse(parse_scene_json), json.dump()},
                                     std::pair{Parse(parse_scene_toml), as_toml(json)}}) {
-    const SceneReading again = parse(text, source, SceneUse::onset);
+    const SceneReading again = parse(text, source, SceneUse::onset, {});
     require(again.errors.empty(), "a scene written again is read", text);
     require(same(*again.scene, scene), "a scene written again is the same", text);
   }
@@ -366,7 +368,7 @@ void check_scene(const SceneReading& reading, SceneUse use) {
 }
 
 SceneReading check_reading(Parse parse, std::string_view text, SceneUse use) {
-  SceneReading reading = parse(text, source, use);
+  SceneReading reading = parse(text, source, use, {});
   require(reading.scene.has_value() == reading.errors.empty(), "either a scene or errors");
   require(reading.errors.size() <= 51, "not more errors than anybody reads");
   for (const InputProblem& problem : reading.errors) check_problem(problem, text);
@@ -376,7 +378,7 @@ SceneReading check_reading(Parse parse, std::string_view text, SceneUse use) {
 }
 
 void check_read_again(Parse parse, std::string_view text, const SceneReading& reading) {
-  const SceneReading again = parse(text, source, SceneUse::onset);
+  const SceneReading again = parse(text, source, SceneUse::onset, {});
   require(same(reading, again), "a second reading gives the same");
 }
 
