@@ -120,22 +120,21 @@ void put_values(const OperatingPoints& points, const SmoothContact* smooth, Outp
     }
     return;
   }
-  // As value_of() has it, without a look at all the rest of each point.
-  const auto put = [&](const auto& column, const std::vector<double>& rests_on, bool may_collapse) {
-    const auto number = [](auto value) { return static_cast<double>(value); };
-    std::transform(column.begin(), column.begin() + std::ssize(to), to.begin(), number);
-    const bool is_finite =
-        all_finite(std::span(rests_on).first(std::min(rests_on.size(), to.size())));
-    for (std::size_t i = 0; !is_finite && i < to.size(); ++i)
-      if (!std::isfinite(rests_on[i])) to[i] = nan;
-    for (std::size_t i = 0; may_collapse && i < to.size(); ++i)
-      if (points.regime[i] == Regime::collapsed)
-        to[i] = output == Output::regime ? number(Regime::collapsed) : nan;
+  // As value_of() has it, without a look at all the rest of each point: what has collapsed is NaN.
+  const auto put = [&](const auto& column, const std::vector<double>& rests_on) {
+    std::transform(column.begin(), column.begin() + std::ssize(to), to.begin(),
+                   [](auto value) { return static_cast<double>(value); });
+    const std::size_t count = std::min(rests_on.size(), to.size());
+    if (all_finite({rests_on.data(), count})) return;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!std::isfinite(rests_on[i]) &&
+          !(output == Output::regime && points.regime[i] == Regime::collapsed))
+        to[i] = nan;
   };
-  if (output == Output::regime) return put(points.regime, points.asperity_load_share, true);
-  if (output == Output::inlet) return put(points.inlet, points.film, false);
+  if (output == Output::regime) return put(points.regime, points.asperity_load_share);
+  if (output == Output::inlet) return put(points.inlet, points.film);
   for_each_number(points, [&](Output one, const std::vector<double>& numbers) {
-    if (one == output) put(numbers, numbers, balance_outputs().contains(output));
+    if (one == output) put(numbers, numbers);
   });
 }
 
