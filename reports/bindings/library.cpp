@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -76,11 +78,21 @@ struct Request {
   std::string subject, format, mistakes;
 };
 
+// Read once from each file, as that takes longer than all else of a verdict.
+std::vector<Mistake> mistakes_of(const std::string& path) {
+  static std::mutex mutex;
+  static std::map<std::string, std::vector<Mistake>> kept;
+  const std::lock_guard lock(mutex);
+  const auto found = kept.find(path);
+  return found != kept.end() ? found->second
+                             : kept.emplace(path, read_mistakes(path)).first->second;
+}
+
 std::string verdict_text(const char* request, const char* answers, int& code) {
   Request asked(request);
   Conversation conversation = conversation_of(asked.cases, answers);
   put_back(asked.by.ways, asked.cases, conversation);
-  asked.by.mistakes = read_mistakes(asked.mistakes);
+  asked.by.mistakes = mistakes_of(asked.mistakes);
   const cli::SubjectVerdict verdict =
       verdict_on(asked.subject, asked.cases, std::move(conversation), asked.by);
   code = failures(verdict).empty() ? TRIBOCHECK_OK : TRIBOCHECK_WRONG;

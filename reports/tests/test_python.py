@@ -369,6 +369,23 @@ class Readme(unittest.TestCase):
             self.assertEqual(ran(f"import os\nos.chdir({ENVIRONMENT['TRIBOCHECK_ROOT']!r})\n" + example).splitlines(), expected)
 
 
+    def test_the_examples_of_the_help_print_what_they_say(self):
+        root = pathlib.Path(ENVIRONMENT["TRIBOCHECK_ROOT"])
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "scene.toml").write_text(re.search(r"```toml\n(id = .*?)```", (root / "README.md").read_text(), re.DOTALL)[1])
+            pathlib.Path(folder, "reference").symlink_to(root / "reference")
+            told = ran(f"""
+                import doctest, os
+                os.chdir({folder!r})
+                runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
+                given = {{"tribocheck": tribocheck, "numpy": np, "scene": tribocheck.Scene("scene.toml")}}
+                for module, recurse in ((tribocheck, False), (tribocheck._scenes, True)):
+                    for examples in doctest.DocTestFinder(recurse=recurse).find(module, extraglobs=given):
+                        runner.run(examples)
+                print(runner.summarize())""")
+        self.assertRegex(told, r"^TestResults\(failed=0, attempted=1\d\)\n$")
+
+
 class Check(unittest.TestCase):
     def judged(self, expression, start=""):
         return ran(textwrap.dedent(start) + FILM + f"try:\n    print(tribocheck.check({expression}))\nexcept AssertionError as error:\n    print('WRONG', error)")

@@ -9,7 +9,7 @@ sys.path.insert(0, str(PACKAGE.parent))
 import tribocheck  # noqa: E402
 from tribocheck._functions import catalogue  # noqa: E402
 
-HEAD = """from typing import Any, Callable, Generic, Literal, NamedTuple, Sequence, TypeVar, overload
+HEAD = """from typing import Any, Callable, Generic, Literal, NamedTuple, TypeVar, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -30,7 +30,7 @@ def stubs_of(entry):
         yield f"class {kind}(NamedTuple, Generic[_T]):\n" + "".join(f"    {one['name']}: _T\n" for one in results)
     words = {one["name"]: f"Literal[{', '.join(map(repr, one['words']))}]" for one in entry["parameters"] if "words" in one}
     for number, result in (("float", "float"), ("ArrayLike", "_Array")):
-        kinds = {one: text + (" | Sequence[str]" if number == "ArrayLike" else "") for one, text in words.items()}
+        kinds = {one: text + (" | list[str] | NDArray[numpy.str_]" if number == "ArrayLike" else "") for one, text in words.items()}
         kinds["masked"] = "bool" if number == "ArrayLike" else "Literal[False]"
         given, by_name = [], False
         for one in inspect.signature(tribocheck.functions[name]).parameters.values():
