@@ -246,7 +246,7 @@ class Copy:
              "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12", "-DTRIBOCHECK_BUILD_REFERENCES=ON",
              "-DTRIBOCHECK_BUILD_TESTS=ON"])
         run(["cmake", "--build", self.build, "-j", str(len(os.sched_getaffinity(0))), "--target", "tribocheck",
-             "generate_references", "json_schema_test", "own_model", "own_model_plugin"])
+             "generate_references", "json_schema_test", "own_model", "own_model_plugin", "tribocheck_python", "tribocheck_octave"])
         made = {file for kind in kinds for file in kind.made}
         if SCHEMA in made:
             run([self.program("json_schema_test")], env={**os.environ, "TRIBOCHECK_UPDATE_SCHEMA": "1"})
@@ -256,7 +256,7 @@ class Copy:
     def program(self, name):
         places = {"tribocheck": "", "generate_references": "reference/generators", "json_schema_test": "verification/tests",
                   "own_model": "verification/conformance/subjects"}
-        return self.build / places[name] / name
+        return self.build / places.get(name, "") / name  # a path stays as it is
 
     @functools.cached_property
     def verified(self):

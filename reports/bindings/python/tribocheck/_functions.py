@@ -25,7 +25,7 @@ def _range(parameter):
 
 
 def _docstring(entry):
-    rows = [f"{entry['meaning']}.".capitalize(), "", f"    {entry['equation']}", "",
+    rows = [entry["meaning"][0].upper() + entry["meaning"][1:] + ".", "", f"    {entry['equation']}", "",
             "Arguments, each a number or an array (of words: a text or an array of texts):", ""]
     for one in entry["parameters"]:
         default = f"; default {one['default']}" if "default" in one else ""
