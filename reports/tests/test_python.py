@@ -478,6 +478,7 @@ class Wheel(unittest.TestCase):
                            env=ENVIRONMENT | {"TRIBOCHECK_BUILD": str(PACKAGE.parents[2])})
             wheel, = pathlib.Path(folder).glob("tribocheck-*-cp311-cp311-linux_x86_64.whl")
             with zipfile.ZipFile(wheel) as archive:
+                self.assertLess({f"tribocheck/{name}" for name in ("__init__.pyi", "_functions.pyi", "_scenes.py", "py.typed")}, {*archive.namelist()})
                 archive.extractall(f"{folder}/site")
             pathlib.Path(folder, "test_mine.py").write_text("import tribocheck\n\ndef test_circle():\n"
                                                             "    tribocheck.check(tribocheck.hertz_point, 'hertz_point')\n"
