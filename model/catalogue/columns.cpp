@@ -23,9 +23,10 @@ bool is_legal(const Parameter& parameter, double number) {
          number == std::trunc(number);
 }
 
-// The loop is compiled for vectors of 16, 32 and 64 bytes: it has to be faster than what it guards.
-// The sanitizers run before the loader can choose.
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+// On x86-64 the loop is compiled for vectors of 16, 32 and 64 bytes: it has to be faster than what
+// it guards. The sanitizers run before the loader can choose.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
 [[gnu::target_clones("avx512f", "avx2", "default")]]
 #endif
 bool are_between(const double* column, std::size_t count, double least, double greatest) {

@@ -30,6 +30,8 @@
 #define TRIBO_SLEEF_MANY(name, error) Sleef_finz_##name##d4_##error##avx2
 #elif HWY_TARGET == HWY_SSE4
 #define TRIBO_SLEEF_FEW(name, error) Sleef_cinz_##name##d2_##error##sse4
+#elif HWY_TARGET == HWY_NEON
+#define TRIBO_SLEEF_FEW(name, error) Sleef_finz_##name##d2_##error##advsimd
 #else
 #define TRIBO_SLEEF_ONE(name, error) Sleef_cinz_##name##d1_##error##purec
 #endif
@@ -55,6 +57,16 @@ using Raw = decltype(hn::Vec<hn::ScalableTag<double>>().raw);
       return hn::Vec<D>{TRIBO_SLEEF_FEW(name, error)(x.raw)};  \
     else                                                       \
       return hn::Vec<D>{TRIBO_SLEEF_MANY(name, error)(x.raw)}; \
+  }
+#elif HWY_TARGET == HWY_NEON  // one lane is half of a register
+#define TRIBO_ELEMENTARY_FUNCTION(function, name, error)                                         \
+  extern "C" float64x2_t TRIBO_SLEEF_FEW(name, error)(float64x2_t);                              \
+  template <class D>                                                                             \
+  HWY_INLINE hn::Vec<D> function(D, hn::Vec<D> x) {                                              \
+    if constexpr (hn::MaxLanes(D()) == 1)                                                        \
+      return hn::Vec<D>{vget_low_f64(TRIBO_SLEEF_FEW(name, error)(vcombine_f64(x.raw, x.raw)))}; \
+    else                                                                                         \
+      return hn::Vec<D>{TRIBO_SLEEF_FEW(name, error)(x.raw)};                                    \
   }
 #elif defined(TRIBO_SLEEF_FEW)
 #define TRIBO_ELEMENTARY_FUNCTION(function, name, error)    \

@@ -14,22 +14,13 @@
 
 namespace tribo::detail {
 
-#ifdef TRIBOCHECK_ASKS_C_LIBRARY
-
-bool has_fma() { return CPU_FEATURE_ACTIVE(FMA); }
-
 // In Highway's masks the better target has the lower bit.
 std::int64_t switched_off_targets() {
-  if (!CPU_FEATURE_ACTIVE(AVX2) || !has_fma()) return HWY_SSE4 - 1;
+#ifdef TRIBOCHECK_ASKS_C_LIBRARY
+  if (!CPU_FEATURE_ACTIVE(AVX2) || !CPU_FEATURE_ACTIVE(FMA)) return HWY_SSE4 - 1;
   if (!CPU_FEATURE_ACTIVE(AVX512F)) return HWY_AVX2 - 1;
+#endif
   return 0;
 }
-
-#else
-
-bool has_fma() { return __builtin_cpu_supports("fma"); }
-std::int64_t switched_off_targets() { return 0; }
-
-#endif
 
 }  // namespace tribo::detail

@@ -9,9 +9,6 @@
 
 namespace tribo::detail {
 
-// Fused multiply-add.
-bool has_fma();
-
 // Highway's targets that need an instruction set which is switched off or not there.
 std::int64_t switched_off_targets();
 

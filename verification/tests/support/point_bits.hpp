@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// All bits of an operating point, to compare two that have to be the same.
+// All bits of an operating point, to compare two that have to be the same. NaN is one number: its
+// sign has no meaning, and is another on another processor.
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "tribo/operating_point.hpp"
@@ -13,7 +16,8 @@ namespace tribo::verification {
 inline std::vector<std::uint64_t> bits_of(const OperatingPoint<double>& point) {
   std::vector<std::uint64_t> bits{std::bit_cast<std::uint64_t>(point.speed)};
   for (const double number : numbers_of(point))
-    bits.push_back(std::bit_cast<std::uint64_t>(number));
+    bits.push_back(std::bit_cast<std::uint64_t>(
+        std::isnan(number) ? std::numeric_limits<double>::quiet_NaN() : number));
   bits.push_back(static_cast<std::uint64_t>(point.regime));
   bits.push_back(static_cast<std::uint64_t>(point.inlet));
   return bits;
