@@ -7,7 +7,7 @@ clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 # What is packed has the date of its commit.
 same_dates = SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct 2>/dev/null || date +%s)
 
-.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -60,7 +60,7 @@ clean: ## remove build/ and the last report
 
 help: ## print this list
 	@awk -F ':.*## ' '/^##@ / { printf "\n%s\n", substr($$0, 5) } \
-	  /^[a-z-]+:.*## / { printf "  %-17s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	  /^[a-z0-9-]+:.*## / { printf "  %-17s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 ##@ What is right
 test-elsewhere: ## run the built tests as on a machine without AVX-512, and on one without AVX2 and FMA; some 15 minutes
@@ -73,6 +73,9 @@ thread-check: ## four threads call libtribocheck.so at once under ThreadSanitize
 	clang-14 -std=c99 -g -fsanitize=thread -Ireports/bindings -Iverification/conformance reports/tests/library_user.c \
 	  -Lbuild/threads/reports/bindings -Wl,-rpath,$(CURDIR)/build/threads/reports/bindings -ltribocheck -lm -o build/threads/library_user
 	build/threads/library_user threads
+
+arm64: ## cross compile for arm64 in a Debian of its own, run tests of formulas, engine, scenes and tables under qemu; an hour or more
+	.ci/arm64
 
 test-slow: build ## run ten million lines, a billion points, 300 kills, 150 tries, 200 pairs, 200 attacks, 500 forged results, each write failing, the scripts of CI in a clean root; some 40 minutes
 	@.ci/deps test
