@@ -111,7 +111,8 @@ TRIBOCHECK_EXPORT int tribocheck_describe(char* text, size_t size, size_t* lengt
 
 TRIBOCHECK_EXPORT int tribocheck_call(const char* name, size_t count, const double* const* argument,
                                       const size_t* step, double* const* result, int* status) {
-  const catalogue::Function* const function = catalogue::function_named(name);
+  const catalogue::Function* const function =
+      name == nullptr ? nullptr : catalogue::function_named(name);
   if (function == nullptr) return 0;
   return catalogue::values_at(*function, count, argument, step, result, status) == 0 ? 1 : 2;
 }

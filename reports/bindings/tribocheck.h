@@ -23,7 +23,7 @@
 extern "C" {
 #endif
 
-/* The code that a call returns, as the program's exit code. */
+/* The code that a call returns, as the program's exit code; tribocheck_call() has others. */
 enum {
   TRIBOCHECK_OK = 0,     /* done; of a verdict: all that is offered holds */
   TRIBOCHECK_WRONG = 1,  /* of a verdict: something fails, or nothing was answered */
@@ -58,10 +58,10 @@ int tribocheck_number(const char* with_unit, const char* unit, double* number);
 
 /* A scene is its text, TOML or JSON (that whose first sign is {), at most 1 MiB, as in files:
  * model/README.md, section 1. The fault in one is told in one line, "scene: load: -3 is not allowed;
- * allowed: a number above 0, in N", with TRIBOCHECK_REFUSED. What is told of it here: {"id": "a ball"
+ * allowed: a number above 0, in N", with TRIBOCHECK_REFUSED. Told here: {"id": "a ball"
  * or null, "speeds": how many, "outputs": all that there are, each with its name, whether the scene
  * asks for it ("asked"), unit, words (in the order of their codes; none: a number) and meaning, "warnings": the limits of the model that it
- * passes, as in the documents of the program, "notes": lines about what has no effect}. A scene that
+ * exceeds, as in the documents of the program, "notes": lines about what has no effect}. A scene that
  * has enough for solved films alone asks for no output. */
 int tribocheck_describe_scene(const char* scene, char* text, size_t size, size_t* length);
 

@@ -76,7 +76,7 @@ class Functions(unittest.TestCase):
                 self.assertIn(words, text)
         text = ran("help tribocheck_hertz_ellipse\nhelp tribocheck_nijenbanning_venner_moes\nhelp tribocheck_check")
         for words in ["tribocheck_hertz_ellipse (load, effective_modulus, radius_x, radius_y)\n", "load                    N       F\n",
-                      "a number above 0; of contacts on earth 0.001 to 1e+06", "peak_pressure           Pa ",
+                      "a number above 0; usual: 0.001 to 1e+06", "peak_pressure           Pa ",
                       "one of ei_over_ri, ei_over_ep; default 'ei_over_ri'", 'tribocheck_check (@my_film, "hamrock_dowson_central")']:
             self.assertIn(words, text)
         examples = re.findall(r"^% +(tribocheck_\w+ \(.*\))\nfunction", "".join(path.read_text() for path in FOLDER.glob("*.m")), re.MULTILINE)
@@ -230,6 +230,8 @@ class Check(unittest.TestCase):
                      "@sin, 'hertz_point', 'colour', 1": "argument 3 is no option; allowed: tolerance, ", "@sin, 'hertz_point', 'sample'": "sample has no value",
                      "@sin, 'hertz_point', 'tolerance', 'loose'": "loose: cannot be read", "@sin, 'hertz_point', 'tolerance', 3": "tolerance: 3 is not allowed",
                      "@sin, 'hertz_point', 'units', struct ('load', 'mm')": '"mm" is no unit of N',
+                     "@sin, 'hertz_point', 'units', struct ('force', 'N')": 'units: "force" is no argument or result of hertz_point; allowed: ',
+                     "@sin, 'hertz_point', 'units', 'mN'": 'units: a struct is wanted',
                      "@sin, 'hertz_point', 'modulus', 'bodies'": 'effective_modulus is no argument of the question; "arguments" has the names'}
         for expression, text in zip(questions, self.judged(*questions), strict=True):
             self.assertEqual(text, f"ERROR tribocheck_check: {text.removeprefix('ERROR tribocheck_check: ')}")

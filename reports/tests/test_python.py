@@ -71,9 +71,17 @@ class Functions(unittest.TestCase):
             print(json.dumps(found))"""))
         self.assertEqual(found, expected)
 
+    def test_results_and_scenes_are_pickled(self):
+        self.assertEqual(ran(f"""
+            import pickle
+            contact, scene = tribocheck.hertz_point(50, 1e11, 0.01), tribocheck.Scene({str(SCENES / "roller.toml")!r})
+            assert pickle.loads(pickle.dumps(contact)) == contact
+            assert pickle.loads(pickle.dumps(scene)).text == scene.text
+            print("same")"""), "same\n")
+
     def test_help_names_units_ranges_words_and_results(self):
         text = ran("help(tribocheck.hertz_ellipse); help(tribocheck.load_sharing); print(tribocheck.__version__)")
-        for words in ["load                    N       F", "a number above 0; of contacts on earth 0.001 to 1e+06", "peak_pressure           Pa",
+        for words in ["load                    N       F", "a number above 0; usual: 0.001 to 1e+06", "peak_pressure           Pa",
                       "one of greenwood_tripp, greenwood_williamson", ">>> tribocheck.hertz_ellipse(load="]:
             self.assertIn(words, text)
 
@@ -256,6 +264,8 @@ class Scenes(unittest.TestCase):
                 ("scene.solve(1, ['colour'])", 'ValueError: scene: outputs[0]: "colour" is not known; allowed: '),
                 ("scene.solve(1, 'film')", "TypeError: outputs: a list of names, as ['film']"), ("scene.solve(1).colour", "AttributeError: no output colour was computed; there are: speed, film_flooded"),
                 ("scene.onset(departure=1)", "ValueError: departure: 1 is not allowed; allowed: "),
+                ("scene.onset(departure='5 %')", "TypeError: departure: '5 %' is no number; allowed: a number above 0 and below 1"),
+                ("setattr(scene, 'load', 60)", "AttributeError: 'Scene' object has no attribute 'load'"),
                 ("tribocheck.Scene('nowhere.toml')", "FileNotFoundError: "), ("tribocheck.Scene(3)", "TypeError: a scene is a path, a text or a dict, not int"),
                 ("tribocheck.Scene(scene.text.replace('load = 50', 'load = -3'))", "ValueError: scene: load: -3 is not allowed; allowed: a number above 0, in N"),
                 ("tribocheck.Scene({'load': object()})", "TypeError: a scene has no object"), ("tribocheck.Scene('a\\0\\n')", "ValueError: a scene has no sign 0")]:
@@ -317,10 +327,14 @@ class Films(unittest.TestCase):
         expected, = run("film", SCENES / "roller.toml", "--speed", "0.5", *options, "--profile", "--format", "json").json()["films"]
         found, central, text, dirs = json.loads(ran(f"""
             film = tribocheck.film({str(SCENES / "roller.toml")!r}, 0.5, 1e-3, viscosity="barus", density="dowson_higginson")
-            assert film.central.value == film.central[0] == float(film.central) and film.central.unit == "m"
-            print(json.dumps([[film.central, film.minimum, film.at_greatest_pressure, film.friction, film.profile.film.tolist(), film.tolerance, film.formulas],
+            assert film.central.value == float(film.central) and film.central.unit == "m"
+            films = [[one.value, one.error] for one in (film.central, film.minimum, film.at_greatest_pressure, film.friction)]
+            try: 2 * film.central
+            except TypeError: pass
+            else: raise AssertionError("a number with an error is no tuple")
+            print(json.dumps([[*films, film.profile.film.tolist(), film.tolerance, film.formulas],
                               str(film.central), str(film), dir(film)]))"""))
-        self.assertEqual([one[:2] for one in found[:4]], [[expected[name][key] for key in ("value", "error")] for name in
+        self.assertEqual(found[:4], [[expected[name][key] for key in ("value", "error")] for name in
                                                           ("central_film", "minimum_film", "film_at_greatest_pressure", "friction")])
         self.assertEqual(found[4:], [expected["profile"]["film"], expected["tolerance"], expected["formulas"]])
         self.assertRegex(central, r"^\d\.\d+e-08 ± \d\.\de-\d\d m$")
@@ -443,7 +457,12 @@ class Check(unittest.TestCase):
     def test_a_bad_question_is_a_value_error(self):
         for expression, words in [("check(abs, 'hertz')", 'ValueError: no function is called "hertz"'), ("check(abs)", "TypeError: check() needs the name"),
                                   ("check(abs, 'hertz_point', 'loose')", "ValueError: loose: cannot be read"),
-                                  ("check(abs, 'hertz_point', units={'load': 'mm'})", 'ValueError: "0 mm" is no number in a unit of N')]:
+                                  ("check(abs, 'hertz_point', units={'load': 'mm'})", 'ValueError: "0 mm" is no number in a unit of N'),
+                                  ("check(abs, 'hertz_point', units={'force': 'N'})", 'ValueError: units: "force" is no argument or result of hertz_point; allowed: load, '),
+                                  ("check({'hertz_point': abs}, arguments={'force': 'F'})", 'ValueError: arguments: "force" is no argument or result of hertz_point'),
+                                  ("check(abs, 'hertz_point', units='mN')", "TypeError: units: 'mN' is no dict"), ("check({})", "TypeError: check(): {} is no function"),
+                                  ("check({'hertz_point': abs}, 'hertz_line')", "TypeError: check(): a dict has the names of its functions"),
+                                  ("check(abs, 'hertz_point', sample=-1)", "ValueError: sample: -1 is not allowed")]:
             self.assertIn(words, raised("tribocheck." + expression))
 
 

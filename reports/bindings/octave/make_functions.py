@@ -20,7 +20,7 @@ def parameter_rows(one):
         allowed = "one of " + ", ".join(one["words"])
     else:
         least, greatest = one["physical"]
-        allowed = f"{one['allowed']}; of contacts on earth {least:g} to {greatest:g}"
+        allowed = f"{one['allowed']}; usual: {least:g} to {greatest:g}"
     default = f"; default {one['default']!r}" if "default" in one else ""
     return [row(one), f"    {'':<32}{allowed}{default}"]
 
@@ -38,7 +38,7 @@ def text_of(entry):
             *(line for one in entry["parameters"] for line in parameter_rows(one)), "",
             "One that is NaN, infinite or not allowed is an error that tells its index.", "",
             "Result:" if len(results) == 1 else "Results, in a struct:", "", *map(row, results), "",
-            "An infinity is a result that no double holds.", f"Source: {entry['source']}.", "", f"    {name} ({example})"]
+            "A result too large for a double is infinite.", f"Source: {entry['source']}.", "", f"    {name} ({example})"]
     comment = "".join(f"% {line}".rstrip() + "\n" for line in rows)
     return f"{comment}function answer = {name} (varargin)\n  answer = called ('{entry['name']}', varargin);\nend\n"
 

@@ -52,6 +52,7 @@ function text = tribocheck_check (solver, varargin)
     end
   end
   names = fieldnames (solver);
+  refuse_unknown (names, own.units);
   for k = 1:numel (names)
     request.functions = names(k);
     questions{k} = strsplit (strtrim (told ('cases', jsonencode (request))), char (10));
@@ -70,6 +71,24 @@ function text = tribocheck_check (solver, varargin)
   end
   if code ~= 0
     error ('tribocheck:wrong', '%s', text);
+  end
+end
+
+% A unit for a name that no function has would be left aside, and the verdict be on another function.
+function refuse_unknown (functions, units)
+  if ~isstruct (units)
+    error ('tribocheck:argument', 'tribocheck_check: units: a struct is wanted, as struct ("viscosity", "mPa s")');
+  end
+  all = catalogue ();
+  known = {};
+  for one = functions(isfield (all, functions))'
+    entry = all.(one{1});
+    known = [known, entry.arguments, entry.fields];
+  end
+  unknown = setdiff (fieldnames (units), known);
+  if ~isempty (unknown)
+    error ('tribocheck:argument', 'tribocheck_check: units: "%s" is no argument or result of %s; allowed: %s', unknown{1}, ...
+           strjoin (functions', ', '), strjoin (unique (known), ', '));
   end
 end
 

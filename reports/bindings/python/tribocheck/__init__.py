@@ -14,13 +14,13 @@ Each function of `tribocheck functions` is here by its name, for numbers and arr
     0.00014890...
 
 `help(tribocheck.hertz_point)` has its units, ranges and source; `tribocheck.functions` is the list of all.
-tribocheck.check() holds a function of yours to certified values.
+tribocheck.check() holds a function of yours to certified values. Begin with help(tribocheck.Scene).
 """
 from . import _library
 from ._check import check
-from ._functions import functions
+from ._functions import functions, kinds
 from ._scenes import Curve, Film, Measured, Onset, Points, Profile, Scene, film
 
 __version__ = _library.version()
-globals().update(functions)
+globals().update(functions | kinds)
 __all__ = ["Curve", "Film", "Measured", "Onset", "Points", "Profile", "Scene", "check", "film", "functions", *functions]

@@ -123,6 +123,18 @@ def _column(value, count):
     return [str(one) if isinstance(one, complex) else one for one in column]
 
 
+def _refuse_unknown(functions, **renamed):
+    """Names that no function has would be left aside, and the verdict be on another function."""
+    known = dict.fromkeys(one["name"] for name in functions if name in catalogue
+                          for one in [*catalogue[name]["parameters"], *catalogue[name]["results"]])
+    for option, names in renamed.items():
+        if names is not None and not isinstance(names, dict):
+            raise TypeError(f"{option}: {names!r} is no dict, as {{'speed': …}}")
+        for name in names or {}:
+            if name not in known:
+                raise ValueError(f'{option}: "{name}" is no argument or result of {", ".join(functions)}; allowed: {", ".join(known) or "none"}')
+
+
 def check(solver, function=None, tolerance="engineering", *, arguments=None, units=None, modulus="E*", ellipticity="k", sample=0,
           name=None):
     """Holds a function of yours to the certified values of a function of the catalogue.
@@ -131,16 +143,16 @@ def check(solver, function=None, tolerance="engineering", *, arguments=None, uni
             tribocheck.check(my_film, "hamrock_dowson_central")
 
     The function is called with the arguments of the catalogue by name, in SI units: with arrays, or number by
-    number where it takes none. It returns its result; of several all in the order of the catalogue, a dict, or
-    what has them as attributes. What it leaves out, and questions for which it raises NotImplementedError, are
-    not judged. An operating point is one dict, a scene with one speed, and returns a dict.
+    number where it takes none. It returns its result; where there are several, a tuple in the order of the
+    catalogue, a dict, or an object with these attributes. Results that it leaves out, and questions for which it
+    raises NotImplementedError, are not judged. An operating point is one dict, a scene with one speed, and returns a dict.
 
     solver      the function, or a dict {name in the catalogue: function}: then causes that follow from
                 another function are told, too
     function    its name in the catalogue; operating_point is one, too
     tolerance   "engineering" (1e-6), "strict" (the bound of the catalogue), or the path of a file
-    arguments   other names that it takes: {"speed": "u_mean"}
-    units       other units of arguments and results: {"viscosity": "mPa s"}
+    arguments   other names that it takes, by those of the catalogue: {"speed": "u_mean"}
+    units       other units of arguments and results, by the names of the catalogue: {"viscosity": "mPa s"}
     modulus     "E'" where it takes E' = 2E*, "bodies" where it takes both bodies
     ellipticity "radii" where a film takes both radii
     sample      cases of each function at most; 0: all
@@ -154,6 +166,13 @@ def check(solver, function=None, tolerance="engineering", *, arguments=None, uni
             raise TypeError("check() needs the name of the function in the catalogue")
         name = name or getattr(solver, "__name__", "the solver")
         solver = {function: solver}
+    elif not isinstance(solver, dict) or not solver:
+        raise TypeError(f"check(): {solver!r} is no function, and no dict {{name in the catalogue: function}} with one or more")
+    elif function is not None:
+        raise TypeError("check(): a dict has the names of its functions; leave out the second argument")
+    if sample < 0:
+        raise ValueError(f"sample: {sample} is not allowed; allowed: 0 (all), or a whole number above 0")
+    _refuse_unknown(list(solver), arguments=arguments, units=units)
     request = {"tolerance": tolerance, "modulus": modulus, "ellipticity": ellipticity, "sample": sample}
     lines = []
     for one, its_function in solver.items():

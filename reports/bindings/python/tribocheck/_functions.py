@@ -21,7 +21,7 @@ def _range(parameter):
     if "words" in parameter:
         return "one of " + ", ".join(parameter["words"])
     least, greatest = parameter["physical"]
-    return f"{parameter['allowed']}; of contacts on earth {least:g} to {greatest:g}"
+    return f"{parameter['allowed']}; usual: {least:g} to {greatest:g}"
 
 
 def _docstring(entry):
@@ -34,8 +34,11 @@ def _docstring(entry):
              "Result:" if len(entry["results"]) == 1 else "Results, by name:", ""]
     rows += [f"    {one['name']:<24}{_unit(one):<8}{one['meaning']}" for one in entry["results"]]
     example = ", ".join(f"{name}={value!r}" for name, value in entry["example"].items() if name != "function")
-    return "\n".join([*rows, "", "An infinity is a result that no double holds.",
+    return "\n".join([*rows, "", "A result too large for a double is infinite.",
                       f"Source: {entry['source']}.", "", f"    >>> tribocheck.{entry['name']}({example})"])
+
+
+kinds = {}  # the types of results, by their names
 
 
 def _made(entry):
@@ -51,6 +54,7 @@ def _made(entry):
         for one in entry["results"]:
             getattr(kind, one["name"]).__doc__ = f"{one['meaning']}, {_unit(one)}"
         scope["_make"] = kind._make
+        kinds[kind.__name__] = kind
         call = f"_make({call})"
     given = [one["name"] + (f"={one['default']!r}" if "default" in one else "") for one in entry["parameters"]]
     # An argument without a default may follow one that has it: from there on all are given by name.

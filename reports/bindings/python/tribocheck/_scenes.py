@@ -2,9 +2,10 @@
 """Scenes: operating points, Stribeck curves, onsets of starvation, and solved films."""
 from __future__ import annotations
 
-import collections
+import dataclasses
 import json
 import math
+import numbers
 import os
 import pathlib
 import types
@@ -36,7 +37,7 @@ class Curve(Points):
             >>> scene.curve().plot()    # doctest: +SKIP
 
         axes    a list of as many as outputs are drawn; without it a figure is made
-        outputs of them those that the curve has
+        outputs names; those that the curve does not have are left out
         """
         outputs = [name for name in outputs if hasattr(self, name)]
         if not outputs:
@@ -64,8 +65,9 @@ class Onset(NamedTuple):
     reason: str
 
 
-class Measured(NamedTuple):
-    """A number and what it may be off by, which prints as `3.008330e-08 ± 2.9e-13 m`."""
+@dataclasses.dataclass(frozen=True)
+class Measured:
+    """A number and what it may be off by, which prints as `3.008330e-08 ± 2.9e-13 m`. Calculate with its `.value`."""
 
     value: float
     error: float
@@ -105,7 +107,7 @@ class Film:
     film along the middle. `formulas` lists each formula's film; `half_width`, `peak_pressure`, `load_number` (M),
     `material_number` (L), `tolerance`, `grids`, `cells`, `assumptions` and the rest are as in `tribocheck film --format
     json`. `reason` is empty, or says that another error was reached in place of the tolerance. `warnings`: the limits that
-    the scene passes. str() has all that is measured, a line each.
+    the scene exceeds. str() has all that is measured, a line each.
     """
 
     central: Measured
@@ -172,29 +174,38 @@ class Scene:
     source  the path of a file in TOML or JSON, such a text (with a line end, or of JSON), or a dict of the same shape.
             model/README.md, section 1, has all fields with units, ranges and defaults
 
-    A fault in it is a ValueError that names the field, its value and what is allowed.
+    A fault in it is a ValueError that names the field, its value and what is allowed. A Scene does not change: another load
+    is another Scene.
 
     id        its name
     outputs   those that it asks for, a dict {name: meaning, with its unit}
     speeds    how many speeds it has
-    warnings  the limits of the model that it passes, and notes on what has no effect: texts
+    warnings  the limits of the model that it exceeds, and notes on what has no effect: texts
     text      as the library reads it
     """
 
+    __slots__ = ("text", "id", "speeds", "outputs", "warnings", "_words")  # so that scene.load = 60 is an error
+
     def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any]) -> None:
-        name = "scene"
+        name, place = "scene", "scene"
         if isinstance(source, Mapping):
             self.text = json.dumps(source, default=_plain)
         elif isinstance(source, str) and ("\n" in source or source.lstrip().startswith("{")):
             self.text = source
         elif isinstance(source, (str, os.PathLike)):
-            name = pathlib.Path(source).stem
-            self.text = pathlib.Path(source).read_text(encoding="utf-8")
+            name, place = pathlib.Path(source).stem, os.fspath(source)
+            try:
+                self.text = pathlib.Path(source).read_text(encoding="utf-8")
+            except UnicodeDecodeError:
+                raise ValueError(f"{place}: the file is no text in UTF-8") from None
         else:
             raise TypeError(f"a scene is a path, a text or a dict, not {type(source).__name__}")
         if "\0" in self.text:
             raise ValueError("a scene has no sign 0")
-        about = json.loads(_library.describe_scene(self.text))
+        try:
+            about = json.loads(_library.describe_scene(self.text))
+        except ValueError as error:
+            raise ValueError(place + str(error).removeprefix("scene")) from None
         if about["id"] is None:  # as the program names it
             self.text = (json.dumps({"id": name, **json.loads(self.text)}) if self.text.lstrip().startswith("{") else
                          f"id = {json.dumps(name)}\n{self.text}")
@@ -250,8 +261,10 @@ class Scene:
             >>> scene.onset(departure=0.1)["film_departure"].speed > scene.onset()["film_departure"].speed
             True
 
-        departure  of film_departure: so much thinner than the flooded film is the film there, above 0 and below 1
+        departure  for film_departure: the part by which the film is thinner there than the flooded film, above 0 and below 1
         """
+        if isinstance(departure, bool) or not isinstance(departure, numbers.Real):
+            raise TypeError(f"departure: {departure!r} is no number; allowed: a number above 0 and below 1")
         def number(row: Mapping[str, Any], name: str) -> float:
             return math.nan if row[name] is None else row[name]
 
@@ -269,12 +282,12 @@ def film(scene: Scene | str | os.PathLike[str] | Mapping[str, Any], speed: float
 
     scene      a Scene, or what tribocheck.Scene() takes; its roughness is not used
     speed      m/s; without it the scene's one
-    tolerance  relative, of the films, from 1e-6 to 1e-2; without it 1e-4 of a line, 1e-3 of a circle or an ellipse
+    tolerance  relative, of the films, from 1e-6 to 1e-2; without it 1e-4 for a line contact, 1e-3 for a point contact
     viscosity  the law "barus" or "roelands"; without it the scene's, else Barus'
     density    "incompressible", the default, or "dowson_higginson"
     flooded    takes the inlet as flooded, whatever the scene's supply
 
-    A line takes some tenths of a second, a circle or an ellipse from a second to minutes; Ctrl-C ends it. Arguments that are
+    A line contact takes some tenths of a second, a point contact from a second to minutes; Ctrl-C ends it. Arguments that are
     not allowed are a ValueError, a contact that is not solved is a RuntimeError with the reason.
     """
     if not isinstance(scene, Scene):
