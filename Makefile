@@ -151,7 +151,7 @@ diagnosis: build ## put every fake, alone and together, to verify --subject: wri
 	  /usr/bin/python3 -B diagnosis_ledger.py $(CURDIR)/reference/baselines/diagnosis.json \
 	  $(CURDIR)/build/release/verification/tests/diagnosis_test
 
-additions: ## add a field, law, closure, output, criterion, function and section to a scratch copy, see each work, count its files; some three minutes
+additions: ## add a field, law, closure, output, criterion, function and section to a scratch copy, see each work, count its files; some four minutes
 	@.ci/deps build report references test
 	verification/gates/additions/prove.py
 

@@ -73,7 +73,7 @@ void estimate_all(SolvedPoint& solved, const PointContact& contact,
     return e;
   };
   // Where the order is not near the second, one Richardson's value and a grid beside are better
-  // than the sum of the changes: on 29 contacts of `make point-survey` whose three grids missed
+  // than the sum of the changes: on 30 contacts of `make point-survey` whose three grids missed
   // their tolerance no error was below the true one by these shares.
   constexpr double of_waver = 3, of_irregular = 1;
   constexpr Caution away_from_edge{
