@@ -264,18 +264,21 @@ TEST(SolvedPoint, ErrorsHoldAgainstAFinerGrid) {
   }
 }
 
-// The least film of a liquid of constant viscosity comes nearer by more than the second order says.
+// The least film comes nearer by more than the second order says. A tolerance that leaves no room
+// for the grid's ends would leave out the grid beside, without which both errors are above 2 %.
 TEST(SolvedPoint, GridBesideThreeGridsTellsTheErrorOfAnIrregularFilm) {
-  const ehl::PointContact contact = ehl::barus_point(20, 0);
-  const auto on = [&](Eigen::Index nodes) {
-    return ehl::solve_point_film(contact, {.tolerance = 1e-9, .greatest_nodes = nodes});
-  };
-  const ehl::SolvedPoint coarse = on(25'000), fine = on(90'000);
-  ASSERT_EQ(coarse.grids, 3);
-  ASSERT_TRUE(std::isnan(coarse.minimum.order));
-  EXPECT_TRUE(is_estimated(coarse.minimum, fine.minimum.value, 0));
-  EXPECT_LT(coarse.minimum.relative_error(), 0.03);
-  EXPECT_EQ(fine.grids, 4);
+  for (const double material : {0., 2.5}) {
+    const ehl::PointContact contact = ehl::barus_point(20, material);
+    const ehl::SolvedPoint coarse =
+        ehl::solve_point_film(contact, {.tolerance = 1e-3, .greatest_nodes = 20'000});
+    const ehl::SolvedPoint fine =
+        ehl::solve_point_film(contact, {.tolerance = 1e-9, .greatest_nodes = 90'000});
+    ASSERT_EQ(coarse.grids, 3);
+    ASSERT_TRUE(std::isnan(coarse.minimum.order));
+    ASSERT_EQ(fine.grids, 4);
+    EXPECT_TRUE(is_estimated(coarse.minimum, fine.minimum.value, 0)) << "L = " << material;
+    EXPECT_LT(coarse.minimum.relative_error(), 0.006) << "L = " << material;
+  }
 }
 
 // Ellipses of whose error the grid's ends make the greater part: of the first in the least film, of
