@@ -4,7 +4,7 @@ PURPOSE ?= build report test
 FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
-# What is packed has the date of its commit.
+# Packages have the date of their commit.
 same_dates = SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct 2>/dev/null || date +%s)
 
 .PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help

@@ -39,8 +39,8 @@ struct Caution {
   double of_last = 0.5, falling = 0.125, of_change = 0.022, of_waver = 0;
   // The value is Richardson's where the observed order lies between these.
   double least_order = 1.5, greatest_order = 2.6;
-  // Of the last change of the value, and a quarter of it of the change before, where the order does
-  // not lie there and a grid stands beside; 0: such a grid tells nothing then.
+  // A share of the last change of the value, and a quarter of it of the change before, where the
+  // order does not lie there and a grid stands beside; 0: such a grid tells nothing then.
   double of_irregular = 0;
 };
 

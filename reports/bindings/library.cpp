@@ -31,10 +31,16 @@ namespace fs = std::filesystem;
 static_assert(catalogue::point_done == TRIBOCHECK_DONE);
 static_assert(catalogue::point_refused == TRIBOCHECK_FAILED);
 
+// Null where no function has this name, which may be null.
+const catalogue::Function* function_or_null(const char* name) {
+  return name == nullptr ? nullptr : catalogue::function_named(name);
+}
+
 const catalogue::Function& function_called(const char* name) {
-  const catalogue::Function* const function = catalogue::function_named(name);
+  const catalogue::Function* const function = function_or_null(name);
   if (function == nullptr)
-    throw std::invalid_argument("no function is called \"" + std::string(name) + '"');
+    throw std::invalid_argument("no function is called \"" +
+                                std::string(name == nullptr ? "" : name) + '"');
   return *function;
 }
 
@@ -111,8 +117,7 @@ TRIBOCHECK_EXPORT int tribocheck_describe(char* text, size_t size, size_t* lengt
 
 TRIBOCHECK_EXPORT int tribocheck_call(const char* name, size_t count, const double* const* argument,
                                       const size_t* step, double* const* result, int* status) {
-  const catalogue::Function* const function =
-      name == nullptr ? nullptr : catalogue::function_named(name);
+  const catalogue::Function* const function = function_or_null(name);
   if (function == nullptr) return 0;
   return catalogue::values_at(*function, count, argument, step, result, status) == 0 ? 1 : 2;
 }

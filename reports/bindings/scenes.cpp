@@ -51,7 +51,7 @@ std::string one_text(const protocol::Text& text) {
   return without_controls({text.data(), text.size()});
 }
 
-// What a scene is: of one that has enough for films alone, those.
+// The document about a scene. A scene that has enough for solved films alone asks for no output.
 std::string about(const char* text) {
   SceneUse use = SceneUse::onset;
   SceneReading reading = parse_scene(text, source, use);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the options of a command change in a scene, for the program and for the library of other
-// languages. Each function returns why the scene cannot be taken; empty if it can.
+// The changes that the options of a command make in a scene, for the program and for the library of
+// other languages. Each function returns why the scene cannot be taken; empty if it can.
 #pragma once
 
 #include <string>

@@ -161,6 +161,8 @@ static int texts(void) {
   failures += strlen(small) != 7 || strncmp(small, whole, 7) != 0;
   failures += tribocheck_cases("no JSON", small, sizeof small, &length) != TRIBOCHECK_REFUSED;
   failures += length < 8 || strlen(small) != 7;
+  failures += tribocheck_call(NULL, 0, NULL, NULL, NULL, NULL) != 0;
+  failures += tribocheck_fault(NULL, NULL, small, sizeof small, NULL) != TRIBOCHECK_REFUSED;
   free(whole);
   printf("%d failures\n", failures);
   return failures != 0;
