@@ -32,6 +32,7 @@ Command add_film(CLI::App& program);
 Command add_stream(CLI::App& program);
 Command add_functions(CLI::App& program);
 Command add_report(CLI::App& program);
+Command add_field(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_profile(CLI::App& program);

@@ -20,16 +20,19 @@ NO_GNUPLOT = "gnuplot was not found in PATH"
 CONTROLS = re.compile("[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufffe\uffff\ud800-\udfff]+")
 
 
+def cleaned(value):
+    """The value, in which texts and names of members have blanks in place of control signs."""
+    if isinstance(value, str):
+        return CONTROLS.sub(" ", value)
+    if isinstance(value, list):
+        return [cleaned(one) for one in value]
+    if isinstance(value, dict):
+        return {cleaned(name): cleaned(one) for name, one in value.items()}
+    return value
+
+
 def read_data(path):
-    """JSON in which texts and names of members have blanks in place of control signs."""
-    def cleaned(value):
-        if isinstance(value, str):
-            return CONTROLS.sub(" ", value)
-        if isinstance(value, list):
-            return [cleaned(one) for one in value]
-        if isinstance(value, dict):
-            return {cleaned(name): cleaned(one) for name, one in value.items()}
-        return value
+    """JSON without control signs."""
     return cleaned(json.loads(pathlib.Path(path).read_text(encoding="utf-8")))
 
 

@@ -122,17 +122,16 @@ def as_markdown(function):
     return lambda *values, **named: markup.Markdown(function(*values, **named))
 
 
-def environment(report, figures):
-    made = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), undefined=jinja2.StrictUndefined,
+def environment(folder, names):
+    """The templates of the folder, which know these names."""
+    made = jinja2.Environment(loader=jinja2.FileSystemLoader(folder), undefined=jinja2.StrictUndefined,
                               trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, finalize=shown, autoescape=True)
     made.filters |= {function.__name__: as_markdown(function) for function in
                      (numbers.rounded, numbers.unrounded, numbers.grouped, numbers.interval)}
     # A line that begins with > is a quotation.
     made.filters |= {"percent": lambda *values: markup.escaped(numbers.percent(*values)), "code": markup.code, "typeset": markup.typeset, "marked": markup.marked, "link": markup.link,
                      "enhanced": drawing.enhanced, "md": markup.Markdown, "commit": sections.short_commit}
-    made.globals |= {"figure": figures.figure, "sweep_figure": figures.sweep_figure,
-                     "sweep_pictures": sweep_pictures, "provenance": sections.provenance, "measured": sections.measured,
-                     **report}
+    made.globals |= {"provenance": sections.provenance, "measured": sections.measured, **names}
     return made
 
 
@@ -142,7 +141,9 @@ def main():
     out = parser.parse_args().out
     report = drawing.read_data(out / "report.json")
     figures = Figures(out, report["files"])
-    text = environment(report, figures)
+    text = environment(HERE / "templates", {"figure": figures.figure, "sweep_figure": figures.sweep_figure,
+                                            "sweep_pictures": sweep_pictures,
+                                            "has_field": (out / "field.html").is_file(), **report})
     made = sections.Page(report, text, figures)
     drawing.write_text(out / "report.md", made.markdown)
     drawing.write_text(out / "index.html", made.html)

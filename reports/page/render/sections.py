@@ -58,7 +58,6 @@ class Page:
         data = self.render("data.md", files=report["files"])[0]
         self.parts.append(Made("data", "Data", data, True))
         self.first = self.render("first.md", findings=self.findings)[0]
-        self.title = re.search(r"(?m)^# (.*)$", self.first)[1]
 
     def render(self, template, **more):
         module = self.templates.get_template(template).make_module(more)
@@ -124,30 +123,38 @@ class Page:
 
     @property
     def html(self):
-        frame = (HERE / "layout.html").read_text(encoding="utf-8")
-        style, script = ((HERE / name).read_text(encoding="utf-8") for name in ("style.css", "comfort.js"))
-        contents = "".join(f'<li><a href="#{part.id}" data-number="{i}">{markup.inline_html(part.title)}</a></li>\n'
-                           for i, part in enumerate(self.parts, 1))
-        body = "".join(self.part_html(i, part) for i, part in enumerate(self.parts, 1))
-        first = self.with_section_numbers(markup.section_html(self.first))
-        return (frame.replace("{{title}}", html.escape(markup.plain(self.title))).replace("{{style}}", style).replace("{{script}}", script)
-                .replace("{{contents}}", contents).replace("{{first}}", first)
-                .replace("{{sections}}", body))
+        return html_of(self.first, self.parts, self.figures.into)
 
-    def with_section_numbers(self, text):
-        """The HTML, in which links to sections know the number, for paper."""
-        numbers = {part.id: i for i, part in enumerate(self.parts, 1)}
-        return re.sub(r'<a href="#([a-z-]+)"', lambda m: f'{m[0]} data-section="{numbers[m[1]]}"' if m[1] in numbers else m[0], text)
 
-    def part_html(self, number, part):
-        """A section, numbered as its tables and pictures are; style.css shows the numbers."""
-        title = markup.inline_html(part.title)
-        text = self.with_section_numbers(markup.section_html(part.text))
-        for what, start in (("Table", "<caption><span"), ("Picture", r'<figure id="\w+">\s*<h3')):
-            count = itertools.count(1)
-            text = re.sub(start, lambda m: f'{m[0]} data-number="{what} {number}.{next(count)}"', text)
-        text = self.figures.into(text)
-        heading = f'<h2 id="{part.id}-heading" data-number="{number}">{title}</h2>'
-        inside = (f"<details>\n<summary>{heading}</summary>\n{text}</details>\n" if part.is_folded
-                  else f"{heading}\n{text}")
-        return f'<section id="{part.id}" aria-labelledby="{part.id}-heading">\n{inside}</section>\n'
+def html_of(first, parts, with_pictures=str):
+    """The page of a first part and sections, each Markdown."""
+    numbers = {part.id: i for i, part in enumerate(parts, 1)}
+    frame = (HERE / "layout.html").read_text(encoding="utf-8")
+    style, script = ((HERE / name).read_text(encoding="utf-8") for name in ("style.css", "comfort.js"))
+    contents = "".join(f'<li><a href="#{part.id}" data-number="{i}">{markup.inline_html(part.title)}</a></li>\n'
+                       for i, part in enumerate(parts, 1))
+    body = "".join(part_html(part, numbers, with_pictures) for part in parts)
+    title = re.search(r"(?m)^# (.*)$", first)[1]
+    return (frame.replace("{{title}}", html.escape(markup.plain(title))).replace("{{style}}", style).replace("{{script}}", script)
+            .replace("{{contents}}", contents).replace("{{first}}", with_section_numbers(markup.section_html(first), numbers))
+            .replace("{{sections}}", body))
+
+
+def with_section_numbers(text, numbers):
+    """The HTML, in which links to sections know the number, for paper."""
+    return re.sub(r'<a href="#([a-z-]+)"', lambda m: f'{m[0]} data-section="{numbers[m[1]]}"' if m[1] in numbers else m[0], text)
+
+
+def part_html(part, numbers, with_pictures):
+    """A section, numbered as its tables and pictures are; style.css shows the numbers."""
+    number = numbers[part.id]
+    title = markup.inline_html(part.title)
+    text = with_section_numbers(markup.section_html(part.text), numbers)
+    for what, start in (("Table", "<caption><span"), ("Picture", r'<figure id="\w+">\s*<h3')):
+        count = itertools.count(1)
+        text = re.sub(start, lambda m: f'{m[0]} data-number="{what} {number}.{next(count)}"', text)
+    text = with_pictures(text)
+    heading = f'<h2 id="{part.id}-heading" data-number="{number}">{title}</h2>'
+    inside = (f"<details>\n<summary>{heading}</summary>\n{text}</details>\n" if part.is_folded
+              else f"{heading}\n{text}")
+    return f'<section id="{part.id}" aria-labelledby="{part.id}-heading">\n{inside}</section>\n'

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck field: starts reports/field/field.py, which sets verdicts on solvers side by side.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "conformance/child_process.hpp"
+#include "messages.hpp"
+#include "page/project_files.hpp"
+#include "page/rendering.hpp"
+#include "tribo/version.hpp"
+
+namespace tribo::cli {
+namespace {
+
+struct FieldOptions {
+  std::string folder, out = "field.html";
+  std::vector<std::string> days;
+};
+
+int write_field(const FieldOptions& options, OutputStream& output) {
+  const report::ReportPlaces places = report::usual_places();
+  std::vector<std::string> command{report::python(),
+                                   "-B",
+                                   places.render.parent_path().parent_path() / "field/field.py",
+                                   std::string(version),
+                                   options.folder,
+                                   options.out};
+  command.insert(command.end(), options.days.begin(), options.days.end());
+  const conformance::ChildEnd end = conformance::run_child(std::move(command));
+  if (end.start_error != 0)
+    return fail(exit_failed,
+                "python3 was not found: no matrix can be made (Debian: apt-get install python3)");
+  append(output.text(), end.text);
+  output.flush();
+  return end.exit_code >= 0 ? end.exit_code : fail(exit_failed, "field.py was ended by a signal");
+}
+
+constexpr const char* field_footer =
+    R"(The folder has two files a verdict: NAME.json, what `tribocheck verify --subject … --format json` writes,
+and NAME.toml, some lines about the solver: name, language and date (needed), address, commit, licence,
+conventions, asked (the command that asked it) and group. Verdicts of one name and several dates are the
+history of that solver; the newest one stands in the matrix.
+Written are the page and, in a folder of its name, a page, a badge (SVG, and JSON for services that draw
+badges) for each solver, and matrix.json. --diff writes what changed between two days, separated by tabs.
+Exit code 1: Jinja2 or cmarkgfm is missing, or a file cannot be written.
+
+Example:
+  tribocheck verify --subject 'python3 mine.py' --format json > verdicts/mine.json
+  printf 'name = "mine"\nlanguage = "Python"\ndate = 2026-11-28\n' > verdicts/mine.toml
+  tribocheck field verdicts -o field.html
+  tribocheck field verdicts --diff 2026-11-01 2026-11-28)";
+
+}  // namespace
+
+Command add_field(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("field", "verdicts on many solvers side by side: a page, badges, data");
+  app->footer(field_footer);
+  const auto options = std::make_shared<FieldOptions>();
+  app->add_option("DIR", options->folder, "folder of the verdicts")->required();
+  CLI::Option* const out =
+      app->add_option("-o,--out", options->out, "page to write (default: field.html)");
+  app->add_option("--diff", options->days, "two days, as 2026-11-28")->expected(2)->excludes(out);
+  return {app, [options](OutputStream& output) { return write_field(*options, output); }};
+}
+
+}  // namespace tribo::cli
