@@ -158,7 +158,7 @@ def matrix(solvers, version):
     for verdicts in solvers:
         last = verdicts[-1]
         rows.append({
-            "id": last.stem, **{field: last.about.get(field) for field in FIELDS}, "tribocheck": last.said["version"],
+            "id": re.sub(r"_\d{4}-\d\d-\d\d$", "", last.stem), **{field: last.about.get(field) for field in FIELDS}, "tribocheck": last.said["version"],
             "subject": last.said["subject"], "tolerance": last.said["tolerance"], "sample": last.said["sample"],
             "overall": last.said["overall"], "summary": last.said["summary"],
             "cells": {name: last.cells.get(name, "not asked") for name in quantities},
@@ -173,6 +173,10 @@ def matrix(solvers, version):
                                      for change in (changes(earlier, one) if earlier else [])]}
                         for earlier, one in zip([None, *verdicts], verdicts)]})
     return {"schema": SCHEMA, "version": version, "quantities": list(quantities), "solvers": rows}
+
+
+def as_json(document):
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
 
 
 def badge(solver):
@@ -191,9 +195,9 @@ def cause_of(solver, quantity):
 
 def pages(document, name):
     """The texts of all files, by their paths beside the page."""
-    import markup  # noqa: E402
-    import render  # noqa: E402
-    import sections  # noqa: E402
+    import markup
+    import render
+    import sections
     templates = render.environment(HERE / "templates", {
         "STATUSES": STATUSES, "HELD": HELD, "UNJUDGED": UNJUDGED, "offered": [
             one for one in document["quantities"] if any(solver["cells"][one] not in UNJUDGED for solver in document["solvers"])],
@@ -207,7 +211,7 @@ def pages(document, name):
         first, *parts = re.split(r"(?m)^## (.*)\n", text)
         made = [sections.Made(re.sub(r"\W+", "-", title.lower()).strip("-"), title, part, False) for title, part in zip(parts[::2], parts[1::2])]
         return sections.html_of(first, made)
-    files = {f"{name}.html": page("matrix.md"), f"{name}/matrix.json": json.dumps(document, ensure_ascii=False, indent=1) + "\n"}
+    files = {f"{name}.html": page("matrix.md"), f"{name}/matrix.json": as_json(document)}
     for solver in document["solvers"]:
         stem = f"{name}/{solver['id']}"
         files[f"{stem}.html"] = page("solver.md", solver=solver)
@@ -221,6 +225,7 @@ def main():
     parser.add_argument("version")
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("format", choices=("page", "json"))
     parser.add_argument("days", nargs="*", help="two days: what changed between them is written to stdout in place of the page")
     given = parser.parse_args()
     solvers = read_folder(given.folder)
@@ -231,6 +236,15 @@ def main():
         return
     import drawing
     document = drawing.cleaned(matrix(solvers, given.version))
+    if given.format == "json":
+        print(as_json(document), end="")
+        return
+    try:
+        import cmarkgfm  # noqa: F401
+        import jinja2  # noqa: F401
+    except ImportError as error:
+        sys.exit(print(f"tribocheck: Python's {error.name} is missing (Debian: apt-get install python3-jinja2 python3-cmarkgfm)",
+                       file=sys.stderr) or 1)
     for path, text in pages(document, given.out.stem).items():
         path = given.out.parent / path
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -71,7 +71,7 @@ def keep(out, solver, verdict, asked):
     path = out / f"{solver['id']}.json"
     about = {key: solver[key] for key in KEPT if key in solver} | {
         "date": datetime.date.today().isoformat(), "asked": asked, "group": solver["kind"]}
-    if "repository" in solver:
+    if solver.get("repository", "").startswith("http"):
         about["address"] = solver["repository"]
     if path.exists():
         before = tomllib.loads(path.with_suffix(".toml").read_text(encoding="utf-8"))["date"]

@@ -15,7 +15,7 @@ namespace tribo::cli {
 namespace {
 
 struct FieldOptions {
-  std::string folder, out = "field.html";
+  std::string folder, out = "field.html", format = "page";
   std::vector<std::string> days;
 };
 
@@ -26,7 +26,8 @@ int write_field(const FieldOptions& options, OutputStream& output) {
                                    places.render.parent_path().parent_path() / "field/field.py",
                                    std::string(version),
                                    options.folder,
-                                   options.out};
+                                   options.out,
+                                   options.format};
   command.insert(command.end(), options.days.begin(), options.days.end());
   const conformance::ChildEnd end = conformance::run_child(std::move(command));
   if (end.start_error != 0)
@@ -43,7 +44,8 @@ and NAME.toml, some lines about the solver: name, language and date (needed), ad
 conventions, asked (the command that asked it) and group. Verdicts of one name and several dates are the
 history of that solver; the newest one stands in the matrix.
 Written are the page and, in a folder of its name, a page, a badge (SVG, and JSON for services that draw
-badges) for each solver, and matrix.json. --diff writes what changed between two days, separated by tabs.
+badges) for each solver, and matrix.json. --format json writes that document to stdout in place of these
+files; --diff writes there what changed between two days, separated by tabs.
 Exit code 1: Jinja2 or cmarkgfm is missing, or a file cannot be written.
 
 Example:
@@ -62,7 +64,14 @@ Command add_field(CLI::App& program) {
   app->add_option("DIR", options->folder, "folder of the verdicts")->required();
   CLI::Option* const out =
       app->add_option("-o,--out", options->out, "page to write (default: field.html)");
-  app->add_option("--diff", options->days, "two days, as 2026-11-28")->expected(2)->excludes(out);
+  CLI::Option* const format =
+      app->add_option("--format", options->format, "what to make (default: page)")
+          ->check(CLI::IsMember({"page", "json"}))
+          ->excludes(out);
+  app->add_option("--diff", options->days, "what changed between two days, as 2026-11-28")
+      ->expected(2)
+      ->excludes(out)
+      ->excludes(format);
   return {app, [options](OutputStream& output) { return write_field(*options, output); }};
 }
 

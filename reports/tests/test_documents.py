@@ -50,6 +50,7 @@ DOCUMENTS = [
     Document("verify-subject", "verify --subject RIGHT --sample 5"),
     Document("verify-subject", "verify --subject WRONG --sample 5", 1),
     Document("verify-subject", "verify --subject WRONG --sample 5 --baseline BASE", 1),
+    Document("field", "field VERDICTS"),
     Document("bench", "bench --subject RIGHT --quick --filter ^hertz_point"),
     Document("bench-baseline", "bench --subject RIGHT --quick --filter ^hertz_point --baseline SPEED --update-baseline", file="SPEED"),
     Document("bench", "bench --subject WRONG --quick --filter ^hertz_point --baseline SPEED", 1),  # its rows have another name
@@ -90,6 +91,12 @@ def files_in(folder):
     if name == "hertz_line": os.kill(os.getpid(), signal.SIGKILL)"""
     paths |= {"RIGHT": altered(folder, "pass"), "WRONG": altered(folder, wrong, name="wrong.py"),
               "BASE": folder.path("base.json"), "WRONG_BASE": folder.path("wrong_base.json"), "SPEED": folder.path("speed.json")}
+    paths["VERDICTS"] = folder.path("verdicts")
+    os.mkdir(paths["VERDICTS"])
+    verdict = run("verify", "--subject", paths["WRONG"], "--sample", "5", "--format", "json").out
+    for stem, date in (("now", "2026-11-28"), ("then", "2026-01-01")):
+        folder.write(f"verdicts/{stem}.toml", f'name = "x"\nlanguage = "Python"\ndate = {date}\n')
+        folder.write(f"verdicts/{stem}.json", verdict if stem == "now" else verdict.replace('"FAILED"', '"held"'))
     exact = pathlib.Path(folder.path("exact"))
     exact.mkdir()
     for table in (ROOT / "reference/exact").iterdir():

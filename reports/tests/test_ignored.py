@@ -51,6 +51,7 @@ FORMS = [
     ("verify", ["--save-cases", "DIR/cases"], {"--save-cases", "--show"}),
     ("verify", ["--subject", "SUBJECT", "--sample", "3", "--baseline", "DIR/base.json"],
      {"--subject", "--plugin", "--sample", "--baseline"}),
+    ("field", ["VERDICTS", "-o", "DIR/page.html"], {"-o"}), ("field", ["VERDICTS", "--format", "json"], {"--format"}),
     ("profile", ["--plugin", "PLUGIN", "--function", "hertz_point"], {"--plugin", "--subject", "--function"}),
     ("reproduce", ["--section", "claims", "--ledger", "none"], {"--section", "--ledger"}),
     ("reproduce", ["--section", "errata", "--ledger", "none"], {"--section", "--ledger"}),
@@ -65,7 +66,7 @@ VALUES = {
     "--profile": [], "--data": ["DIR/no_such.csv"], "--most": ["1"], "--picture": ["DIR/no_such_folder/a.png"], "--fields": ["DIR/fields.csv"], "--keep": ["DIR/kept"], "--language": ["c"], "--for": ["gitlab"],
     "--out": ["DIR/other"],
     "--estimate": [], "--flooded": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
-    "--pictures": ["DIR/pictures"], "--cases": [], "--case": ["1"], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
+    "--pictures": ["DIR/pictures"], "--cases": [], "--case": ["1"], "--diff": ["2026-01-01", "2026-01-02"], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
     "--seconds": ["0.3"], "--function": ["hertz_line"], "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--modulus": ["E'"], "--ellipticity": ["radii"], "--tool": ["perf"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
     "--start-timeout": ["0.01", "--case-timeout", "0.01"], "--timeout": ["0.01"], "--require": ["operating_point"],
     "--show": ["h0001"], "--save-cases": ["DIR/saved"], "--baseline": ["DIR/no_such.json"],
@@ -107,13 +108,16 @@ class Ignored(unittest.TestCase):
         line = scene(bodies={"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2}, load=2000,
                            speed=1.0, closures={"film": "dowson_toyoda_central"})
         cls.words = {"SCENE": cls.folder.write("scene.toml", scene()), "LINE": cls.folder.write("line.toml", line),
-                     "SWEEP": cls.folder.write("sweep.toml", SWEEP), "PLUGIN": str(BUILT / "c_plugin.so"), "DATA": cls.folder.write("measured.csv", "speed [m/s],film [nm]\n0.1,30\n"),
+                     "SWEEP": cls.folder.write("sweep.toml", SWEEP), "PLUGIN": str(BUILT / "c_plugin.so"), "VERDICTS": cls.folder.path("verdicts"), "DATA": cls.folder.write("measured.csv", "speed [m/s],film [nm]\n0.1,30\n"),
                      # Its first answer takes longer than the limits that are tried.
                      "SUBJECT": altered(cls.folder, """answer = answer if name else {"id": case, "skip": "no points"}
     if "first" not in globals():
         import time
         first = time.sleep(0.3)""")}
         cls.folder.write("other.toml", SWEEP.replace("load = 50", "load = 51"))
+        os.mkdir(cls.folder.path("verdicts"))
+        cls.folder.write("verdicts/x.toml", 'name = "x"\nlanguage = "C"\ndate = "2026-11-28"\n')
+        cls.folder.write("verdicts/x.json", run("verify", "--plugin", str(BUILT / "c_plugin.so"), "--sample", "3", "--format", "json").out)
         less = Folder()
         cls.addClassCleanup(less.cleanup)
         nearly = altered(less, 'answer = answer if name == "hertz_point" else {"id": case, "skip": "no"}')
