@@ -7,13 +7,14 @@ clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 # Packages have the date of their commit.
 same_dates = SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct 2>/dev/null || date +%s)
 
-.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions field verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
 report: ## solve the paper's scenes, draw its figures: reports/out/index.html; some 3 minutes the first time
 	@.ci/deps build report
 	@$(MAKE) --no-print-directory build
+	build/release/tribocheck field reference/field -o reports/out/field.html
 	build/release/tribocheck report \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*' 2>/dev/null)"
 
@@ -141,6 +142,12 @@ faults: ## plant every fault of verification/gates/faults, see it caught; an hou
 numbers: build ## write reference/baselines/numbers.json, all bits that numbers_version stands for, after it was raised; some seconds
 	@.ci/deps test
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck /usr/bin/python3 -B kept_numbers.py
+
+field: build ## ask the solvers of reports/field, each in a sandbox: writes reference/field; SOURCES=DIR has their checkouts; some minutes
+	@.ci/deps build test field
+	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
+	cmake --build --preset release --target tribocheck c_plugin cpp_registration fortran_plugin own_model own_model_plugin
+	reports/field/run.py $(if $(SOURCES),--sources "$(SOURCES)")
 
 diagnosis: build ## put every fake, alone and together, to verify --subject: writes reference/baselines/diagnosis.json; two or three minutes
 	@.ci/deps build test

@@ -49,7 +49,8 @@ files; --diff writes there what changed between two days, separated by tabs.
 Exit code 1: Jinja2 or cmarkgfm is missing, or a file cannot be written.
 
 Example:
-  tribocheck verify --subject 'python3 mine.py' --format json > verdicts/mine.json
+  mkdir -p verdicts
+  tribocheck verify --subject 'python3 my_solver.py' --format json > verdicts/mine.json
   printf 'name = "mine"\nlanguage = "Python"\ndate = 2026-11-28\n' > verdicts/mine.toml
   tribocheck field verdicts -o field.html
   tribocheck field verdicts --diff 2026-11-01 2026-11-28)";

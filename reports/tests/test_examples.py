@@ -108,6 +108,8 @@ class Examples(ProgramTest):
                                      "--format json --baseline new.json --update-baseline "
                                      ">/dev/null; cat new.json").stdout)
         self.run_examples("verify", codes=(0, 1))
+        self.run_examples("field", codes=(0, 1))
+        self.assertTrue(os.path.exists(self.folder.path("field/mine.html")))
 
     def test_of_bench(self):
         for name in ("libsolver.so", "libbefore.so"):
