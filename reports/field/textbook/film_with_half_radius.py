@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Films and Hertz' point of a ball on a flat with R/2 for R, as for two equal balls, or as by a diameter taken twice."""
+
+import film_right
+import hertz_right
+
+
+def hertz_point(load, effective_modulus, reduced_radius):
+    return hertz_right.hertz_point(load, effective_modulus, reduced_radius / 2)
+
+
+def hamrock_dowson_central(reduced_radius, **given):
+    return film_right.hamrock_dowson_central(reduced_radius=reduced_radius / 2, **given)
+
+
+def hamrock_dowson_minimum(radius_x, **given):
+    return film_right.hamrock_dowson_minimum(radius_x=radius_x / 2, **given)
