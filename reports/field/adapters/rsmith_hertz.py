@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Asks hertz.py by R. F. Smith for a cylinder on a plane, by diameter, with both bodies of nu = 0.3, which is in its 2.86."""
+
+from answering import load as file
+
+hertz = file("hertz.py")
+
+
+def hertz_line(load_per_length, effective_modulus, reduced_radius):
+    E = 2 * (1 - 0.3**2) * effective_modulus
+    return {"peak_pressure": hertz.cylinder_plane(load_per_length, 1, 2 * reduced_radius, E, E)}
