@@ -5,10 +5,8 @@
 #include <vector>
 
 #include "command.hpp"
-#include "conformance/child_process.hpp"
-#include "messages.hpp"
 #include "page/project_files.hpp"
-#include "page/rendering.hpp"
+#include "page_script.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::cli {
@@ -20,22 +18,11 @@ struct FieldOptions {
 };
 
 int write_field(const FieldOptions& options, OutputStream& output) {
-  const report::ReportPlaces places = report::usual_places();
-  std::vector<std::string> command{report::python(),
-                                   "-B",
-                                   places.render.parent_path().parent_path() / "field/field.py",
-                                   std::string(version),
-                                   options.folder,
-                                   options.out,
-                                   options.format};
-  command.insert(command.end(), options.days.begin(), options.days.end());
-  const conformance::ChildEnd end = conformance::run_child(std::move(command));
-  if (end.start_error != 0)
-    return fail(exit_failed,
-                "python3 was not found: no matrix can be made (Debian: apt-get install python3)");
-  append(output.text(), end.text);
-  output.flush();
-  return end.exit_code >= 0 ? end.exit_code : fail(exit_failed, "field.py was ended by a signal");
+  std::vector<std::string> arguments{std::string(version), options.folder, options.out,
+                                     options.format};
+  arguments.insert(arguments.end(), options.days.begin(), options.days.end());
+  const auto reports = report::usual_places().render.parent_path().parent_path();
+  return run_page_script(reports / "field/field.py", arguments, "matrix", output);
 }
 
 constexpr const char* field_footer =
@@ -58,8 +45,8 @@ Example:
 }  // namespace
 
 Command add_field(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("field", "verdicts on many solvers side by side: a page, badges, data");
+  CLI::App* app = program.add_subcommand(
+      "field", "verdicts on many solvers side by side: a page, badges, data");
   app->footer(field_footer);
   const auto options = std::make_shared<FieldOptions>();
   app->add_option("DIR", options->folder, "folder of the verdicts")->required();

@@ -7,10 +7,8 @@
 
 #include "bench_rows.hpp"
 #include "command.hpp"
-#include "conformance/child_process.hpp"
-#include "messages.hpp"
 #include "page/project_files.hpp"
-#include "page/rendering.hpp"
+#include "page_script.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/version.hpp"
 
@@ -19,27 +17,19 @@ namespace {
 
 int write_report(const report::ReportOptions& options, OutputStream& output) {
   const report::ReportPlaces places = report::find_places(options);
-  std::vector<std::string> command{report::python(),
-                                   "-B",
-                                   places.render.parent_path() / "groups/report.py",
-                                   std::filesystem::read_symlink("/proc/self/exe"),
-                                   places.out,
-                                   places.scenes,
-                                   places.reference,
-                                   places.root,
-                                   places.render,
-                                   std::string(version),
-                                   options.commit,
-                                   compiler_name(),
-                                   std::string(instruction_set())};
-  command.insert(command.end(), options.sections.begin(), options.sections.end());
-  const conformance::ChildEnd end = conformance::run_child(std::move(command));
-  if (end.start_error != 0)
-    return fail(exit_failed,
-                "python3 was not found: no report can be made (Debian: apt-get install python3)");
-  append(output.text(), end.text);
-  output.flush();
-  return end.exit_code >= 0 ? end.exit_code : fail(exit_failed, "report.py was ended by a signal");
+  std::vector<std::string> arguments{std::filesystem::read_symlink("/proc/self/exe"),
+                                     places.out,
+                                     places.scenes,
+                                     places.reference,
+                                     places.root,
+                                     places.render,
+                                     std::string(version),
+                                     options.commit,
+                                     compiler_name(),
+                                     std::string(instruction_set())};
+  arguments.insert(arguments.end(), options.sections.begin(), options.sections.end());
+  return run_page_script(places.render.parent_path() / "groups/report.py", arguments, "report",
+                         output);
 }
 
 constexpr const char* report_footer =
