@@ -23,5 +23,6 @@ endfunction
 function h = hamrock_dowson_central (q), h = point_film (q).h0_without_correction; endfunction
 function h = hamrock_dowson_minimum (q), h = point_film (q).hm_without_correction; endfunction
 function nu = astm_d341_viscosity (q)
-  nu = 1e-6 * lub_astm_D341 (0.7, 1e6 * q.first_viscosity, 1e6 * q.second_viscosity, q.second_temperature, q.first_temperature, q.temperature).visc_cin;
+  lubricant = lub_astm_D341 (0.7, 1e6 * q.first_viscosity, 1e6 * q.second_viscosity, q.second_temperature, q.first_temperature, q.temperature);
+  nu = 1e-6 * lubricant.visc_cin;
 endfunction

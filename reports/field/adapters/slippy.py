@@ -22,9 +22,9 @@ def hertz_line(load_per_length, effective_modulus, reduced_radius):
     return {**contact([reduced_radius, inf], effective_modulus, load_per_length, line=True)[1], "half_width": line.contact_width,
             "peak_pressure": line.max_pressure, "peak_shear": line.max_shear_stress}
 def subsurface_shear(peak_pressure, radius, depth, poisson_ratio):
-    found, _ = contact(radius, pi / 2 * peak_pressure, 2 / 3 * pi * radius**2 * peak_pressure, poisson_ratio)
-    stress = found["stress_z_axis_b_f"][0](depth)
+    stress = contact(radius, pi / 2 * peak_pressure, 2 / 3 * pi * radius**2 * peak_pressure, poisson_ratio)[0]["stress_z_axis_b_f"][0](depth)
     return abs(stress["sigma_z"] - stress["sigma_theta"]) / 2
 barus_viscosity = lambda viscosity, pressure_viscosity, pressure: liquid.barus(viscosity, pressure_viscosity)(pressure)
-roelands_viscosity = lambda viscosity, pressure_viscosity, pressure: liquid.roelands(viscosity, 0.196e9, pressure_viscosity * 0.196e9 / (log(viscosity) + 9.67))(pressure)
+roelands_viscosity = lambda viscosity, pressure_viscosity, pressure: liquid.roelands(
+    viscosity, 0.196e9, pressure_viscosity * 0.196e9 / (log(viscosity) + 9.67))(pressure)
 dowson_higginson_density = lambda pressure: liquid.dowson_higginson(1.0)(pressure)

@@ -7,13 +7,13 @@ solid, liquid, rough, basic, film = (file(f"{name}.py") for name in (
     "NonConformalSolidContact", "LiquidProperties", "SurfaceRoughness", "FundamentalConcepts", "LubricationNonConformalContacts"))
 effective_modulus = lambda first_modulus, first_poisson_ratio, second_modulus, second_poisson_ratio: 1 / solid.effective_elastic_modulus(
     first_poisson_ratio, second_poisson_ratio, first_modulus, second_modulus)  # it gives 1/E', and 1/R' below
-plasticity_index = lambda effective_modulus, hardness, summit_height_sd, summit_radius: solid.plasticity_index(effective_modulus, hardness, summit_height_sd, summit_radius)
+plasticity_index = lambda **q: solid.plasticity_index(q["effective_modulus"], q["hardness"], q["summit_height_sd"], q["summit_radius"])
 barus_viscosity = lambda viscosity, pressure_viscosity, pressure: liquid.Barus(viscosity, pressure_viscosity, pressure)
 roelands_viscosity = lambda viscosity, pressure_viscosity, pressure: liquid.Roelands(
     6.31e-5, viscosity, pressure, -0.196e9, pressure_viscosity * 0.196e9 / log(viscosity / 6.31e-5))[0]
 dowson_higginson_density = lambda pressure: liquid.DowsonHigginson(1.0, 1e-9 * pressure)
-carreau_yasuda_viscosity = lambda viscosity, high_shear_viscosity, relaxation_time, shear_rate, transition_exponent, power_law_index: liquid.Carreau(
-    high_shear_viscosity, viscosity, shear_rate, 1 / relaxation_time, transition_exponent, power_law_index)
+carreau_yasuda_viscosity = lambda **q: liquid.Carreau(q["high_shear_viscosity"], q["viscosity"], q["shear_rate"], 1 / q["relaxation_time"],
+                                                      q["transition_exponent"], q["power_law_index"])
 lambda_ratio = lambda minimum_film, first_roughness, second_roughness: {
     "lambda_ratio": basic.lambda_ratio(minimum_film, rough.Rq_composite(first_roughness, second_roughness))}
 def hertz_point(load, effective_modulus, reduced_radius):
@@ -25,6 +25,6 @@ def hertz_line(load_per_length, effective_modulus, reduced_radius, half=0.5):
     return {"half_width": b, "mean_pressure": solid.line.pavg(load_per_length, b, half), "peak_pressure": peak, "peak_shear": solid.line.tmax(peak)}
 def regime_film(regime, viscosity_parameter, elasticity_parameter, radius_ratio=1, ellipticity=1):
     ratio = ellipticity ** (pi / 2)  # it takes R_y/R_x, and k = (R_y/R_x)^(2/pi) for the elastic regimes
-    return {"isoviscous_rigid": lambda: film.h0PrimeIR(radius_ratio), "viscous_rigid_roelands": lambda: film.h0PrimePR(viscosity_parameter, radius_ratio),
-            "isoviscous_elastic": lambda: film.h0PrimeIE(elasticity_parameter, ratio),
+    return {"viscous_rigid_roelands": lambda: film.h0PrimePR(viscosity_parameter, radius_ratio),
+            "isoviscous_rigid": lambda: film.h0PrimeIR(radius_ratio), "isoviscous_elastic": lambda: film.h0PrimeIE(elasticity_parameter, ratio),
             "viscous_elastic": lambda: film.h0PrimePE(viscosity_parameter, elasticity_parameter, ratio)}.get(regime, lambda: None)()
