@@ -109,7 +109,13 @@ tribo::ehl::PointContact flooded(const Contact& c, Table table) {
 SolvedPoint solved(const tribo::ehl::PointContact& contact) {
   tribo::ehl::PointOptions options{.tolerance = contact.load_number > 200 ? 3e-3 : 1e-3};
   if (contact.load_number > 1000 && contact.is_starved()) options.tolerance = 8e-3;
-  return solve_point_film(contact, options);
+  SolvedPoint films = solve_point_film(contact, options);
+  if (films.outcome == tribo::ehl::Outcome::solved && !films.reason.empty()) {
+    // One more grid, which takes some minutes, where the tolerance was just missed.
+    options.greatest_nodes += options.greatest_nodes / 5;
+    films = solve_point_film(contact, options);
+  }
+  return films;
 }
 
 // The flooded central film H that a starved row is measured by. Neighbours in a table share it.

@@ -69,17 +69,20 @@ def ask(solver, source):
 def keep(out, solver, verdict, asked):
     """Writes both files; keeps those of an older day whose verdicts are others."""
     path = out / f"{solver['id']}.json"
+    said = json.loads(verdict)
     about = {key: solver[key] for key in KEPT if key in solver} | {
         "date": datetime.date.today().isoformat(), "asked": asked, "group": solver["kind"]}
+    about.setdefault("licence", "none stated" if "repository" in solver else "Apache-2.0")  # this project's
     if solver.get("repository", "").startswith("http"):
         about["address"] = solver["repository"]
     if path.exists():
         before = tomllib.loads(path.with_suffix(".toml").read_text(encoding="utf-8"))["date"]
-        old, new = (json.loads(text)["quantities"] for text in (path.read_text(encoding="utf-8"), verdict))
-        if before != about["date"] and [one["status"] for one in old] != [one["status"] for one in new]:
+        old = json.loads(path.read_text(encoding="utf-8"))
+        if before != about["date"] and [one["status"] for one in old["quantities"]] != [one["status"] for one in said["quantities"]]:
             for file in (path, path.with_suffix(".toml")):
                 file.rename(file.with_stem(f"{path.stem}_{before}"))
-    path.write_text(verdict, encoding="utf-8")
+    said["last_errors"] = []  # they quote the solver's text and this machine's folders
+    path.write_text(json.dumps(said, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     lines = [f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in about.items()]  # a TOML text is a JSON text here
     path.with_suffix(".toml").write_text("".join(lines), encoding="utf-8")
 

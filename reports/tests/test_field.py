@@ -12,6 +12,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import tomllib
 import unittest
 import urllib.parse
 import xml.etree.ElementTree as xml
@@ -243,6 +244,41 @@ class History(Field):
         solver, = (one for one in document["solvers"] if one["id"] == "old")
         self.assertEqual((solver["cells"][gone], solver["tribocheck"]), ("not asked", "0.1.0"))
         self.assertIn("0.1.0, " + self.small["version"], self.text("out.html"))
+
+
+class Shipped(unittest.TestCase):
+    """reference/field has a verdict on each solver of solvers.toml, asked as it says there."""
+
+    def test_each_solver_is_asked_as_its_row_says(self):
+        rows = tomllib.loads((ROOT / "reports/field/solvers.toml").read_text(encoding="utf-8"))["solver"]
+        document = json.loads(run("field", ROOT / "reference/field", "--format", "json").out)
+        solvers = {one["id"]: one for one in document["solvers"]}
+        self.assertEqual(set(solvers), {one["id"] for one in rows})
+        self.assertGreaterEqual(sum(one["kind"] == "public" for one in rows), 10)
+        self.assertGreaterEqual(sum(one["kind"] == "textbook" for one in rows), 12)
+        for row in rows:
+            with self.subTest(row["id"]):
+                one = solvers[row["id"]]
+                self.assertEqual([one[key] for key in ("name", "language", "commit", "address", "conventions", "group", "sample")],
+                                 [row.get(key) for key in ("name", "language", "commit", "repository", "conventions", "kind")] + ["all"])
+                self.assertEqual(one["licence"], row.get("licence", "Apache-2.0"))
+                if row["kind"] == "public":
+                    self.assertRegex(row["commit"], "^[0-9a-f]{40}$")
+
+    def test_each_adapter_has_at_most_thirty_lines_and_is_asked(self):
+        table = (ROOT / "reports/field/solvers.toml").read_text(encoding="utf-8")
+        for path in [*(ROOT / "reports/field/adapters").iterdir(), *(ROOT / "reports/field/textbook").iterdir()]:
+            if path.suffix in (".py", ".m", ".js", ".pl") and path.stem != "answering":
+                self.assertLessEqual(len(path.read_text(encoding="utf-8").splitlines()), 30, path)
+                self.assertIn(f"{path.parent.name}/{path.name}", table)
+
+    def test_the_report_links_the_matrix_where_it_is_there(self):
+        with tempfile.TemporaryDirectory() as out:
+            for has_field in (False, True):
+                if has_field:
+                    pathlib.Path(out, "field.html").write_text("x")
+                self.assertEqual(run("report", "--out", out, "--section", "references").code, 0)
+                self.assertEqual('href="field.html"' in pathlib.Path(out, "index.html").read_text(encoding="utf-8"), has_field)
 
 
 class Refusals(Field):
