@@ -43,10 +43,9 @@ int become_sweep_program(char** arguments) {
 
 // Every command, in the order of the help.
 constexpr std::array<AddCommand, 16> commands{
-    &add_contact, &add_solve,     &add_curve,  &add_onset,     &add_film,
-    &add_stream,  &add_functions, &name_sweep, &add_reproduce, &add_verify,
-    &add_field,   &add_bench,     &add_report, &add_profile,   &add_init,
-    &add_plugin_host,
+    &add_contact,   &add_solve,   &add_curve,     &add_onset,       &add_film,  &add_stream,
+    &add_functions, &name_sweep,  &add_reproduce, &add_verify,      &add_field, &add_bench,
+    &add_report,    &add_profile, &add_init,      &add_plugin_host,
 };
 
 }  // namespace
