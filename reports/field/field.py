@@ -10,6 +10,7 @@ import argparse
 import collections
 import datetime
 import html
+import itertools
 import json
 import pathlib
 import re
@@ -30,6 +31,9 @@ STATUSES = {"held": ("●", "holds"), "held in the physical range": ("◕", "hol
             "FAILED": ("✗", "fails"), "not offered": ("·", ""), "not asked": (" ", "")}
 HELD = ("held", "held in the physical range")
 UNJUDGED = ("not offered", "not asked")
+# What the verdict on a solver looks like, and what the names of tolerances mean.
+OVERALL = {"complete": "holds", "partial": "holds", "held in the physical range": "holds", "no worse": "differs", "nothing": "absent"}
+TOLERANCES = {"engineering": "engineering: 1e-6 of the value, times its condition", "strict": "strict: the certified contracts"}
 
 
 class Refused(Exception):
@@ -41,6 +45,11 @@ class Verdict(typing.NamedTuple):
     stem: str
     about: dict  # the fields of the .toml
     said: dict  # the .json
+
+    @property
+    def id(self):
+        """The name of its pages and of its badge, which stays the same from one verdict to the next."""
+        return re.sub(r"[\W_]+", "_", self.about["name"].lower()).strip("_") or self.stem
 
     @property
     def cells(self):
@@ -62,7 +71,7 @@ def read_about(path):
     try:
         about = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise Refused(f"{path}: {error}; allowed: TOML with {', '.join(FIELDS)}") from None
+        raise Refused(f"{path}: {error}; allowed: lines such as name = \"My solver\" (texts in quotes) and date = 2026-11-28") from None
     for field, value in about.items():
         if field not in FIELDS:
             raise Refused(f"{path}: {field}: this field is not known; allowed: {', '.join(FIELDS)}")
@@ -94,7 +103,7 @@ def read_verdict(path):
         said = json.loads(path.read_text(encoding="utf-8"))
         schema = said["schema"]
     except (OSError, ValueError, KeyError, TypeError) as error:
-        raise Refused(f"{path}: {error}; allowed: what tribocheck verify --subject … --format json writes") from None
+        raise Refused(f"{path}: it is no JSON of a verdict ({error}); allowed: what tribocheck verify --subject … --format json writes") from None
     if schema != VERDICT:
         raise Refused(f"{path}: schema: {schema!r}; allowed: {VERDICT}, as tribocheck verify --subject … --format json writes it")
     try:
@@ -118,17 +127,21 @@ def read_folder(folder):
     solvers = collections.defaultdict(list)
     for path in sorted(folder.glob("*.json")):
         verdict = read_verdict(path)
-        solvers[verdict.about["name"]].append(verdict)
+        same = solvers[verdict.id]
+        same.append(verdict)
+        if same[0].about["name"] != verdict.about["name"]:
+            raise Refused(f"{path.with_suffix('.toml')}: name: {verdict.about['name']!r} and {same[0].about['name']!r} of {same[0].stem}.toml "
+                          f"would both be {verdict.id}.html; allowed: one way to write a solver's name")
     for path in folder.glob("*.toml"):
         if not path.with_suffix(".json").exists():
             raise Refused(f"{path}: {path.stem}.json is missing beside it, a verdict as tribocheck verify --subject … --format json writes it")
     if not solvers:
         raise Refused(f"{folder}: it has no verdict; allowed: a folder with NAME.json and NAME.toml")
-    for name, verdicts in solvers.items():
+    for verdicts in solvers.values():
         verdicts.sort(key=lambda one: one.about["date"])
         for one, next_one in zip(verdicts, verdicts[1:]):
             if one.about["date"] == next_one.about["date"]:
-                raise Refused(f"{folder}: {one.stem}.toml and {next_one.stem}.toml: both are of {name} on "
+                raise Refused(f"{folder}: {one.stem}.toml and {next_one.stem}.toml: both are of {one.about['name']} on "
                               f"{one.about['date']}; allowed: one verdict a solver and day")
     return sorted(solvers.values(), key=lambda all: (all[-1].about.get("group", ""), all[-1].about["name"].lower()))
 
@@ -141,14 +154,16 @@ def changes(before, after):
 
 
 def differences(solvers, first, last):
-    """What changed between two days, as rows of texts: solver, quantity, verdict then, verdict now."""
+    """What changed between two days, as rows of texts, solver, quantity, verdict then, verdict now; and the solvers that have no
+    verdict of the first day or before it."""
+    rows, new = [], []
     for verdicts in solvers:
-        name = verdicts[-1].about["name"]
         then, now = ([one for one in verdicts if one.about["date"] <= day][-1:] for day in (first, last))
-        if now and not then:
-            yield name, "", "not asked", now[0].said["overall"]
-        elif now:
-            yield from ((name, *one) for one in changes(then[0], now[0]))
+        if then:
+            rows += [(verdicts[-1].about["name"], *map(str.lower, one)) for one in changes(then[0], now[0])]
+        else:
+            new.append(verdicts[-1].about["name"])
+    return rows, new
 
 
 def matrix(solvers, version):
@@ -158,7 +173,7 @@ def matrix(solvers, version):
     for verdicts in solvers:
         last = verdicts[-1]
         rows.append({
-            "id": re.sub(r"_\d{4}-\d\d-\d\d$", "", last.stem), **{field: last.about.get(field) for field in FIELDS}, "tribocheck": last.said["version"],
+            "id": last.id, **{field: last.about.get(field) for field in FIELDS}, "tribocheck": last.said["version"],
             "subject": last.said["subject"], "tolerance": last.said["tolerance"], "sample": last.said["sample"],
             "overall": last.said["overall"], "summary": last.said["summary"],
             "cells": {name: last.cells.get(name, "not asked") for name in quantities},
@@ -189,8 +204,8 @@ def badge(solver):
 
 
 def cause_of(solver, quantity):
-    """The sentences of the causes of a quantity's function."""
-    return " ".join(one["text"] for one in solver["causes"] if quantity.split(".")[0] in one["functions"])
+    """The sentences of the causes of a quantity that failed."""
+    return "" if solver["cells"][quantity] != "FAILED" else " ".join(one["text"] for one in solver["causes"] if quantity.split(".")[0] in one["functions"])
 
 
 def pages(document, name):
@@ -199,7 +214,8 @@ def pages(document, name):
     import render
     import sections
     templates = render.environment(HERE / "templates", {
-        "STATUSES": STATUSES, "HELD": HELD, "UNJUDGED": UNJUDGED, "offered": [
+        "groups": [(group, len(list(those))) for group, those in itertools.groupby(one["group"] for one in document["solvers"])],
+        "STATUSES": STATUSES, "HELD": HELD, "OVERALL": OVERALL, "TOLERANCES": TOLERANCES, "UNJUDGED": UNJUDGED, "offered": [
             one for one in document["quantities"] if any(solver["cells"][one] not in UNJUDGED for solver in document["solvers"])],
         "badge": badge, "cause_of": cause_of, "folder": name, **document})
     templates.filters["html"] = lambda text: markup.Markdown(html.escape(str(text)))
@@ -231,9 +247,18 @@ def main():
     solvers = read_folder(given.folder)
     if given.days:
         first, last = (read_date(day, "--diff") for day in given.days)
-        for row in [("solver", "quantity", first, last), *differences(solvers, first, last)]:
+        if first >= last:
+            raise Refused(f"--diff: {first} {last}; allowed: two days, the earlier one first")
+        rows, new = differences(solvers, first, last)
+        for row in [("solver", "quantity", first, last), *rows]:
             print("\t".join(row))
+        if new:
+            print(f"tribocheck: {len(new)} solvers have no verdict on or before {first} and are left out: {', '.join(new)}", file=sys.stderr)
         return
+    if given.out.suffix != ".html":
+        raise Refused(f"--out: {given.out}; allowed: a file whose name ends in .html")
+    if given.out.with_suffix("").resolve() == given.folder.resolve():
+        raise Refused(f"--out: {given.out}: its pages would be written into the folder of the verdicts, {given.folder}; allowed: another name")
     import drawing
     document = drawing.cleaned(matrix(solvers, given.version))
     if given.format == "json":

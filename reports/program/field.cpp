@@ -26,13 +26,13 @@ int write_field(const FieldOptions& options, OutputStream& output) {
 }
 
 constexpr const char* field_footer =
-    R"(The folder has two files a verdict: NAME.json, what `tribocheck verify --subject … --format json` writes,
-and NAME.toml, some lines about the solver: name, language and date (needed), address, commit, licence,
-conventions, asked (the command that asked it) and group. Verdicts of one name and several dates are the
-history of that solver; the newest one stands in the matrix.
-Written are the page and, in a folder of its name, a page, a badge (SVG, and JSON for services that draw
-badges) for each solver, and matrix.json. --format json writes that document to stdout in place of these
-files; --diff writes there what changed between two days, separated by tabs.
+    R"(The folder has two files for each verdict: FILE.json, what `tribocheck verify --subject … --format json`
+writes, and FILE.toml, some lines about the solver: name, language and date (needed), address, commit,
+licence, conventions, asked (the command that asked it) and group. Verdicts of one name and several dates
+are the history of that solver; the newest one stands in the matrix.
+Written are the page and, in a folder of its name, a page and a badge (SVG, and JSON for services that draw
+badges) for each solver, and matrix.json. --format json writes matrix.json to stdout in place of these
+files; --diff writes to stdout what changed between two days, separated by tabs.
 Exit code 1: Jinja2 or cmarkgfm is missing, or a file cannot be written.
 
 Example:

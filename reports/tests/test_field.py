@@ -94,6 +94,7 @@ class Field(ProgramTest):
 
 class Pages(Field):
     NAMES = ["<b>plain</b> & | `x` *y*", "_two_ [3](#4)", "three"]
+    IDS = ["b_plain_b_x_y", "two_3_4", "three"]  # of their pages
 
     def setUp(self):
         super().setUp()
@@ -104,7 +105,8 @@ class Pages(Field):
     def test_each_cell_of_the_matrix_is_that_of_the_verdict(self):
         document = self.made()
         tables = Tables(self.text("out.html")).tables
-        (head, *rows), = [table for table in tables if table[0][0]["text"] == "quantity"]
+        (groups, head, *rows), = [table for table in tables if len(table) > 1 and table[1][0]["text"] == "quantity"]
+        self.assertEqual([cell["text"] for cell in groups], ["", "g"])
         columns = [cell["text"] for cell in head[1:]]
         self.assertEqual(sorted(columns), sorted(self.NAMES))
         signs = {}
@@ -114,11 +116,11 @@ class Pages(Field):
                 verdicts = {one["quantity"]: one["status"] for one in self.turned(i)["quantities"]}
                 solver, = (one for one in document["solvers"] if one["name"] == name)
                 word = verdicts[row[0]["text"]]
-                self.assertEqual((cell["title"].split(".")[0], solver["cells"][row[0]["text"]]), (word, word), (name, row[0]))
+                self.assertEqual((cell["title"].split(". ")[0].rstrip("."), solver["cells"][row[0]["text"]]), (word, word), (name, row[0]))
                 signs.setdefault(word, set()).add((cell["text"], cell["class"]))
                 if word != "not offered":
-                    self.assertEqual(urllib.parse.unquote(cell["href"]), f"out/s{i}.html#{row[0]['text']}")
-                    self.assertIn(f'id="{row[0]["text"]}"', self.text(f"out/s{i}.html"))
+                    self.assertEqual(urllib.parse.unquote(cell["href"]), f"out/{self.IDS[i]}.html#{row[0]['text']}")
+                    self.assertEqual(self.text(f"out/{self.IDS[i]}.html").count(f'id="{row[0]["text"]}"'), 1)
         self.assertEqual({word: len(found) for word, found in signs.items()}, dict.fromkeys(STATUSES, 1), signs)
         self.assertEqual(len({sign for found in signs.values() for sign, _ in found}), len(STATUSES))
         self.assertEqual([row[0]["text"] for row in rows], document["quantities"])
@@ -131,15 +133,15 @@ class Pages(Field):
             i = self.NAMES.index(row[0]["text"])
             statuses = [one["status"] for one in self.turned(i)["quantities"]]
             told = dict(zip([cell["text"] for cell in head], [cell["text"] for cell in row], strict=True))
-            self.assertEqual((told["licence"], told["kind"], told["language"], told["date"], told["verdict"]),
+            self.assertEqual((told["licence"], told["group"], told["language"], told["date"], told["overall"]),
                              (f"L|{i}", "g", "Python", "2026-11-28", "failed"))
             self.assertEqual((told["held"], told["in part"], told["failed"]),
                              (str(sum(one.startswith("held") and "part" not in one for one in statuses)),
                               str(statuses.count("held in part")), str(statuses.count("FAILED"))))
-            about, numbers, history = Tables(self.text(f"out/s{i}.html")).tables
+            about, numbers, history = Tables(self.text(f"out/{self.IDS[i]}.html")).tables
             about = {one["text"]: other["text"] for one, other in about}
             self.assertEqual((about["address"], about["commit"], about["licence"], about["conventions"], about["tolerance"]),
-                             ("https://example.org/a_b_c", f"{i}" * 40, f"L|{i}", "E* & <i>k</i>", "engineering"))
+                             ("https://example.org/a_b_c", f"{i}" * 40, f"L|{i}", "E* & <i>k</i>", "engineering: 1e-6 of the value, times its condition"))
             offered = [one for one in self.turned(i)["quantities"] if one["status"] != "not offered"]
             self.assertEqual([[cell["text"] for cell in row[:5]] + [row[6]["text"]] for row in numbers[1:]],
                              [[one["quantity"], one["status"].lower(), *(str(one[key]) for key in ("held", "failed", "skipped", "worst_case"))]
@@ -155,7 +157,7 @@ class Pages(Field):
         with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
             driver = browser(profile)
             self.addCleanup(driver.quit)
-            for page in ("out.html", "out/s0.html"):
+            for page in ("out.html", "out/b_plain_b_x_y.html"):
                 for width in (390, 1400):
                     for scheme, media in (("light", ""), ("dark", ""), ("light", "print")):
                         driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
@@ -224,15 +226,19 @@ class History(Field):
     def test_a_difference_of_two_days_names_what_changed_and_no_more(self):
         def rows(*days):
             result = run("field", self.folder.path("verdicts"), "--diff", *days)
-            self.assertEqual((result.code, result.err), (0, ""))
+            self.assertEqual((result.code, len(result.err.splitlines())), (0, days[0] < "2026-11-01"))
             head, *lines = [line.split("\t") for line in result.out.splitlines()]
             self.assertEqual(head, ["solver", "quantity", *days])
             return lines
         self.assertEqual(rows("2026-02-01", "2026-03-01"), [])
         self.assertEqual(rows("2026-02-01", "2026-10-31"),
-                         [["one", before["quantity"], before["status"], after["status"]]
+                         [["one", before["quantity"], before["status"].lower(), after["status"].lower()]
                           for before, after in zip(self.turned(0)["quantities"], self.turned(1)["quantities"])])
-        self.assertEqual(rows("2026-10-31", "2026-11-01"), [["late", "", "not asked", "failed"]])
+        self.assertEqual(rows("2026-10-31", "2026-11-01"), [])
+        self.assertIn("1 solvers have no verdict on or before 2026-10-31 and are left out: late",
+                      run("field", self.folder.path("verdicts"), "--diff", "2026-10-31", "2026-11-01").err)
+        for days in (("2026-03-01", "2026-02-01"), ("2026-03-01", "2026-03-01")):
+            self.refused("--diff: " + " ".join(days), "the earlier one first", arguments=("--diff", *days))
         self.refused("--diff: '2026-13-01'", "2026-11-28", arguments=("--diff", "2026-01-01", "2026-13-01"))
 
     def test_a_verdict_of_another_version_has_the_quantities_that_it_was_asked(self):
@@ -252,13 +258,13 @@ class Shipped(unittest.TestCase):
     def test_each_solver_is_asked_as_its_row_says(self):
         rows = tomllib.loads((ROOT / "reports/field/solvers.toml").read_text(encoding="utf-8"))["solver"]
         document = json.loads(run("field", ROOT / "reference/field", "--format", "json").out)
-        solvers = {one["id"]: one for one in document["solvers"]}
-        self.assertEqual(set(solvers), {one["id"] for one in rows})
+        solvers = {one["name"]: one for one in document["solvers"]}
+        self.assertEqual(set(solvers), {one["name"] for one in rows})
         self.assertGreaterEqual(sum(one["kind"] == "public" for one in rows), 10)
         self.assertGreaterEqual(sum(one["kind"] == "textbook" for one in rows), 12)
         for row in rows:
             with self.subTest(row["id"]):
-                one = solvers[row["id"]]
+                one = solvers[row["name"]]
                 self.assertEqual([one[key] for key in ("name", "language", "commit", "address", "conventions", "group", "sample")],
                                  [row.get(key) for key in ("name", "language", "commit", "repository", "conventions", "kind")] + ["all"])
                 self.assertEqual(one["licence"], row.get("licence", "Apache-2.0"))
@@ -305,9 +311,13 @@ class Refusals(Field):
         self.add("x")
         self.add("y", name="x")
         self.refused("x.toml and y.toml", "2026-11-28")
+        self.add("y", name="X", date="2026-11-27")
+        self.refused("y.toml: name: 'X' and 'x' of x.toml would both be x.html")
         os.remove(self.folder.path("verdicts/y.json"))
         self.refused("y.toml: y.json is missing")
         os.remove(self.folder.path("verdicts/y.toml"))
+        self.refused("--out: a.json", ".html", arguments=("-o", "a.json"))
+        self.refused("folder of the verdicts", arguments=("-o", self.folder.path("verdicts.html")))
         self.folder.write("verdicts/x.json", "{")
         self.refused("x.json")
         shutil.rmtree(self.folder.path("verdicts"))
