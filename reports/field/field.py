@@ -226,7 +226,7 @@ def pages(document, name):
         text = markup.indices(str(templates.get_template(template).render(names)))
         first, *parts = re.split(r"(?m)^## (.*)\n", text)
         made = [sections.Made(re.sub(r"\W+", "-", title.lower()).strip("-"), title, part, False) for title, part in zip(parts[::2], parts[1::2])]
-        return sections.html_of(first, made)
+        return sections.html_of(first, made, more_style=(HERE / "matrix.css").read_text(encoding="utf-8"))
     files = {f"{name}.html": page("matrix.md"), f"{name}/matrix.json": as_json(document)}
     for solver in document["solvers"]:
         stem = f"{name}/{solver['id']}"

@@ -126,8 +126,8 @@ class Page:
         return html_of(self.first, self.parts, self.figures.into)
 
 
-def html_of(first, parts, with_pictures=str):
-    """The page of a first part and sections, each Markdown."""
+def html_of(first, parts, with_pictures=str, more_style=""):
+    """The page of a first part and sections, each Markdown; more_style goes on where style.css ends."""
     numbers = {part.id: i for i, part in enumerate(parts, 1)}
     frame = (HERE / "layout.html").read_text(encoding="utf-8")
     style, script = ((HERE / name).read_text(encoding="utf-8") for name in ("style.css", "comfort.js"))
@@ -135,7 +135,7 @@ def html_of(first, parts, with_pictures=str):
                        for i, part in enumerate(parts, 1))
     body = "".join(part_html(part, numbers, with_pictures) for part in parts)
     title = re.search(r"(?m)^# (.*)$", first)[1]
-    return (frame.replace("{{title}}", html.escape(markup.plain(title))).replace("{{style}}", style).replace("{{script}}", script)
+    return (frame.replace("{{title}}", html.escape(markup.plain(title))).replace("{{style}}", style + more_style).replace("{{script}}", script)
             .replace("{{contents}}", contents).replace("{{first}}", with_section_numbers(markup.section_html(first), numbers))
             .replace("{{sections}}", body))
 
