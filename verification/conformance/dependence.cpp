@@ -213,6 +213,41 @@ std::string form_of(const Part& part) {
   return {};
 }
 
+std::string form_of_right(const Part& part) {
+  struct RightForm {
+    double (*of)(double right);
+    const char* text;
+  };
+  constexpr std::array right_forms{
+      RightForm{[](double x) { return 1 / x; }, "1 over the right ones"},
+      RightForm{[](double x) { return 1 - x; }, "1 less the right ones"},
+      RightForm{[](double x) { return x - 1; }, "the right ones less 1"},
+      RightForm{[](double x) { return 1 / x - 1; }, "1 over the right ones, less 1"},
+      RightForm{[](double x) { return x * x; }, "the squares of the right ones"},
+      RightForm{[](double x) { return std::sqrt(x); }, "the roots of the right ones"},
+      RightForm{[](double x) { return x * x * x; }, "the cubes of the right ones"},
+      RightForm{[](double x) { return std::cbrt(x); }, "the cube roots of the right ones"},
+      RightForm{[](double x) { return std::pow(x, 1.5); }, "the right ones to the power 3/2"},
+      RightForm{[](double x) { return std::pow(x, 2. / 3); }, "the right ones to the power 2/3"},
+      RightForm{[](double x) { return std::log(x); }, "the logarithms of the right ones"},
+      RightForm{[](double x) { return std::log10(x); },
+                "the decimal logarithms of the right ones"}};
+  constexpr double closeness = 1e-6, of_difference = 1e-11;  // the latter where digits cancel
+  std::size_t wrong = 0;
+  for (const Part::Number& one : part.all) wrong += one.answered->is_left() ? 1 : 0;
+  for (const RightForm& form : right_forms)
+    if (wrong >= fewest_of_form &&
+        std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
+          const double given = form.of(one.answered->expected->high);
+          return one.answered->is_explained ||
+                 std::abs(one.answered->got - given) <=
+                     closeness * std::abs(given) +
+                         of_difference * std::min(1.0, std::abs(one.answered->expected->high));
+        }))
+      return fmt::format("All {} wrong answers are {}.", wrong, form.text);
+  return {};
+}
+
 std::optional<Dependence> dependence_of(const Part& part) {
   if (part.wrong.size() < fewest_cases || part.function() == nullptr) return std::nullopt;
   const std::vector<Variable> variables = variables_of(part.function());

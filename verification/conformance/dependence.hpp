@@ -21,6 +21,10 @@ struct Dependence {
 // numbers of few digits. Empty: neither is so.
 std::string form_of(const Part& part);
 
+// "All 36 wrong answers are 1 over the right ones.": also 1 less them, their roots or logarithms.
+// Empty: they are nothing of this.
+std::string form_of_right(const Part& part);
+
 // Empty where no variable alone determines the factor: where two cases with the same value have
 // different factors, or where the factor of a case is not what those of its neighbours let expect.
 std::optional<Dependence> dependence_of(const Part& part);

@@ -488,16 +488,20 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   text += '.';
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};
+  if (const std::string form = form_of_right(part); !form.empty())
+    return {text + ' ' + form, true, {}, is_in_place};
+  if (const std::string sum = constant_sum(part); !sum.empty())
+    return {text + ' ' + sum, true, {}, is_in_place};
   if (const std::optional<Misread> misread = misread_input(part, mistakes))
     return {text + with(misread->text), true, misread->text, is_in_place, misread->change};
   if (const std::string other = other_value(part); !other.empty())
     return {text + ' ' + other, true, {}, is_in_place};
-  if (const std::string sum = constant_sum(part); !sum.empty())
-    return {text + ' ' + sum, true, {}, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);
   if (!powers.empty()) return {text + powers, true, {}, is_in_place};
   if (const std::string form = form_of(part); !form.empty())
     return {text + ' ' + form, true, {}, is_in_place};
+  if (const std::string grid = grid_of(part); !grid.empty())
+    return {text + ' ' + grid, true, {}, is_in_place};
   if (const Growth growth = growth_of(part); !growth.text.empty())
     return {text + ' ' + growth.text, true, growth.cause, is_in_place};
   if (const std::optional<Dependence> depends = dependence_of(part))

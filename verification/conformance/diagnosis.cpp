@@ -17,6 +17,7 @@
 #include "conformance/follow.hpp"
 #include "conformance/misread.hpp"
 #include "conformance/mistake_search.hpp"
+#include "conformance/solved_mistakes.hpp"
 #include "conformance/words.hpp"
 
 namespace tribo::conformance {
@@ -92,7 +93,7 @@ class Diagnoser {
   void find_causes() {
     for (int i = 0; i < most_causes && any_left(); ++i) {
       Cause cause = find_cause(cases_, mistakes_, {});
-      if (cause.explains.empty()) break;
+      if (cause.explains.empty() || (cause.is_rough && is_another_read())) break;
       tell(std::move(cause), {});
     }
     // Then each branch alone; those with the same cause are told together.
@@ -118,6 +119,16 @@ class Diagnoser {
       same->second.push_back(branch);
     }
     for (auto& [cause, of_branches] : causes) tell(std::move(cause), of_branches);
+  }
+
+  // Whether something that is misread gives all wrong answers, which tells more than a mistake that
+  // gives them roughly.
+  bool is_another_read() const {
+    const std::vector<Part> parts = parts_left(cases_);
+    return !is_operating_point(function_) &&
+           std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+             return misread_input(part, mistakes_).has_value();
+           });
   }
 
   bool any_left() const { return std::any_of(cases_.begin(), cases_.end(), has_left); }
@@ -586,8 +597,12 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
     for (const std::string& other : rests_on(function))
       for (const WrongFunction& one : wrong)
         if (one.name() == other) below.push_back(&one);
-    Diagnoser diagnoser(function, answered_cases(function, cases, conversation, tolerance),
-                        mistakes, std::move(below), named);
+    std::vector<AnsweredCase> answered = answered_cases(function, cases, conversation, tolerance);
+    for (Mistake& one : solved_mistakes(answered))
+      if (std::none_of(mistakes.begin(), mistakes.end(),
+                       [&](const Mistake& known) { return known.name == one.name; }))
+        mistakes.push_back(std::move(one));
+    Diagnoser diagnoser(function, std::move(answered), mistakes, std::move(below), named);
     std::vector<Diagnosis> of_function = diagnoser.run();
     if (!of_function.empty() && !is_operating_point(function))
       wrong.push_back(diagnoser.as_below());

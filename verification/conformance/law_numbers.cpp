@@ -146,6 +146,15 @@ std::optional<Numbers> starved_film(const Arguments& a, Constants n) {
   return only(film_ratio(std::exp((low + high) / 2)));
 }
 
+// Numbers: the exponent of λ = λ₀ (1 − A)^−e, and q of A = (K F)^q by each model.
+std::optional<Numbers> shared_load(const Arguments& a, Constants n) {
+  static const catalogue::Function* const function = catalogue::function_named("load_sharing");
+  Question asked{nullptr, function, a};
+  asked.sharing.film_exponent = n[0];
+  asked.sharing.share_exponent = n[a[0] == 0 ? 1 : 2];
+  return only(right_numbers(asked)[0]);
+}
+
 // Numbers: 6 of the density m₄/(6√3π m₂), 3/8 of the radius, 0.8968 and 4 of the heights.
 std::optional<Numbers> summits(const Arguments& m, Constants n) {
   const double pi = std::numbers::pi, bandwidth = m[0] / m[1] * (m[2] / m[1]);
@@ -539,6 +548,10 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) 
                         {{1, {"", "4√2/3"}}, {2, {"", "3/2"}}, {3, {"", "5/4"}}}};
   if (function.name == "summits_from_spectral_moments")
     return LawOfNumbers{summits, {6, 0.375, 0.8968, 4}, {}};
+  if (function.name == "load_sharing")
+    return LawOfNumbers{shared_load,
+                        {0.14, 0.5, 1},
+                        {{0, {"the film's exponent ", ""}}, {1, {"q = ", ""}}, {2, {"q = ", ""}}}};
   const auto [formula, right] = formula_of_law(function.name);
   if (formula == nullptr) return std::nullopt;
   return LawOfNumbers{formula, {right.begin(), right.end()}, {}};

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "catalogue/ways_to_ask.hpp"
+#include "conformance/expression.hpp"
 #include "conformance/insides.hpp"
 #include "conformance/law_numbers.hpp"
 #include "conformance/variable.hpp"
@@ -369,6 +370,31 @@ void add_steps(const Input& input, const std::vector<Part::Number>& wrong,
     }
 }
 
+// Adds that the input is upside down, or to another power. A number that is solved for does not
+// reach so far.
+void add_powers(const Input& input, std::vector<Misreading>& found) {
+  struct Power {
+    double exponent;
+    const char* text;
+  };
+  constexpr std::array powers{Power{-1, "1/{}"}, Power{2, "{}²"}, Power{0.5, "√{}"},
+                              Power{3, "{}³"}, Power{1.0 / 3, "∛{}"}};
+  for (const auto& [exponent, text] : powers) {
+    const auto change = [&input, power = exponent](Question& question) {
+      const double own = input.get(question), read = std::pow(own, power);
+      if (std::isfinite(read) && read != own) input.set(question, read);
+    };
+    found.push_back({2,
+                     fmt::format("{} in place of {}", fmt::format(fmt::runtime(text), input.symbol),
+                                 input.symbol),
+                     [change](Question question, std::size_t place) {
+                       change(question);
+                       return right_numbers(question)[place];
+                     },
+                     fewest_wrong, false, change});
+  }
+}
+
 // Adds the readings by each input, from where answers are farthest off on both sides, which decide
 // the value best, and from a third one.
 void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part::Number>& wrong,
@@ -383,6 +409,7 @@ void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part
     for (const auto& from : {least, greatest, wrong.begin() + std::ssize(wrong) / 2})
       if (const auto value = solved(*from, input, place))
         add_misreadings(inputs, input, from->of->question, *value, found);
+    if (input.kind == Kind::single) add_powers(input, found);
     // An answer that hardly depends on the input there tells no value of it.
     for (const Input& other : inputs)
       if (&other != &input && input.kind == Kind::single && is_of_unit(other, input))
@@ -405,7 +432,8 @@ bool gives(const Misreading& one, const Part& part) {
     if (answered.is_explained) continue;
     const double given = one.answer(number.of->question, part.place);
     const double change = std::abs(given - answered.expected->high);
-    const double allowed = std::max(answered.allowed, of_change * change);
+    const double allowed =
+        std::max(answered.allowed_of(given), of_change * std::min(change, std::abs(given)));
     if (!std::isfinite(given) || std::abs(answered.got - given) > allowed) {
       if (++off > most || answered.is_wrong) return false;
       continue;
@@ -503,6 +531,9 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
                                        : 4 + static_cast<int>(one.count),
                      std::move(one.text), std::move(one.answer)});
   if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);
+  for (ChangedExpression& one : changed_expressions(part))
+    all.push_back(
+        {one.changes == 1 ? 3 : rank_of_odd - 1, std::move(one.text), std::move(one.answer)});
   std::stable_sort(all.begin(), all.end(),
                    [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
   std::vector<std::string> texts;

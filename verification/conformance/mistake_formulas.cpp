@@ -176,13 +176,6 @@ double load_of_rows(double x, Constants numbers) {
 double relative_pressure(const Arguments& a) { return a[0] / (a[1] * a[2]); }
 Numbers lambda_of(const Arguments& a, double rough) { return {rough, a[0] / rough}; }
 
-// --- Shear below a contact: arguments p₀, a, z and ν
-
-double shear_of(const Arguments& a, double half_q, double arc) {
-  const double zeta = a[2] / a[1], q = 1 / (1 + zeta * zeta);
-  return a[0] / 2 * std::abs((1 + half_q) * q - (1 + a[3]) * (1 - zeta * arc));
-}
-
 // --- D341: arguments T₁, ν₁, T₂, ν₂ and T
 
 // A straight line of y(ν) over x(T); ν in mm²/s.
@@ -396,11 +389,7 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants shift) { return moment_of(a[0] + shift[0], a[1]); }},
     {"gaussian_moment", "moment_about_zero", 0,
      [](const Arguments& a, Constants) { return moment_about_zero(a[0], a[1]); }},
-    // Numbers: where the integral ends, and how many intervals Simpson's rule has.
-    {"gaussian_moment", "moment_cut_at", 2,
-     [](const Arguments& a, Constants numbers) {
-       return simpson(a[0], a[1], numbers[0], static_cast<int>(numbers[1]));
-     }},
+    // Numbers: how far from d the integral ends, and how many intervals Simpson's rule has.
     {"gaussian_moment", "moment_cut_at_distance", 2,
      [](const Arguments& a, Constants numbers) {
        return simpson(a[0], a[1], a[1] + numbers[0], static_cast<int>(numbers[1]));
@@ -510,11 +499,6 @@ constexpr NamedFormula formulas[] = {
        return 1 / rolling(rolling_heat(a, a[2] * a[2]), 1 / numbers[0], numbers[1]);
      }},
 
-    {"subsurface_shear", "shear_with_arc_of_depth", 0,
-     [](const Arguments& a, Constants) { return shear_of(a, 0.5, std::atan(a[2] / a[1])); }},
-    {"subsurface_shear", "shear_without_half_q", 0,
-     [](const Arguments& a, Constants) { return shear_of(a, 0, std::atan(a[1] / a[2])); }},
-
     // Numbers: a³ = 3R/(4E*) [F + n πwR + m √(6πwRF + (3πwR)²)]; no radius where that is not above 0.
     {"jkr_radius", "jkr_of_loads", 2,
      [](const Arguments& a, Constants numbers) {
@@ -535,10 +519,6 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants numbers) {
        const double divisor = numbers[2] == 0 ? a[4] : numbers[2];
        return a[1] + (a[0] - a[1]) * thinned(a, (numbers[0] * a[5] + numbers[1]) / divisor);
-     }},
-    {"carreau_yasuda_viscosity", "carreau_added", 0,
-     [](const Arguments& a, Constants) {
-       return a[1] + a[0] * thinned(a, (a[5] - 1) / a[4]);
      }},
     {"carreau_yasuda_viscosity", "carreau_as_cross", 0,
      [](const Arguments& a, Constants) {
@@ -662,15 +642,6 @@ constexpr NamedFormula formulas[] = {
        return index_of(a, [&](double ratio, double y) {
          return (std::pow(10, std::log(ratio) / std::log(unit[0] * y)) - 1) / 0.00715 + 100;
        });
-     }},
-    {"viscosity_index", "index_of_first_row", 0,
-     [](const Arguments& a, Constants) -> Value {
-       const auto& row = detail::index_rows[0];
-       const double u = 1e6 * a[0], y = 1e6 * a[1];
-       const double zero = (row.a / 1e5 * y + row.b / 1e4) * y + row.c / 1e3;
-       const double hundred = (row.d / 1e5 * y + row.e / 1e4) * y + row.f / 1e3;
-       if (u >= hundred) return 100 * (zero - u) / (zero - hundred);
-       return (std::pow(10, std::log(hundred / u) / std::log(y)) - 1) / 0.00715 + 100;
      }},
     {"viscosity_index", "index_of_inverse_ratio", 0,
      [](const Arguments& a, Constants) {

@@ -111,15 +111,12 @@ class Search {
   }
   static bool is_close(const AnsweredNumber& number, double given, std::size_t mistakes) {
     const double off = std::abs(number.got - given), by = change(number, given);
-    // The tolerance is at most a tenth of `given`, which is tiny where Pa were read as GPa.
-    const double own = std::abs(given);
-    if (mistakes == 1)
-      return off <=
-             std::max(std::min(number.allowed, own / 10), closeness_alone * std::min(by, own));
+    const double own = std::abs(given), allowed = number.allowed_of(given);
+    if (mistakes == 1) return off <= std::max(allowed, closeness_alone * std::min(by, own));
     // There are thousands of sets: with a generous tolerance one would fit by chance.
     const Expected& expected = *number.expected;
     const double tight = engineering_tolerance().relative * expected.condition;
-    return off <= std::max(std::min({number.allowed, tight * std::abs(expected.high), own / 10}),
+    return off <= std::max(std::min(allowed, tight * std::min(std::abs(expected.high), own)),
                            closeness_together * std::min(by, own));
   }
 
@@ -204,6 +201,7 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
   if (best.empty()) return cause;
   cause.changed = best.front().changed;
   cause.met = best.front().met;
+  cause.is_rough = !best.front().is_close();
   cause.explains = best.front().explains;
   for (const Fit& other : best)
     if (other.explains == cause.explains && cause.choices.size() < most_choices)

@@ -20,6 +20,7 @@ struct Cause {
   std::size_t changed = 0;        // answers that the first of them changes
   std::size_t met = 0;            // of those, answers that are as it gives them
   std::vector<AnsweredNumber*> explains;  // wrong ones, unexplained so far; none: nothing was found
+  bool is_rough = false;                  // one mistake alone, and met to 0.2 % at most
   std::optional<std::size_t> left_out;    // a result that something else changes, too
 };
 

@@ -273,27 +273,6 @@ Mistake with_inlet(const Mistake& wrong) {
   });
 }
 
-// The point whose flooded film is λ σ_s = h₀ (1 − A)^−e, whatever gave it.
-Numbers shared_point(const Question& question, const MixedContact<double>& contact, double lambda,
-                     double exponent) {
-  const double speed = question.scene->speeds[0];
-  const double fluid = std::pow(contact.flooded_film_parameter(speed) / lambda, 1 / exponent);
-  const FloodedFilm<double> flooded{speed, {lambda, 1 - fluid, fluid, 0}};
-  const InletState<double> inlet = contact.inlet(flooded);
-  Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
-  if (lambda < contact.sharing().floor())
-    std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
-  return numbers;
-}
-
-Question sharing_question(const MixedContact<double>& contact, const Scene& scene) {
-  return {nullptr,
-          catalogue::function_named("load_sharing"),
-          {static_cast<double>(scene.closures.asperity),
-           contact.flooded_film_parameter(scene.speeds[0]), contact.sharing().stiffness(),
-           contact.sharing().offset()}};
-}
-
 // λ of load_sharing, which has the exponent of hamrock_dowson_central.
 std::optional<double> usual_sharing(const Mistake* wrong, const MixedContact<double>& contact,
                                     const Scene& scene) {

@@ -22,7 +22,7 @@ double shared_film(const catalogue::Arguments& a, const SharingReading& reading)
   const double e = reading.film_exponent != 0 ? reading.film_exponent
                                               : hamrock_dowson_central_law.sharing_power.value;
   // Where powers underflow a mistake tells nothing.
-  if (!(lambda0 > 1e-250 && lambda0 < 1e250 && stiffness < 1e250)) return unsaid;
+  if (!(lambda0 > 1e-250 && lambda0 < 1e250 && stiffness < 1e301)) return unsaid;
   const auto moment = [&](double d) {
     if (!is_fit) return gaussian_moment(static_cast<Order>(static_cast<int>(2 * order)), d);
     return d < reading.fit_end
@@ -189,14 +189,42 @@ std::optional<ShearedFilm> sheared_film(const Question& question) {
                          question.friction);
 }
 
+Numbers shared_point(const Question& question, const MixedContact<double>& contact, double lambda,
+                     double exponent) {
+  const double speed = question.scene->speeds[0];
+  const double fluid = std::pow(contact.flooded_film_parameter(speed) / lambda, 1 / exponent);
+  const FloodedFilm<double> flooded{speed, {lambda, 1 - fluid, fluid, 0}};
+  const InletState<double> inlet = contact.inlet(flooded);
+  Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
+  if (lambda < contact.sharing().floor())
+    std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
+  return numbers;
+}
+
+Question sharing_question(const MixedContact<double>& contact, const Scene& scene) {
+  return {nullptr,
+          catalogue::function_named("load_sharing"),
+          {static_cast<double>(scene.closures.asperity),
+           contact.flooded_film_parameter(scene.speeds[0]), contact.sharing().stiffness(),
+           contact.sharing().offset()}};
+}
+
 Numbers right_numbers(const Question& question) {
   if (question.function != nullptr) return function_numbers(question);
+  Numbers nothing{};
+  nothing.fill(unsaid);
+  if (question.scene && question.sharing.film_exponent != 0) {
+    const MixedContact<double> contact(*question.scene);
+    Question sharing = sharing_question(contact, *question.scene);
+    sharing.sharing = question.sharing;
+    const double lambda = right_numbers(sharing)[0];
+    return lambda > 0 ? shared_point(question, contact, lambda, question.sharing.film_exponent)
+                      : nothing;
+  }
   if (question.scene)
     return numbers_of(MixedContact<double>(*question.scene).solve(question.scene->speeds[0]),
                       question);
-  Numbers numbers{};
-  numbers.fill(unsaid);
-  return numbers;
+  return nothing;
 }
 
 }  // namespace tribo::conformance

@@ -12,6 +12,7 @@
 #include "conformance/conformance_case.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
+#include "tribo/mixed_contact.hpp"
 #include "tribo/operating_point.hpp"
 #include "tribo/outputs.hpp"
 #include "tribo/scene.hpp"
@@ -64,9 +65,9 @@ struct Question {
   catalogue::Arguments arguments{};     // of the function
   std::optional<FilmLaw> law = {};      // another film law in place of the function's own
   std::optional<Scene> scene = {};      // of an operating point, with its one speed
-  SharingReading sharing = {};          // of load_sharing
-  double summit_count_times = 1;        // of an operating point
-  double real_area_times = 1;           // of an operating point
+  SharingReading sharing = {};    // of load_sharing; of an operating point its film's exponent
+  double summit_count_times = 1;  // of an operating point
+  double real_area_times = 1;     // of an operating point
   // The model by which the real area or the summits of a point are computed, where that is not the
   // model that shares its load.
   std::optional<AsperityModel> area_model = {}, count_model = {};
@@ -91,6 +92,13 @@ std::optional<ShearedFilm> sheared_film(const Question& question);
 
 // The model's results with the changes that the question carries. NaN where a fit says nothing.
 Numbers right_numbers(const Question& question);
+
+// The question to load_sharing at the first speed of a scene.
+Question sharing_question(const MixedContact<double>& contact, const Scene& scene);
+
+// The point whose flooded film is λ σ_s = h₀ (1 − A)^−e, whatever gave it.
+Numbers shared_point(const Question& question, const MixedContact<double>& contact, double lambda,
+                     double exponent);
 
 // The place of a field or an argument, as "closures.film", in a request; whether it is left out.
 nlohmann::json::json_pointer pointer_to(std::string_view path);

@@ -9,8 +9,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 #include <vector>
 
+#include "conformance/misread.hpp"
 #include "conformance/variable.hpp"
 
 namespace tribo::conformance {
@@ -180,6 +182,91 @@ std::string approximation_of(const Part& part) {
 }
 
 }  // namespace
+
+namespace {
+
+constexpr double grain = 1e-9;  // of the range: no grid is finer
+constexpr double least_grains = 300, lost_digits = 1e-10;
+constexpr double on_grid = 0.01, most_off = 1.01, least_off = 0.05;  // of a step
+constexpr std::size_t fewest_on_grid = 8;
+
+// The greatest step of which all differences are multiples; 0: there is none.
+double step_of(const std::vector<double>& values) {
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  const double range = *greatest - *least, fine = grain * range;
+  double step = 0;
+  for (const double one : values) {
+    double a = std::max(step, one - *least), b = std::min(step, one - *least);
+    while (b > fine) a = std::exchange(b, std::fmod(a, b));
+    step = a;
+    if (step < least_grains * fine) return 0;
+  }
+  const bool is_grid = std::all_of(values.begin(), values.end(), [&](double one) {
+    const double steps = (one - *least) / step;
+    return std::abs(steps - std::nearbyint(steps)) <= on_grid;
+  });
+  return is_grid ? step : 0;
+}
+
+// " = 10/2^15, as of a bisection of 10 that ends after some 15 steps"; empty: the step is of no
+// round width.
+std::string halved_width(double step, double range) {
+  const int first = std::max(3, static_cast<int>(std::ceil(std::log2(range / step))));
+  for (const bool is_any_digit : {false, true})
+    for (int halvings = first; halvings < first + 8; ++halvings) {
+      const double width = std::ldexp(step, halvings);
+      const double rounded = std::stod(fmt::format("{:.0e}", width));
+      const bool is_power_of_ten = std::abs(std::remainder(std::log10(rounded), 1)) < 1e-9;
+      if (std::abs(rounded / width - 1) > 1e-6 || !(is_power_of_ten || is_any_digit)) continue;
+      return fmt::format(
+          ", which is {:g}/2^{}: as of a bisection of a width of {:g} that ends after "
+          "{} steps",
+          rounded, halvings, rounded, halvings);
+    }
+  return {};
+}
+
+}  // namespace
+
+std::string grid_of(const Part& part) {
+  std::vector<const Part::Number*> wrong;
+  for (const Part::Number& one : part.all)
+    if (one.answered->is_left()) wrong.push_back(&one);
+  if (part.function() == nullptr || wrong.size() < fewest_on_grid) return {};
+  // The answer itself, or what it is beyond an input, or times an input.
+  std::vector<Variable> bases{{{}, false, [](const Question&) { return 0.0; }}};
+  for (Variable& one : variables_of(part.function()))
+    if (one.is_input) bases.push_back(std::move(one));
+  for (const bool is_ratio : {false, true})
+    for (const Variable& base : bases) {
+      if (is_ratio && base.symbol.empty()) continue;
+      std::vector<double> values;
+      double off = 0;
+      for (const Part::Number* const one : wrong) {
+        const double by = base.value(one->of->asked), got = one->answered->got;
+        // Beside a great number a step has no digits left.
+        if (!is_ratio && lost_digits * std::abs(by) > std::abs(one->answered->error())) continue;
+        values.push_back(is_ratio ? got / by : got - by);
+        off = std::max(off, std::abs(one->answered->error() / (is_ratio ? by : 1)));
+      }
+      const bool is_enough = values.size() >= fewest_on_grid && 2 * values.size() >= wrong.size();
+      if (!is_enough ||
+          !std::all_of(values.begin(), values.end(), [](double one) { return std::isfinite(one); }))
+        continue;
+      const double step = step_of(values);
+      if (step == 0 || off > most_off * step || off < least_off * step) continue;
+      const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+      const std::string text = halved_width(step, *greatest - *least);
+      if (text.empty() && !is_of_few_digits(step)) continue;
+      return fmt::format(
+          "{} wrong answers{} are whole steps of {:.4g} from each other, and at most one step "
+          "off{}.",
+          values.size(),
+          base.symbol.empty() ? std::string() : (is_ratio ? " over " : " less ") + base.symbol,
+          step, text.empty() ? ": they are rounded" : text);
+    }
+  return {};
+}
 
 Growth growth_of(const Part& part) {
   Growth found;

@@ -2,6 +2,7 @@
 // The numbers that a subject answered for one function, each beside what is expected.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -20,6 +21,12 @@ struct AnsweredNumber {
   bool is_explained = false;  // by a mistake that was named
 
   bool is_left() const { return is_wrong && !is_explained; }  // to be told
+  // How far from `given` an answer may be. What is allowed of a great number, or of one that an
+  // input determines badly, is too much of a tiny one, as where Pa were read as GPa.
+  double allowed_of(double given) const {
+    const double own = std::abs(given), right = std::abs(expected->high);
+    return 10 * own < right ? allowed / right / expected->condition * own : allowed;
+  }
   double error() const { return (got - expected->high) - expected->low; }
 };
 

@@ -1,0 +1,633 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/expression.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "conformance/misread.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using Op = Expression::Op;
+using Call = Expression::Call;
+using Operand = Expression::Operand;
+constexpr std::size_t most_nodes = 96;
+
+struct Called {
+  const char* before;
+  const char* after;
+  double (*of)(double);
+};
+// In the order of Call.
+constexpr std::array calls{Called{"e^(", ")", [](double x) { return std::exp(x); }},
+                           Called{"10^(", ")", [](double x) { return std::pow(10, x); }},
+                           Called{"ln(", ")", [](double x) { return std::log(x); }},
+                           Called{"log₁₀(", ")", [](double x) { return std::log10(x); }},
+                           Called{"atan(", ")", [](double x) { return std::atan(x); }},
+                           Called{"atan(1/(", "))", [](double x) { return std::atan(1 / x); }},
+                           Called{"atan in degrees (", ")",
+                                  [](double x) { return std::atan(x) * 180 / std::numbers::pi; }},
+                           Called{"tan(", ")", [](double x) { return std::tan(x); }},
+                           Called{"erf(", ")", [](double x) { return std::erf(x); }},
+                           Called{"erfc(", ")", [](double x) { return std::erfc(x); }},
+                           Called{"tanh(", ")", [](double x) { return std::tanh(x); }},
+                           Called{"|", "|", [](double x) { return std::abs(x); }},
+                           Called{"(", ")", [](double x) { return x; }}};
+const Called& call_of(Call call) { return calls[static_cast<std::size_t>(call)]; }
+
+// What people write in place of a function.
+std::vector<Call> others_than(Call call) {
+  switch (call) {
+    case Call::exponential:
+      return {Call::power_of_ten, Call::itself};
+    case Call::logarithm:
+      return {Call::decimal_logarithm, Call::itself};
+    case Call::arc:
+      return {Call::arc_of_inverse, Call::arc_in_degrees, Call::tangent, Call::itself};
+    case Call::error:
+      return {Call::error_complement, Call::hyperbolic_tangent, Call::itself};
+    default:
+      return {Call::itself};
+  }
+}
+
+class Evaluation {
+ public:
+  Evaluation(const Expression& law, const catalogue::Arguments& arguments)
+      : law_(law), arguments_(arguments) {
+    known_.fill(false);
+  }
+  double of(std::size_t place) {
+    if (known_[place]) return values_[place];
+    known_[place] = true;
+    return values_[place] = computed(law_.nodes[place]);
+  }
+
+ private:
+  double computed(const Expression::Node& node) {
+    double value = node.number;
+    switch (node.kind) {
+      case Op::given:
+        return node.get(arguments_);
+      case Op::sum:
+        for (const auto& [part, times] : node.parts)
+          if (times != 0) value += times * of(part);
+        return value;
+      case Op::product:
+        for (const auto& [part, exponent] : node.parts) value *= raised(part, exponent);
+        return value;
+      case Op::power:
+        return std::pow(of(node.parts[0].of), of(node.parts[1].of));
+      case Op::call:
+        return call_of(node.called).of(of(node.parts[0].of));
+      default:
+        return of(node.parts[static_cast<std::size_t>(node.get(arguments_))].of);
+    }
+  }
+  double raised(std::size_t part, double exponent) {
+    if (exponent == 0) return 1;
+    const double x = of(part);
+    return exponent == 1    ? x
+           : exponent == -1 ? 1 / x
+           : exponent == 2  ? x * x
+                            : std::pow(x, exponent);
+  }
+
+  const Expression& law_;
+  const catalogue::Arguments& arguments_;
+  std::array<double, most_nodes> values_;
+  std::array<bool, most_nodes> known_;
+};
+
+std::string number_in_words(double number) {
+  struct Known {
+    double value;
+    const char* name;
+  };
+  constexpr std::array known{Known{std::numbers::pi, "π"},
+                             Known{0.75, "3/4"},
+                             Known{1.5, "3/2"},
+                             Known{1.0 / 3, "1/3"},
+                             Known{2.0 / 3, "2/3"},
+                             Known{4.0 / 3, "4/3"},
+                             Known{std::numbers::sqrt2, "√2"},
+                             Known{7.0 / 3, "7/3"},
+                             Known{2 * std::numbers::pi, "2π"},
+                             Known{1 / std::numbers::pi, "1/π"},
+                             Known{3 * std::numbers::pi, "3π"},
+                             Known{4 / std::numbers::pi, "4/π"},
+                             Known{6 * std::numbers::pi, "6π"}};
+  for (const auto& [value, name] : known)
+    if (std::abs(number / value - 1) < 1e-12) return name;
+  return fmt::format("{}{:.6g}", number < 0 ? "−" : "", std::abs(number));
+}
+
+// --- Edits
+
+// One change of a node: of its number, of the number or the node of a part, or of its function.
+struct Edit {
+  std::size_t node;
+  int slot;  // of the part; −1: the node's own number or function
+  std::optional<double> number = {};
+  std::optional<std::size_t> part = {};
+  std::optional<Call> called = {};
+  std::vector<Expression::Node> whole = {};  // in place of the node, and those added for it
+  std::size_t added_at = 0;                  // the place of the first one that is added
+
+  void apply(Expression& law) const {
+    Expression::Node& of = law.nodes[node];
+    const auto at = static_cast<std::size_t>(slot);
+    if (!whole.empty()) {
+      std::string name = std::move(of.name);
+      of = whole.front();
+      of.name = std::move(name);
+      const std::size_t moved = law.nodes.size() - added_at;
+      law.nodes.insert(law.nodes.end(), whole.begin() + 1, whole.end());
+      for (std::size_t i = added_at + moved; moved > 0 && i <= law.nodes.size(); ++i)
+        for (Operand& operand : law.nodes[i == law.nodes.size() ? node : i].parts)
+          if (operand.of >= added_at) operand.of += moved;
+    } else if (called)
+      of.called = *called;
+    else if (part)
+      of.parts[at].of = *part;
+    else
+      (slot < 0 ? of.number : of.parts[at].number) = *number;
+  }
+};
+
+std::string change_in_words(const Expression& law, const Expression& changed, const Edit& one) {
+  const Expression::Node &node = law.nodes[one.node], &now = changed.nodes[one.node];
+  const bool is_sum = node.kind == Op::sum;
+  const std::string whole = law.in_words(one.node, true);
+  std::string text;
+  if (!one.whole.empty() || one.called || node.kind == Op::power)
+    text = fmt::format("{} in place of {}", changed.in_words(one.node, true), whole);
+  else if (one.slot < 0) {
+    const std::string old = number_in_words(node.number);
+    const bool is_gone = now.number == (is_sum ? 0 : 1);
+    text = is_gone ? fmt::format("no {} {}", is_sum ? "term" : "factor", old)
+                   : fmt::format("{} in place of {}", number_in_words(now.number), old);
+  } else {
+    const Operand &before = node.parts[static_cast<std::size_t>(one.slot)],
+                  &after = now.parts[static_cast<std::size_t>(one.slot)];
+    const std::string old = is_sum ? law.term_in_words(before) : law.factor_in_words(before);
+    text = after.number == 0
+               ? fmt::format("no {} {}", is_sum ? "term" : "factor", old)
+               : fmt::format("{} in place of {}",
+                             is_sum ? changed.term_in_words(after) : changed.factor_in_words(after),
+                             old);
+  }
+  constexpr std::size_t longest = 60;
+  if (!one.whole.empty() || one.called) return text;
+  if (!node.name.empty()) return text + ", in " + node.name;
+  return whole.size() <= longest ? text + ", in " + whole : text;
+}
+
+class Edits {
+ public:
+  explicit Edits(const Expression& law) : law_(law) {
+    for (std::size_t i = 0; i < law.nodes.size(); ++i) {
+      const Expression::Node& node = law.nodes[i];
+      if (node.kind == Op::sum) of_sum(i, node);
+      if (node.kind == Op::product) of_product(i, node);
+      if (node.kind == Op::call) of_call(i, node);
+      if (node.kind != Op::choice && node.kind != Op::given) of_parts(i, node);
+    }
+  }
+  std::vector<Edit> take() { return std::move(all_); }
+  // The same change of two nodes that are written alike, as of (1 − ν²)/E of both bodies.
+  std::vector<std::pair<Edit, Edit>> pairs_alike() const {
+    std::map<std::size_t, std::vector<Edit>> by_node;
+    std::map<std::string, std::vector<std::size_t>> alike;
+    for (const Edit& one : all_)
+      if (!one.part) by_node[one.node].push_back(one);
+    for (const auto& one : by_node) alike[shape_of(one.first)].push_back(one.first);
+    std::vector<std::pair<Edit, Edit>> pairs;
+    for (const auto& [shape, places] : alike)
+      for (std::size_t i = 0; places.size() == 2 && i < by_node[places[0]].size(); ++i)
+        if (by_node[places[0]].size() == by_node[places[1]].size())
+          pairs.emplace_back(by_node[places[0]][i], by_node[places[1]][i]);
+    return pairs;
+  }
+
+ private:
+  // How a node is written, without the marks of bodies and axes.
+  std::string shape_of(std::size_t place) const {
+    std::string text = law_.in_words(place, true);
+    for (const std::string_view mark : {"₁", "₂", "x", "y"})
+      for (std::size_t at = 0; (at = text.find(mark)) != std::string::npos;)
+        text.erase(at, mark.size());
+    return text;
+  }
+  void set(std::size_t node, std::size_t slot, double number) {
+    all_.push_back({.node = node, .slot = static_cast<int>(slot), .number = number});
+  }
+  void set_own(std::size_t node, double number) {
+    if (number != law_.nodes[node].number)
+      all_.push_back({.node = node, .slot = -1, .number = number});
+  }
+  void put(std::size_t place, std::vector<Expression::Node> whole) {
+    all_.push_back(
+        {.node = place, .slot = -1, .whole = std::move(whole), .added_at = law_.nodes.size()});
+  }
+  // f(a b) as f(a) b, and f(a + b) as f(a) + b.
+  void of_call(std::size_t place, const Expression::Node& node) {
+    for (const Call other : others_than(node.called))
+      all_.push_back({.node = place, .slot = -1, .called = other});
+    const Expression::Node& inner = law_.nodes[node.parts[0].of];
+    if (inner.kind != Op::product && inner.kind != Op::sum) return;
+    const std::size_t called = law_.nodes.size();
+    const double nothing = inner.kind == Op::product ? 1 : 0;
+    // Each part alone is left inside, and each part, or the number, alone is outside.
+    for (std::size_t i = 0; i <= inner.parts.size(); ++i)
+      for (const bool is_outside : {true, false}) {
+        Expression::Node outside{inner.kind, nothing}, inside{inner.kind, nothing};
+        for (std::size_t k = 0; k < inner.parts.size(); ++k)
+          ((k == i) == is_outside ? outside : inside).parts.push_back(inner.parts[k]);
+        ((i == inner.parts.size()) == is_outside ? outside : inside).number = inner.number;
+        if ((inside.parts.empty() && inside.number == nothing) ||
+            (outside.parts.empty() && outside.number == nothing))
+          continue;
+        outside.parts.push_back({called, 1});
+        Expression::Node call = node;
+        call.name.clear();
+        call.parts = {{called + 1, 1}};
+        put(place, {std::move(outside), std::move(call), std::move(inside)});
+      }
+  }
+  // a + b as √(a² + b²), and the other way round.
+  void as_norm(std::size_t place, const Expression::Node& node) {
+    if (node.parts.size() != 2 || node.number != 0) return;
+    std::vector<Expression::Node> added;
+    Expression::Node squares{Op::sum};
+    for (const auto& [of, times] : node.parts) {
+      squares.parts.push_back({law_.nodes.size() + 1 + added.size(), times * times});
+      added.push_back({Op::product, 1, {{of, 2}}});
+    }
+    added.insert(added.begin(), std::move(squares));
+    added.insert(added.begin(), {Op::product, 1, {{law_.nodes.size(), 0.5}}});
+    put(place, std::move(added));
+  }
+  void without_norm(std::size_t place, const Expression::Node& node) {
+    if (node.parts.size() != 1 || node.parts[0].number != 0.5) return;
+    const Expression::Node& squares = law_.nodes[node.parts[0].of];
+    Expression::Node bare{Op::sum};
+    for (const auto& [of, times] : squares.parts) {
+      const Expression::Node& square = law_.nodes[of];
+      const bool is_square = square.kind == Op::product && square.parts.size() == 1 &&
+                             square.parts[0].number == 2 && square.number == 1;
+      if (squares.kind != Op::sum || squares.number != 0 || !is_square || times != 1) return;
+      bare.parts.push_back({square.parts[0].of, 1});
+    }
+    put(place, {std::move(bare)});
+  }
+  void of_sum(std::size_t place, const Expression::Node& node) {
+    as_norm(place, node);
+    // a + b^n as (a + b)^n, and a + f(b) as f(a + b).
+    for (std::size_t i = 0; i < node.parts.size() && node.parts.size() < 3; ++i) {
+      const Expression::Node& inner = law_.nodes[node.parts[i].of];
+      const bool is_power =
+          inner.kind == Op::product && inner.parts.size() == 1 && inner.parts[0].number != 1;
+      if ((!is_power && inner.kind != Op::call) || node.parts.size() + (node.number != 0) < 2)
+        continue;
+      Expression::Node bare = node, outer{Op::product, 1};
+      bare.name.clear();
+      bare.parts[i].of = inner.parts[0].of;
+      if (is_power)
+        outer.parts = {{law_.nodes.size(), inner.parts[0].number}};
+      else
+        outer = {Op::call, 0, {{law_.nodes.size(), 1}}, {}, inner.called};
+      put(place, {std::move(outer), std::move(bare)});
+    }
+    if (node.number != 0)
+      for (const double times : {-1.0, 0.0, 2.0, 0.5}) set_own(place, times * node.number);
+    for (std::size_t i = 0; i < node.parts.size(); ++i)
+      for (const double times : {-1.0, 0.0, 2.0, 0.5}) set(place, i, times * node.parts[i].number);
+  }
+  void of_product(std::size_t place, const Expression::Node& node) {
+    without_norm(place, node);
+    set_own(place, std::copysign(1, node.number));
+    set_own(place, 1 / node.number);
+    if (node.number != 1) set_own(place, -node.number);
+    set_own(place, 2 * node.number);
+    set_own(place, node.number / 2);
+    // The whole upside down, wherever it is used.
+    Expression::Node inverted = node;
+    inverted.number = 1 / node.number;
+    for (Operand& part : inverted.parts) part.number *= -1;
+    if (node.parts.size() > 1) put(place, {std::move(inverted)});
+    for (std::size_t i = 0; i < node.parts.size(); ++i) {
+      const double exponent = node.parts[i].number;
+      std::vector<double> others{0, -exponent, 2 * exponent, exponent / 2};
+      for (const double one : {1.0, 1 / exponent})
+        if (std::abs(one) != std::abs(exponent)) others.push_back(one);
+      // Exponents of two factors may be exchanged; the other one is a change of its own.
+      for (const double one : others) set(place, i, one);
+      const Expression::Node& inner = law_.nodes[node.parts[i].of];
+      if (inner.kind == Op::sum && std::abs(exponent) == 1) without_parentheses(place, i);
+      if (inner.kind == Op::product && exponent != 1 && inner.parts.size() > 1)
+        power_of_one(place, i);
+    }
+  }
+  // a (b + c) as a b + c, and (a + b) c as a + b c.
+  void without_parentheses(std::size_t place, std::size_t slot) {
+    const Expression::Node& node = law_.nodes[place];
+    const std::size_t sum_place = node.parts[slot].of;
+    const Expression::Node& sum = law_.nodes[sum_place];
+    if (node.parts.size() < 2 && node.number == 1) return;
+    struct Of {
+      double number;
+      std::optional<std::size_t> part;
+    };
+    std::vector<Of> terms;
+    if (sum.number != 0) terms.push_back({sum.number, {}});
+    for (const Operand& part : sum.parts) terms.push_back({part.number, part.of});
+    // Terms stand in any order, so that each of them may be the one that is multiplied.
+    for (std::size_t i = 0; terms.size() > 1 && i < terms.size(); ++i) {
+      Expression::Node beside{Op::product, node.number}, left{Op::sum};
+      for (std::size_t k = 0; k < node.parts.size(); ++k)
+        if (k != slot) beside.parts.push_back(node.parts[k]);
+      beside.number *= std::pow(terms[i].number, node.parts[slot].number);
+      if (terms[i].part) beside.parts.push_back({*terms[i].part, node.parts[slot].number});
+      left.parts.push_back({law_.nodes.size(), 1});
+      for (std::size_t k = 0; k < terms.size(); ++k)
+        if (k != i && terms[k].part)
+          left.parts.push_back({*terms[k].part, terms[k].number});
+        else if (k != i)
+          left.number += terms[k].number;
+      put(place, {std::move(left), std::move(beside)});
+    }
+  }
+  // (a b)^n as a b^n.
+  void power_of_one(std::size_t place, std::size_t slot) {
+    const Expression::Node& inner = law_.nodes[law_.nodes[place].parts[slot].of];
+    for (const std::size_t of : {std::size_t{0}, inner.parts.size() - 1}) {
+      Expression::Node changed = law_.nodes[place];
+      changed.parts.erase(changed.parts.begin() + static_cast<std::ptrdiff_t>(slot));
+      changed.number *= inner.number;
+      for (std::size_t k = 0; k < inner.parts.size(); ++k)
+        changed.parts.push_back(
+            {inner.parts[k].of,
+             inner.parts[k].number * (k == of ? law_.nodes[place].parts[slot].number : 1)});
+      put(place, {std::move(changed)});
+    }
+  }
+  // Another input of the same unit, or another number with a name, in place of a part.
+  void of_parts(std::size_t place, const Expression::Node& node) {
+    for (std::size_t i = 0; i < node.parts.size(); ++i) {
+      const Expression::Node& own = law_.nodes[node.parts[i].of];
+      for (std::size_t k = 0; k < law_.nodes.size() && !own.name.empty(); ++k) {
+        const Expression::Node& other = law_.nodes[k];
+        if (other.name.empty() || other.name == own.name || other.unit != own.unit ||
+            law_.depends_on(k, place))
+          continue;
+        all_.push_back({.node = place, .slot = static_cast<int>(i), .part = k});
+      }
+    }
+  }
+
+  const Expression& law_;
+  std::vector<Edit> all_;
+};
+
+}  // namespace
+
+double Expression::value(std::size_t place, const catalogue::Arguments& arguments) const {
+  return nodes.size() > most_nodes ? unsaid : Evaluation(*this, arguments).of(place);
+}
+
+std::string Expression::factor_in_words(const Operand& part) const {
+  const Node& of = nodes[part.of];
+  const double exponent = std::abs(part.number);
+  std::string text = in_words(part.of);
+  const bool is_written_out = of.name.empty();
+  if (is_written_out && (of.kind == Op::sum || of.kind == Op::product || exponent != 1) &&
+      !(of.kind == Op::call && exponent == 1))
+    text = '(' + text + ')';
+  if (exponent == 2)
+    text += "²";
+  else if (exponent == 3)
+    text += "³";
+  else if (exponent == 0.5)
+    text = "√" + text;
+  else if (exponent != 1) {
+    const std::string number = number_in_words(exponent);
+    text += number.find('/') == std::string::npos ? '^' + number : "^(" + number + ')';
+  }
+  return part.number < 0 ? "1/" + text : text;
+}
+
+std::string Expression::term_in_words(const Operand& part) const {
+  const double times = std::abs(part.number);
+  const bool is_sum = nodes[part.of].kind == Op::sum && nodes[part.of].name.empty();
+  std::string text = in_words(part.of);
+  if (is_sum && times != 1) text = '(' + text + ')';
+  return fmt::format("{} {}{}", part.number < 0 ? "−" : "+",
+                     times == 1 ? "" : number_in_words(times) + ' ', text);
+}
+
+std::string Expression::in_words(std::size_t place, bool is_inside) const {
+  const Node& node = nodes[place];
+  if (!node.name.empty() && !is_inside) return node.name;
+  std::string text;
+  switch (node.kind) {
+    case Op::given:
+      return node.name;
+    case Op::sum:
+      if (node.number != 0 || node.parts.empty()) text = number_in_words(node.number);
+      for (const Operand& part : node.parts) {
+        if (part.number == 0) continue;
+        const std::string term = term_in_words(part);
+        text += text.empty() ? (part.number < 0 ? "−" : "") + term.substr(term.find(' ') + 1)
+                             : ' ' + term;
+      }
+      return text;
+    case Op::product: {
+      std::vector<std::string> over, under;
+      if (std::abs(node.number) != 1) over.push_back(number_in_words(node.number));
+      for (const Operand& part : node.parts)
+        if (part.number != 0)
+          (part.number < 0 ? under : over)
+              .push_back(factor_in_words({part.of, std::abs(part.number)}));
+      text = fmt::format("{}", fmt::join(over, " "));
+      if (text.empty()) text = "1";
+      if (node.number == -1) text = "−" + text;
+      if (under.empty()) return text;
+      return text +
+             (under.size() > 1 ? fmt::format("/({})", fmt::join(under, " ")) : '/' + under[0]);
+    }
+    case Op::power:
+      return fmt::format("({})^({})", in_words(node.parts[0].of), in_words(node.parts[1].of));
+    case Op::call:
+      return call_of(node.called).before + in_words(node.parts[0].of) + call_of(node.called).after;
+    default:
+      return in_words(node.parts[0].of);
+  }
+}
+
+bool Expression::depends_on(std::size_t place, std::size_t other) const {
+  return place == other ||
+         std::any_of(nodes[place].parts.begin(), nodes[place].parts.end(),
+                     [&](const Operand& part) { return depends_on(part.of, other); });
+}
+
+namespace {
+
+constexpr double of_one_change = 1e-4, of_two_changes = 1e-6;
+constexpr double farthest = 5, first_step = 0.02;  // of a number, on a logarithmic scale
+constexpr std::size_t fewest_of_two = 8, most_of_two = 400, most_probed = 6, most_told = 3;
+
+// Whether the answer is that of the changed law.
+bool is_of_changed_law(const Part::Number& one, double given, double closeness) {
+  const AnsweredNumber& answered = *one.answered;
+  const double change = std::abs(given - answered.expected->high);
+  const double own = std::min(change, std::abs(given));
+  return std::isfinite(given) && change > answered.allowed &&
+         std::abs(answered.got - given) <= std::max(closeness * own, answered.allowed_of(given));
+}
+
+// Whether a source may print the number: few digits, or a fraction.
+bool is_printed(double number) {
+  return is_of_few_digits(number) || is_of_few_digits(3 * number) || is_of_few_digits(7 * number);
+}
+
+// The changes of one number each with which the law gives the answer, by numbers that are printed.
+std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
+                                 std::size_t place) {
+  std::vector<Edit> found;
+  Expression changed = law;
+  const catalogue::Arguments& arguments = one.of->question.arguments;
+  const auto solve = [&](std::size_t node, int slot, double& number) {
+    const double right = number;
+    if (right == 0) return;
+    const auto off = [&](double logarithm) {
+      number = right * std::exp(logarithm);
+      return changed.value(changed.results[place], arguments) - one.answered->got;
+    };
+    const double at_first = off(0);
+    for (const double side : {1.0, -1.0}) {
+      double before = 0, off_before = at_first;
+      for (double step = first_step; step < 2 * farthest; step *= 2) {
+        const double at = side * std::min(step, farthest), now = off(at);
+        if (!std::isfinite(now) || (now == off_before && step > first_step)) break;
+        if ((now < 0) != (off_before < 0)) {
+          std::uintmax_t steps = 60;
+          const bool is_up = side > 0;
+          const auto [low, high] = boost::math::tools::toms748_solve(
+              off, is_up ? before : at, is_up ? at : before, is_up ? off_before : now,
+              is_up ? now : off_before, boost::math::tools::eps_tolerance<double>(46), steps);
+          const double other = right * std::exp((low + high) / 2);
+          if (is_printed(other))
+            found.push_back({.node = node, .slot = slot, .number = round_number(other)});
+          break;
+        }
+        before = at;
+        off_before = now;
+      }
+    }
+    number = right;
+  };
+  for (std::size_t i = 0; i < law.nodes.size(); ++i) {
+    Expression::Node& node = changed.nodes[i];
+    const bool is_product = node.kind == Op::product;
+    if (!is_product && node.kind != Op::sum) continue;
+    if (std::abs(node.number) != 1 || !is_product) solve(i, -1, node.number);
+    for (std::size_t k = 0; k < node.parts.size(); ++k)
+      solve(i, static_cast<int>(k), node.parts[k].number);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<ChangedExpression> changed_expressions(const Part& part) {
+  std::vector<ChangedExpression> found;
+  const auto law = part.function() == nullptr ? std::nullopt : law_expression(*part.function());
+  if (!law || part.place >= law->results.size()) return found;
+  std::vector<Part::Number> probes;
+  for (const auto& one : part.all)
+    if (one.answered->is_left()) probes.push_back(one);
+  // Probes lie far from each other.
+  for (std::size_t i = 0; probes.size() > most_probed && i < most_probed; ++i)
+    probes[i] = probes[i * (probes.size() - 1) / (most_probed - 1)];
+  const std::size_t wrong = probes.size();
+  probes.resize(std::min(wrong, most_probed));
+  const auto gives = [&](const Expression& changed, double closeness) {
+    return std::all_of(probes.begin(), probes.end(), [&](const auto& one) {
+      return is_of_changed_law(
+          one, changed.value(changed.results[part.place], one.of->question.arguments), closeness);
+    });
+  };
+  const auto tell = [&](Expression changed, std::size_t count, std::string text) {
+    found.push_back({count, std::move(text),
+                     [changed = std::move(changed)](const Question& asked, std::size_t place) {
+                       return place < changed.results.size()
+                                  ? changed.value(changed.results[place], asked.arguments)
+                                  : unsaid;
+                     }});
+  };
+  Edits edits(*law);
+  const auto alike = edits.pairs_alike();
+  const std::vector<Edit> all = edits.take();
+  std::vector<Edit> singles = all;
+  const auto off = [](const Part::Number& one) {
+    return std::abs(std::log(std::abs(one.answered->got / one.answered->expected->high)));
+  };
+  const auto farthest_off = std::max_element(
+      probes.begin(), probes.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
+  for (const Part::Number& one : {*farthest_off, probes[probes.size() / 2]})
+    for (Edit& edit : solved_numbers(*law, one, part.place)) {
+      const bool is_known = std::any_of(singles.begin(), singles.end(), [&](const Edit& other) {
+        return other.node == edit.node && other.slot == edit.slot && other.number == edit.number;
+      });
+      if (!is_known) singles.push_back(std::move(edit));
+    }
+  for (const Edit& one : singles) {
+    Expression changed = *law;
+    one.apply(changed);
+    if (gives(changed, of_one_change)) {
+      std::string text = change_in_words(*law, changed, one);
+      tell(std::move(changed), 1, std::move(text));
+    }
+  }
+  for (const auto& [one, other] : alike) {
+    Expression changed = *law;
+    one.apply(changed);
+    other.apply(changed);
+    if (!gives(changed, of_one_change)) continue;
+    std::string text = change_in_words(*law, changed, one) + ", and the same of the other one";
+    tell(std::move(changed), 1, std::move(text));
+  }
+  if (!found.empty() || wrong < fewest_of_two || all.size() > most_of_two) return found;
+  Expression first = *law;
+  for (std::size_t i = 0; i < all.size() && found.size() < most_told; ++i) {
+    if (!all[i].whole.empty()) continue;
+    all[i].apply(first);
+    for (std::size_t k = i + 1; k < all.size(); ++k) {
+      const bool is_same = all[i].node == all[k].node && all[i].slot == all[k].slot;
+      // Two other operands might make a circle.
+      if (is_same || !all[k].whole.empty() || (all[i].part && all[k].part)) continue;
+      const Expression::Node before = first.nodes[all[k].node];
+      all[k].apply(first);
+      if (gives(first, of_two_changes))
+        tell(
+            first, 2,
+            change_in_words(*law, first, all[i]) + ", and " + change_in_words(*law, first, all[k]));
+      first.nodes[all[k].node] = before;
+    }
+    first.nodes[all[i].node] = law->nodes[all[i].node];
+  }
+  return found;
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+// Causes that no table has: other terms, factors and powers of a law, another end of an integral,
+// answers upside down. Solvers are written here anew, each with one slip.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+
+#include "conformance/diagnosis.hpp"
+#include "conformance/expression.hpp"
+#include "conformance/question.hpp"
+#include "support/judge.hpp"
+#include "tribo/gaussian_moment.hpp"
+#include "tribo/viscosity_index.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using nlohmann::json;
+using std::exp, std::log, std::pow, std::sqrt;
+constexpr double pi = std::numbers::pi;
+const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
+
+const std::vector<TestCase>& all_cases() {
+  static const std::vector<TestCase> cases = cases_for(
+      read_cases({reference + "/exact", reference + "/published"}), engineering_tolerance());
+  return cases;
+}
+
+struct In {
+  const json& inputs;
+  double operator()(const char* name) const { return inputs.at(name).get<double>(); }
+};
+using Formula = std::function<json(const In& in)>;
+
+std::string said_of(const std::string& function, const Formula& formula) {
+  static const std::vector<Mistake> mistakes = read_mistakes(reference + "/mistakes.toml");
+  std::vector<TestCase> cases;
+  Conversation conversation;
+  for (const TestCase& one : all_cases()) {
+    if (one.function != function) continue;
+    json given = formula({one.inputs});
+    if (given.is_null()) continue;
+    if (given.is_number()) given = json{{"value", given}};
+    cases.push_back(one);
+    conversation.answers.push_back({Outcome::answered, std::move(given), {}});
+  }
+  std::string said;
+  for (const Diagnosis& one : diagnose(cases, conversation, engineering_tolerance(), mistakes))
+    said += one.text + '\n';
+  return said;
+}
+
+struct Slip {
+  const char* function;
+  const char* words;  // that its maker needs to read
+  Formula formula;
+};
+
+void expect_told(const std::vector<Slip>& slips) {
+  for (const Slip& slip : slips) {
+    const std::string said = said_of(slip.function, slip.formula);
+    EXPECT_NE(said.find(slip.words), std::string::npos)
+        << slip.function << ", not said: " << slip.words << "\nsaid: " << said;
+    EXPECT_EQ(said.find("None of the known"), std::string::npos) << said;
+    for (const Slip& other : slips) {
+      if (said.find(slip.words) == std::string::npos || &other == &slip) continue;
+      EXPECT_TRUE(std::string(other.words).find(slip.words) != std::string::npos ||
+                  std::string(slip.words).find(other.words) != std::string::npos ||
+                  said.find(other.words) == std::string::npos)
+          << slip.words << ", but also: " << other.words;
+    }
+  }
+}
+
+double density(double s) { return exp(-s * s / 2) / sqrt(2 * pi); }
+double tail(double d) { return std::erfc(d / std::numbers::sqrt2) / 2; }
+
+TEST(LawExpressions, AreTheLawsOfTheCatalogue) {
+  std::size_t count = 0;
+  for (const catalogue::Function& function : catalogue::functions()) {
+    const auto law = law_expression(function);
+    if (!law) continue;
+    ++count;
+    ASSERT_EQ(law->results.size(), function.results.size()) << function.name;
+    for (const TestCase& one : all_cases()) {
+      if (one.function != function.name) continue;
+      const Question asked = question_of(one);
+      for (const Expected& expected : one.expected) {
+        const double value = law->value(law->results[*expected.place], asked.arguments);
+        const double right = right_numbers(asked)[*expected.place];
+        // Differences of moments lose their digits far out.
+        const double allowed = 1e-9 * std::abs(right) * expected.condition +
+                               (function.name == "gaussian_moment" ? 1e-12 : 0);
+        EXPECT_LE(std::abs(value - right), allowed)
+            << function.name << '.' << expected.field << ' ' << one.inputs.dump() << ": got "
+            << value << ", expected " << right;
+        if (HasFailure()) return;
+      }
+    }
+  }
+  EXPECT_GE(count, 30U);
+}
+
+TEST(Terms, ThatAreLeftOutOrOfTheWrongSignAreTold) {
+  expect_told(
+      {{"gaussian_moment", "+ d Q(d) in place of − d Q(d)",
+        [](const In& in) -> json {
+          const double d = in("argument");
+          return in("order") == 1 ? json(density(d) + d * tail(d)) : json();
+        }},
+       {"gaussian_moment", "d² in place of d, in d φ(d)",
+        [](const In& in) -> json {
+          const double d = in("argument");
+          return in("order") == 2 ? json((1 + d * d) * tail(d) - d * d * density(d)) : json();
+        }},
+       {"roelands_viscosity", "no term −1, in −1 + ",
+        [](const In& in) -> json {
+          const double scale = log(in("viscosity")) + 9.67;
+          const double z = in("pressure_viscosity") * 1.96e8 / scale;
+          const double value = in("viscosity") * exp(scale * pow(1 + in("pressure") / 1.96e8, z));
+          return std::isfinite(value) ? json(value) : json();
+        }},
+       {"lambda_ratio", "(Rq₁² + Rq₂²) in place of √(Rq₁² + Rq₂²)",
+        [](const In& in) -> json {
+          const double square = pow(in("first_roughness"), 2) + pow(in("second_roughness"), 2);
+          return {{"composite_roughness", sqrt(square)},
+                  {"lambda_ratio", in("minimum_film") / square}};
+        }},
+       {"effective_modulus", "(1 − ν₁)² in place of 1 − ν₁²", [](const In& in) -> json {
+          return 1 / (pow(1 - in("first_poisson_ratio"), 2) / in("first_modulus") +
+                      pow(1 - in("second_poisson_ratio"), 2) / in("second_modulus"));
+        }}});
+}
+
+TEST(Parentheses, ThatAreLeftOutAreTold) {
+  const auto heat = [](const In& in) {
+    return in("temperature_viscosity") * in("viscosity") * pow(in("speed"), 2) /
+           in("thermal_conductivity");
+  };
+  expect_told(
+      {{"gupta_thermal_reduction", "+ 0.213 (1 + 2.23 S^0.83) L^0.64 in place of ",
+        [=](const In& in) -> json {
+          const double l = heat(in);
+          return 1 - 6.6 * in("peak_pressure") / in("effective_modulus") * pow(l, 0.42) +
+                 0.213 * (1 + 2.23 * pow(in("slide_roll_ratio"), 0.83)) * pow(l, 0.64);
+        }},
+       {"carreau_yasuda_viscosity", " + n in place of (−1 + n)/a",
+        [](const In& in) -> json {
+          const double a = in("transition_exponent"), n = in("power_law_index");
+          const double rest = in("high_shear_viscosity");
+          return rest + (in("viscosity") - rest) *
+                            pow(1 + pow(in("relaxation_time") * in("shear_rate"), a), n - 1 / a);
+        }},
+       {"hamrock_dowson_minimum", "k e^(−0.68) in place of e^(−0.68 k)", [](const In& in) -> json {
+          const double modulus = 2 * in("effective_modulus"), radius = in("radius_x");
+          return radius * 3.63 * pow(in("speed") * in("viscosity") / modulus / radius, 0.68) *
+                 pow(in("pressure_viscosity") * modulus, 0.49) *
+                 pow(in("load") / modulus / radius / radius, -0.073) *
+                 (1 - exp(-0.68) * in.inputs.value("ellipticity", 1.0));
+        }}});
+}
+
+TEST(Powers, OfInputsAndOfFactorsAreTold) {
+  expect_told(
+      {{"patir_cheng_pressure_flow", "H² in place of H (",
+        [](const In& in) { return 1 - 0.9 * exp(-0.56 * pow(in("film_ratio"), 2)); }},
+       {"patir_cheng_pressure_flow", "H^(3/2) in place of H, in −0.56 H",
+        [](const In& in) { return 1 - 0.9 * exp(-0.56 * pow(in("film_ratio"), 1.5)); }},
+       {"hertz_point", "1/R in place of R (",
+        [](const In& in) -> json {
+          const double r = 1 / in("reduced_radius"), f = in("load");
+          const double a = std::cbrt(0.75 * f * r / in("effective_modulus"));
+          const double mean = f / (pi * a * a);
+          return {{"radius", a},
+                  {"mean_pressure", mean},
+                  {"peak_pressure", 1.5 * mean},
+                  {"approach", a * a / r}};
+        }},
+       {"jkr_radius", "0.74 in place of 3/4",
+        [](const In& in) {
+          const double r = in("reduced_radius"), pull = pi * in("work_of_adhesion") * r;
+          const double root = sqrt(6 * pull * in("load") + 9 * pull * pull);
+          return std::cbrt(0.74 * r / in("effective_modulus") * (in("load") + 3 * pull + root));
+        }},
+       {"regime_film", "atan in degrees (0.5 α) in place of atan(0.5 α)",
+        [](const In& in) -> json {
+          if (in.inputs.at("regime") != "isoviscous_rigid" || !in.inputs.contains("radius_ratio"))
+            return {};
+          const double alpha = in("radius_ratio"), phi = 1 / (1 + 2 / (3 * alpha));
+          const double arc = 0.131 * std::atan(alpha / 2) * 180 / pi + 1.683;
+          return 128 * alpha * phi * phi * arc * arc;
+        }},
+       {"reduced_radius", "√((1/R_x)² + (1/R_y)²) in place of 1/R_x + 1/R_y",
+        [](const In& in) -> json {
+          const double x = 1 / in("first_radius_x") + 1 / in("second_radius_x");
+          const double y = 1 / in("first_radius_y") + 1 / in("second_radius_y");
+          return {
+              {"radius_x", 1 / x}, {"radius_y", 1 / y}, {"reduced_radius", 1 / std::hypot(x, y)}};
+        }},
+       {"viscosity_index", "log₁₀(Y) in place of ln(Y)",
+        [](const In& in) -> json {
+          const auto oils = detail::index_oils(in("kinematic_viscosity_100"));
+          const double u = 1e6 * in("kinematic_viscosity_40");
+          if (u >= oils.hundred) return {};
+          const double power =
+              log(oils.hundred / u) / std::log10(1e6 * in("kinematic_viscosity_100"));
+          return (pow(10, power) - 1) / 0.00715 + 100;
+        }},
+       {"barus_viscosity", "with 1e-05 p in place of p (",
+        [](const In& in) {
+          return in("viscosity") * exp(in("pressure_viscosity") * 1e-5 * in("pressure"));
+        }},
+       {"subsurface_shear", "atan(1/(a/z)) in place of atan(a/z)",
+        [](const In& in) -> json {
+          const double z = in("depth") / in("radius"), q = 1 / (1 + z * z);
+          if (z == 0) return {};
+          const double radial = q / 2 - (1 + in("poisson_ratio")) * (1 - z * std::atan(z));
+          return in("peak_pressure") * std::abs(radial + q) / 2;
+        }},
+       {"subsurface_shear", "no term + 0.5 q",
+        [](const In& in) -> json {
+          const double z = in("depth") / in("radius"), q = 1 / (1 + z * z);
+          if (z == 0) return {};
+          return in("peak_pressure") / 2 *
+                 std::abs(q - (1 + in("poisson_ratio")) * (1 - z * std::atan(1 / z)));
+        }},
+       {"carreau_yasuda_viscosity", "no term − η_∞, in η₀ − η_∞",
+        [](const In& in) {
+          const double a = in("transition_exponent");
+          return in("high_shear_viscosity") +
+                 in("viscosity") * pow(1 + pow(in("relaxation_time") * in("shear_rate"), a),
+                                       (in("power_law_index") - 1) / a);
+        }},
+       {"hertz_line", "0.304 in place of 0.300283",
+        [](const In& in) -> json {
+          const double load = in("load_per_length");
+          const double b = sqrt(4 * load * in("reduced_radius") / (pi * in("effective_modulus")));
+          const double peak = 2 * load / (pi * b);
+          return {{"half_width", b},
+                  {"mean_pressure", load / (2 * b)},
+                  {"peak_pressure", peak},
+                  {"peak_shear", 0.304 * peak}};
+        }},
+       {"persson_contact_area", "tanh(√2 p/(E* h′)) in place of erf", [](const In& in) {
+          return std::tanh(sqrt(2) * in("pressure") /
+                           (in("effective_modulus") * in("rms_gradient")));
+        }}});
+}
+
+TEST(RightAnswers, UpsideDownOrTakenFromOneAreTold) {
+  const auto modulus = [](const In& in) {
+    return 1 / ((1 - pow(in("first_poisson_ratio"), 2)) / in("first_modulus") +
+                (1 - pow(in("second_poisson_ratio"), 2)) / in("second_modulus"));
+  };
+  const auto thermal = [](const In& in) {
+    const double l = in("temperature_viscosity") * in("viscosity") * pow(in("speed"), 2) /
+                     in("thermal_conductivity");
+    return 3.94 / (3.94 + pow(l, 0.62));
+  };
+  expect_told({{"effective_modulus", "wrong answers are 1 over the right ones.",
+                [=](const In& in) { return 1 / modulus(in); }},
+               {"murch_wilson_thermal_reduction", "wrong answers are 1 less the right ones.",
+                [=](const In& in) { return 1 - thermal(in); }},
+               {"murch_wilson_thermal_reduction", "wrong answers are the roots of the right ones.",
+                [=](const In& in) { return sqrt(thermal(in)); }}});
+}
+
+double simpson(const std::function<double(double)>& of, double from, double to) {
+  constexpr int count = 4000;
+  double sum = 0;
+  for (int i = 0; i <= count; ++i)
+    sum += (i == 0 || i == count ? 1 : i % 2 == 1 ? 4 : 2) * of(from + (to - from) * i / count);
+  return sum * (to - from) / count / 3;
+}
+// With s = d + t².
+double moment_to(double order, double d, double end) {
+  return end <= d
+             ? 0
+             : simpson([&](double t) { return 2 * pow(t, 2 * order + 1) * density(d + t * t); },
+                       sqrt(std::max(0.0, std::min(end, 0.0) - 12 - d)), sqrt(end - d));
+}
+
+TEST(Integrals, ThatEndTooEarlyAreToldWithTheirEnd) {
+  expect_told({{"gaussian_moment", "the integral cut off at s = 6 (",
+                [](const In& in) { return moment_to(in("order"), in("argument"), 6); }},
+               {"gaussian_moment", "the integral cut off at s = d + 7 (", [](const In& in) {
+                  return moment_to(in("order"), in("argument"), in("argument") + 7);
+                }}});
+}
+
+// An oil's index by another row of the table than its own.
+double index_by(const In& in, std::ptrdiff_t (*other)(std::ptrdiff_t row)) {
+  const double u = 1e6 * in("kinematic_viscosity_40"), y = 1e6 * in("kinematic_viscosity_100");
+  const auto& rows = detail::index_rows;
+  std::ptrdiff_t row = std::ssize(rows) - 1;
+  while (row > 0 && y <= 1e6 * rows[static_cast<std::size_t>(row)].from) --row;
+  const auto& n = rows[static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(other(row), 0, std::ssize(rows) - 1))];
+  const double l = n.a * y * y / 1e5 + n.b * y / 1e4 + n.c / 1e3;
+  const double h = n.d * y * y / 1e5 + n.e * y / 1e4 + n.f / 1e3;
+  if (u >= h) return (l - u) / (l - h) * 100;
+  return 100 + (exp(log(10) * log(h / u) / log(y)) - 1) / 0.00715;
+}
+
+TEST(Rows, OfATableThatAreTakenForOthersAreTold) {
+  expect_told(
+      {{"viscosity_index", "the row after the right one in the table",
+        [](const In& in) { return index_by(in, [](std::ptrdiff_t row) { return row + 1; }); }},
+       {"viscosity_index", "the row before the right one in the table",
+        [](const In& in) { return index_by(in, [](std::ptrdiff_t row) { return row - 1; }); }},
+       {"viscosity_index",
+        "the numbers of the row from 7 mm²/s in place of those of the row from 7.7 mm²/s",
+        [](const In& in) {
+          return index_by(in, [](std::ptrdiff_t row) { return row == 6 ? 5 : row; });
+        }},
+       {"viscosity_index", "the numbers of the row from 2 mm²/s for every Y", [](const In& in) {
+          return index_by(in, [](std::ptrdiff_t) -> std::ptrdiff_t { return 0; });
+        }}});
+}
+
+// The starved film between 0 and 1, by halvings.
+json starved(const In& in, int halvings) {
+  if (in.inputs.at("closure") != "starved_inlet") return {};
+  double low = 0, high = 1;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2, psi = std::tan(middle * pi / 2) / 2.7;
+    const double length = in("flooded_over_inlet") * (middle + 4 * sqrt(2) / 3 * pow(psi, 1.5));
+    (length < 1 ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+TEST(Bisections, ThatEndTooEarlyAreToldWithTheirSteps) {
+  expect_told(
+      {{"starvation_ratio", "which is 1/2^15: as of a bisection of a width of 1 that ends after 15",
+        [](const In& in) { return starved(in, 15); }},
+       {"starvation_ratio", "which is 1/2^12: as of a bisection",
+        [](const In& in) { return starved(in, 12); }}});
+}
+
+TEST(LoadSharing, WithAnotherExponentIsToldWithIt) {
+  const auto shared = [](double exponent) {
+    return [=](const In& in) -> json {
+      const catalogue::Function* const function = catalogue::function_named("load_sharing");
+      const bool is_gt = in.inputs.at("asperity") == "greenwood_tripp";
+      double low = in("flooded_film_parameter"), high = low + 60 + in.inputs.value("offset", 0.0);
+      for (int i = 0; i < 90; ++i) {
+        const double middle = (low + high) / 2, d = middle - in.inputs.value("offset", 0.0);
+        const double f =
+            in("stiffness") * gaussian_moment(is_gt ? Order::five_halves : Order::three_halves, d);
+        const double share = is_gt ? sqrt(f) : f;
+        const bool is_below =
+            share >= 1 || middle < in("flooded_film_parameter") * pow(1 - share, -exponent);
+        (is_below ? low : high) = middle;
+      }
+      return function == nullptr ? json() : json((low + high) / 2);
+    };
+  };
+  expect_told(
+      {{"load_sharing", "with the film's exponent 0.15 in place of the film's exponent 0.14",
+        shared(0.15)}});
+}
+
+// What is right in a way of its own, or wrong in one that none of these means knows, is not told as
+// one of them.
+TEST(GeneralMeans, SayNothingOfNoise) {
+  std::size_t number = 0;
+  const auto noisy = [&](double right) {
+    return right * (1 + 1e-2 * std::sin(1e3 * static_cast<double>(++number)));
+  };
+  for (const catalogue::Function& function : catalogue::functions()) {
+    std::map<std::string, json> answers;
+    for (const TestCase& one : all_cases()) {
+      if (one.function != function.name) continue;
+      json fields;
+      for (const Expected& expected : one.expected) fields[expected.field] = noisy(expected.high);
+      answers[one.inputs.dump()] = std::move(fields);
+    }
+    const std::string said = said_of(std::string(function.name),
+                                     [&](const In& in) { return answers.at(in.inputs.dump()); });
+    EXPECT_FALSE(said.empty());
+    for (const char* const words : {"The answers are the right ones with", "These are the numbers",
+                                    "whole steps", " the right ones."})
+      EXPECT_EQ(said.find(words), std::string::npos) << function.name << ": " << said;
+  }
+}
+
+}  // namespace
+}  // namespace tribo::conformance
