@@ -77,6 +77,8 @@ class Functions(unittest.TestCase):
             contact, scene = tribocheck.hertz_point(50, 1e11, 0.01), tribocheck.Scene({str(SCENES / "roller.toml")!r})
             assert pickle.loads(pickle.dumps(contact)) == contact
             assert pickle.loads(pickle.dumps(scene)).text == scene.text
+            points = scene.solve([0.1, 1], ["film", "regime"])
+            assert pickle.loads(pickle.dumps(points)) == points
             print("same")"""), "same\n")
 
     def test_help_names_units_ranges_words_and_results(self):
@@ -209,7 +211,7 @@ class Scenes(unittest.TestCase):
         for command in ("solve", "curve"):
             rows = run(command, ROUGH, "--format", "json").json()["points"]
             found = json.loads(ran(self.START + f"print(json.dumps({{name: np.where(column == column, column, None).tolist() "
-                                                f"for name, column in vars(scene.{command}()).items()}}))"))
+                                                f"for name, column in dict(scene.{command}()).items()}}))"))
             self.assertEqual(found, {name: [row[name] for row in rows] for name in found})
             self.assertEqual({"id", *found}, {*rows[0]} - {"undefined"})
 
@@ -230,7 +232,7 @@ class Scenes(unittest.TestCase):
         self.assertEqual(ran(self.START + textwrap.dedent("""
             u = np.logspace(-3, 0, 90001)
             whole = scene.solve(u, ["film", "inlet"])
-            assert [*vars(whole)] == ["speed", "film", "inlet"] and (whole.speed == u).all() and len(u) == whole.film.size
+            assert [*whole] == ["speed", "film", "inlet"] and (whole.speed == u).all() and len(u) == whole.film.size
             assert (scene.solve(u[::-3], ["film"]).film == whole.film[::-3]).all()
             square = scene.solve(u[:90000].reshape(300, 300).T, ["film", "inlet"])
             assert (square.film == whole.film[:90000].reshape(300, 300).T).all() and square.inlet.shape == (300, 300)
@@ -239,6 +241,28 @@ class Scenes(unittest.TestCase):
             assert scene.solve(1, ["film"]).film == scene.solve(np.float32(1), ["film"]).film == scene.solve([1], ["film"]).film[0]
             assert scene.solve([], ["film"]).film.shape == (0,)
             print(sorted(set(whole.inlet)))""")), "['flooded', 'starved']\n")
+
+    def test_words_take_a_byte_a_point_until_they_are_read(self):
+        peak = int(ran(self.START + textwrap.dedent("""
+            import tracemalloc
+            u = np.full(10**6, 0.5)
+            tracemalloc.start()
+            found = scene.solve(u, ["film", "regime"])
+            print(tracemalloc.get_traced_memory()[1])""")))
+        self.assertGreater(peak, 9e6)  # the film's doubles, and a byte for each word
+        self.assertLess(peak, 1e7)
+
+    def test_points_are_the_same_where_their_columns_are(self):
+        self.assertEqual(ran(self.START + textwrap.dedent("""
+            def found(*speeds, outputs=("film", "friction", "regime")):
+                return scene.solve(speeds, outputs)
+            one = found(1e-3, 1, 1e308)
+            assert one == found(1e-3, 1, 1e308) and np.isnan(one.friction[2])
+            assert one != found(1e-3, 1, 1e307) and one != found(1e-3, 1) and one != found(1e-3, 1, 1e308, outputs=["film"]) and one != 3
+            other = found(1e-3, 1, 1e308)
+            other.regime[0] = "collapsed"
+            print(one == other, "film" in one, "inlet" in one, [*dict(one)], repr(scene.solve(1.0, ["regime"])))""")),
+            "False True False ['speed', 'film', 'friction', 'regime'] Points(speed=1.0, regime='mixed')\n")
 
     def test_what_is_undefined_is_nan_and_a_word_without_it_empty(self):
         self.assertEqual(ran(self.START + textwrap.dedent("""

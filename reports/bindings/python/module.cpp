@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -273,9 +274,11 @@ Array speeds_of(const std::string& scene, bool is_curve, std::size_t count) {
   return speeds;
 }
 
-// Outputs at speeds, each an array of their shape.
-std::vector<Array> solved(const std::string& scene, const py::array& given,
-                          const std::vector<std::string>& outputs) {
+// Outputs at speeds, each an array of their shape: numbers, or of words their codes, −1 where one
+// is undefined.
+std::vector<py::array> solved(const std::string& scene, const py::array& given,
+                              const std::vector<std::string>& outputs,
+                              const std::vector<bool>& are_words) {
   const char kind = given.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u')
     throw py::type_error("speeds: an array of " + py::cast<std::string>(py::str(given.dtype())) +
@@ -288,21 +291,35 @@ std::vector<Array> solved(const std::string& scene, const py::array& given,
       throw py::value_error("speeds" + (shape.empty() ? "" : " " + place_text(i, shape)) + ": " +
                             py::cast<std::string>(py::str(py::float_(speed))) +
                             " is not allowed; allowed: a number above 0, in m/s");
-  std::vector<Array> columns;
+  constexpr std::size_t most = 2 * block;
+  std::vector<py::array> columns;
   std::vector<const char*> names;
-  for (const std::string& name : outputs) {
-    columns.emplace_back(shape);
-    names.push_back(name.c_str());
+  std::vector<std::vector<double>> codes(outputs.size());
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    names.push_back(outputs[k].c_str());
+    if (are_words.at(k)) {
+      columns.emplace_back(py::array_t<std::int8_t>(shape));
+      codes[k].resize(std::min(most, count));
+    } else {
+      columns.emplace_back(Array(shape));
+    }
   }
   std::vector<double*> result(columns.size());
   std::size_t first = 0;
   do {  // once for no speeds, too, so that a faulty scene is told
-    const std::size_t length = std::min(2 * block, count - first);
-    for (std::size_t k = 0; k < columns.size(); ++k) result[k] = columns[k].mutable_data() + first;
+    const std::size_t length = std::min(most, count - first);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      result[k] =
+          are_words[k] ? codes[k].data() : static_cast<double*>(columns[k].mutable_data()) + first;
     text_or_error(told_by([&](char* text, std::size_t size, std::size_t* told) {
       return tribocheck_solve(scene.c_str(), length, speeds.data() + first, names.size(),
                               names.data(), result.data(), text, size, told);
     }));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (are_words[k])
+        std::transform(codes[k].begin(), codes[k].begin() + static_cast<std::ptrdiff_t>(length),
+                       static_cast<std::int8_t*>(columns[k].mutable_data()) + first,
+                       [](double code) { return static_cast<std::int8_t>(code >= 0 ? code : -1); });
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     first += length;
   } while (first < count);
