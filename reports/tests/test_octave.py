@@ -79,6 +79,12 @@ class Functions(unittest.TestCase):
                       "a number above 0; usual: 0.001 to 1e+06", "peak_pressure           Pa ",
                       "one of ei_over_ri, ei_over_ep; default 'ei_over_ri'", 'tribocheck_check (@my_film, "hamrock_dowson_central")']:
             self.assertIn(words, text)
+        text = ran("help tribocheck")
+        for entry in CATALOGUE:
+            self.assertRegex(text, rf"tribocheck_{entry['name']} +{re.escape(entry['meaning'])}\n")
+        self.assertIn("help tribocheck_check", text)
+        self.assertAlmostEqual(float(ran(re.search(r"contact = .*", text)[0] + "\nprintf ('%.17g', contact.radius);")),
+                               float(re.search(r"% (\d\S+)", text)[1]), delta=5e-9)
         examples = re.findall(r"^% +(tribocheck_\w+ \(.*\))\nfunction", "".join(path.read_text() for path in FOLDER.glob("*.m")), re.MULTILINE)
         self.assertEqual(len(examples), len(CATALOGUE))
         ran(";\n".join(examples))
@@ -206,7 +212,7 @@ class Check(unittest.TestCase):
     def test_answers_that_are_none_are_told(self):
         answers = {"NaN": "got null, expected", "'x'": 'got "x", expected', "1 + 2i": 'got "1+2i", expected', "error ('no root')": "got nothing (no root)",
                    "[1, 2, 3]": "value is double of the size [1 3], in place of a number", "{1}": "value is cell of the size [1 1]",
-                   "struct ('colour', 1)": 'has a field "colour", which is no result of it', "[]": "Not offered: pull_off_force",
+                   "struct ('colour', 1)": 'has a field "colour", which is no result of it', "[]": "Not offered: pull_off_force (it gives [])",
                    "Inf": 'got "Infinity", expected'}
         for answer, text in zip(answers, self.judged(*(f"@(varargin) {one}, 'pull_off_force'" for one in answers)), strict=True):
             with self.subTest(answer=answer):
@@ -228,8 +234,8 @@ class Check(unittest.TestCase):
         questions = {"@sin, 'hertz'": 'no function is called "hertz"', "@sin": "a function is wanted, and its name in the catalogue",
                      "3, 'hertz_point'": "a function is wanted, and its name in the catalogue",
                      "@sin, 'hertz_point', 'colour', 1": "argument 3 is no option; allowed: tolerance, ", "@sin, 'hertz_point', 'sample'": "sample has no value",
-                     "@sin, 'hertz_point', 'tolerance', 'loose'": "loose: cannot be read", "@sin, 'hertz_point', 'tolerance', 3": "tolerance: 3 is not allowed",
-                     "@sin, 'hertz_point', 'units', struct ('load', 'mm')": '"mm" is no unit of N',
+                     "@sin, 'hertz_point', 'tolerance', 'loose'": 'tolerance: "loose" is no file that can be read; allowed: engineering', "@sin, 'hertz_point', 'tolerance', 3": "tolerance: 3 is not allowed; allowed: a text",
+                     "@sin, 'hertz_point', 'units', struct ('load', 'mm')": 'units: "mm" is no unit of load; allowed: N, or another',
                      "@sin, 'hertz_point', 'units', struct ('force', 'N')": 'units: "force" is no argument or result of hertz_point; allowed: ',
                      "@sin, 'hertz_point', 'units', 'mN'": 'units: a struct is wanted',
                      "@sin, 'hertz_point', 'modulus', 'bodies'": 'effective_modulus is no argument of the question; "arguments" has the names'}

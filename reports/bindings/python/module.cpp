@@ -253,12 +253,10 @@ class Function {
   std::size_t result_count_;
 };
 
-double number_of(const std::string& text, const std::string& unit) {
+std::optional<double> number_of(const std::string& text, const std::string& unit) {
   double number = 0;
-  if (tribocheck_number(text.c_str(), unit.c_str(), &number) != TRIBOCHECK_OK)
-    throw py::value_error("\"" + text + "\" is no number in a unit of " +
-                          (unit.empty() ? "a number without one" : unit));
-  return number;
+  const int code = tribocheck_number(text.c_str(), unit.c_str(), &number);
+  return code == TRIBOCHECK_OK ? std::optional(number) : std::nullopt;
 }
 
 // The speeds of a scene, or those of its curve.

@@ -107,7 +107,7 @@ class Onset(NamedTuple):
     reason: str
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, slots=True)
 class Measured:
     """A number and what it may be off by, which prints as `3.008330e-08 ± 2.9e-13 m`. Calculate with its `.value`."""
 
@@ -163,11 +163,10 @@ class Film:
     tolerance: float
     formulas: list[dict[str, Any]]
 
-    def __init__(self, document: Mapping[str, Any]) -> None:
-        film = document["films"][0]
+    def __init__(self, film: Mapping[str, Any], warnings: list[str]) -> None:
         self.reason = ""
         self.undefined: dict[str, str] = {}
-        self.warnings = [one["text"] for one in document["warnings"]]
+        self.warnings = warnings
         self.measured: dict[str, Measured] = {}
         for name, value in film.items():
             if name == "undefined":
@@ -216,8 +215,8 @@ class Scene:
     source  the path of a file in TOML or JSON, such a text (with a line end, or of JSON), or a dict of the same shape.
             model/README.md, section 1, has all fields with units, ranges and defaults
 
-    A fault in it is a ValueError that names the field, its value and what is allowed. A Scene does not change: another load
-    is another Scene.
+    Faults in it are a ValueError that names each field, its value and what is allowed, a line each. A Scene does not change:
+    another load is another Scene.
 
     id        its name
     outputs   those that it asks for, a dict {name: meaning, with its unit}
@@ -247,11 +246,8 @@ class Scene:
         try:
             about = json.loads(_library.describe_scene(self.text))
         except ValueError as error:
-            raise ValueError(place + str(error).removeprefix("scene")) from None
-        if about["id"] is None:  # as the program names it
-            self.text = (json.dumps({"id": name, **json.loads(self.text)}) if self.text.lstrip().startswith("{") else
-                         f"id = {json.dumps(name)}\n{self.text}")
-        self.id: str = about["id"] or name
+            raise ValueError("\n".join(place + line.removeprefix("scene") for line in str(error).split("\n"))) from None
+        self.id: str = about["id"] or name  # as the program names it
         self.speeds: int = about["speeds"]
         self.outputs: dict[str, str] = {one["name"]: f"{one['meaning']}, {one['unit'] or '-'}" for one in about["outputs"] if one["asked"]}
         self._words = {one["name"]: numpy.array([*one["words"], ""]) for one in about["outputs"] if one["words"]}
@@ -270,7 +266,8 @@ class Scene:
         outputs  names, whether the scene asks for them or not; without it those that it asks for
 
         A speed that is NaN, infinite or not above 0 is a ValueError that tells its index. Other threads run during
-        the call, and Ctrl-C ends it. A million points take some 50 ms, and as much again where an output that is a word is first read.
+        the call, and Ctrl-C ends it. A million points take some 50 ms, and as much again where an output that is a word is
+        first read.
         """
         given = _library.speeds(self.text, False, self.speeds) if speeds is None else numpy.asarray(speeds)
         return Points(self._columns(given, outputs), self._words)
@@ -293,8 +290,8 @@ class Scene:
         return {"speed": numpy.asarray(speeds, float)[()], **{name: column[()] for name, column in zip(names, found, strict=True)}}
 
     def onset(self, departure: float = 0.05) -> dict[str, Onset]:
-        """The speeds at which starvation sets in, by each criterion: film_maximum, film_departure, friction_minimum and
-        asperity_minimum, with the bits of `tribocheck onset`.
+        """Where starvation sets in, by each criterion: film_maximum, film_departure, friction_minimum and asperity_minimum, with
+        the bits of `tribocheck onset`. Each has speed in m/s, film in m, film_parameter and reason, which says why there is none.
 
             >>> scene.onset(departure=0.1)["film_departure"].speed > scene.onset()["film_departure"].speed
             True
@@ -323,7 +320,7 @@ def film(scene: Scene | str | os.PathLike[str] | Mapping[str, Any], speed: float
     tolerance  relative, of the films, from 1e-6 to 1e-2; without it 1e-4 for a line contact, 1e-3 for a point contact
     viscosity  the law "barus" or "roelands"; without it the scene's, else Barus'
     density    "incompressible", the default, or "dowson_higginson"
-    flooded    takes the inlet as flooded, whatever the scene's supply
+    flooded    takes the inlet as flooded, whatever the scene's supply; refused where it has none
 
     A line contact takes some tenths of a second, a point contact from a second to minutes; Ctrl-C ends it. Arguments that are
     not allowed are a ValueError, a contact that is not solved is a RuntimeError with the reason.
@@ -344,7 +341,7 @@ def film(scene: Scene | str | os.PathLike[str] | Mapping[str, Any], speed: float
     document = json.loads(_library.film(scene.text, json.dumps(request)))
     if document["films"][0]["central_film"] is None:
         raise RuntimeError(f"{scene.id}: not solved: {document['films'][0]['reason']}")
-    return Film(document)
+    return Film(document["films"][0] | {"id": scene.id}, [one["text"] for one in document["warnings"]])
 
 
 def _plain(value: Any) -> Any:
