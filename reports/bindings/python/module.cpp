@@ -25,15 +25,16 @@ constexpr std::size_t block = 1 << 15;  // points between two looks for Ctrl-C
 
 using Array = py::array_t<double, py::array::c_style>;
 
-// The text that a call tells, and its code. A text with more than `room` costs a second call.
-template <class Call>
-std::pair<int, std::string> told_by(Call call, std::size_t room = 1 << 16) {
+// The text that a function of tribocheck.h tells, and its code. A text with more than `room` costs
+// a second call.
+template <std::size_t room = 1 << 16, class Call, class... Given>
+std::pair<int, std::string> told_by(Call call, Given... given) {
   std::string text(room, '\0');
   std::size_t length = 0;
   int code = 0;
   const auto ask = [&] {
     const py::gil_scoped_release released;
-    code = call(text.data(), text.size(), &length);
+    code = call(given..., text.data(), text.size(), &length);
   };
   ask();
   if (length >= text.size()) {
@@ -49,8 +50,21 @@ std::string text_or_error(const std::pair<int, std::string>& told) {
   return told.second;
 }
 
+template <class Call, class... Given>
+std::string text_of(Call call, Given... given) {
+  return text_or_error(told_by(call, given...));
+}
+
 // The item that numpy has under a name.
 py::object of_numpy(const char* name) { return py::module_::import("numpy").attr(name); }
+
+Array numbers_of(const py::array& given, const std::string& what) {
+  const char kind = given.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw py::type_error(what + " is an array of " + py::cast<std::string>(py::str(given.dtype())) +
+                         ", not of numbers");
+  return Array(given);
+}
 
 // The place of a point as people write it: "at index 17", "at index (2, 3)".
 std::string place_text(std::size_t point, const std::vector<py::ssize_t>& shape) {
@@ -134,12 +148,7 @@ class Function {
       if (PyErr_Occurred() != nullptr) throw py::error_already_set();
       return column;
     }
-    const py::array numbers = of_numpy("asarray")(given);
-    const char kind = numbers.dtype().kind();
-    if (kind != 'f' && kind != 'i' && kind != 'u')
-      throw py::type_error(argument_text(k) + " is an array of " +
-                           py::cast<std::string>(py::str(numbers.dtype())) + ", not of numbers");
-    column.array = Array(numbers);
+    column.array = numbers_of(of_numpy("asarray")(given), argument_text(k));
     return column;
   }
 
@@ -169,10 +178,8 @@ class Function {
   }
 
   [[noreturn]] void refuse(const double* arguments, const std::string& place) const {
-    const auto told = told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_fault(name_.c_str(), arguments, text, size, length);
-    });
-    throw py::value_error(name_ + (place.empty() ? "" : " " + place) + ": " + told.second);
+    const std::string fault = told_by(tribocheck_fault, name_.c_str(), arguments).second;
+    throw py::value_error(name_ + (place.empty() ? "" : " " + place) + ": " + fault);
   }
 
   py::object of_numbers(const std::array<Column, most_columns>& columns, bool masked) const {
@@ -264,11 +271,11 @@ Array speeds_of(const std::string& scene, bool is_curve, std::size_t count) {
   Array speeds(static_cast<py::ssize_t>(count));
   const char* const name = "speed";
   double* const result = speeds.mutable_data();
-  text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-    return is_curve ? tribocheck_curve(scene.c_str(), count, 1, &name, &result, text, size, length)
-                    : tribocheck_solve(scene.c_str(), count, nullptr, 1, &name, &result, text, size,
-                                       length);
-  }));
+  const std::size_t columns = 1;
+  if (is_curve)
+    text_of(tribocheck_curve, scene.c_str(), count, columns, &name, &result);
+  else
+    text_of(tribocheck_solve, scene.c_str(), count, nullptr, columns, &name, &result);
   return speeds;
 }
 
@@ -277,11 +284,7 @@ Array speeds_of(const std::string& scene, bool is_curve, std::size_t count) {
 std::vector<py::array> solved(const std::string& scene, const py::array& given,
                               const std::vector<std::string>& outputs,
                               const std::vector<bool>& are_words) {
-  const char kind = given.dtype().kind();
-  if (kind != 'f' && kind != 'i' && kind != 'u')
-    throw py::type_error("speeds: an array of " + py::cast<std::string>(py::str(given.dtype())) +
-                         ", not of numbers");
-  const Array speeds(given);
+  const Array speeds = numbers_of(given, "speeds");
   const std::vector<py::ssize_t> shape(speeds.shape(), speeds.shape() + speeds.ndim());
   const auto count = static_cast<std::size_t>(speeds.size());
   for (std::size_t i = 0; i < count; ++i)
@@ -309,10 +312,8 @@ std::vector<py::array> solved(const std::string& scene, const py::array& given,
     for (std::size_t k = 0; k < columns.size(); ++k)
       result[k] =
           are_words[k] ? codes[k].data() : static_cast<double*>(columns[k].mutable_data()) + first;
-    text_or_error(told_by([&](char* text, std::size_t size, std::size_t* told) {
-      return tribocheck_solve(scene.c_str(), length, speeds.data() + first, names.size(),
-                              names.data(), result.data(), text, size, told);
-    }));
+    text_of(tribocheck_solve, scene.c_str(), length, speeds.data() + first, names.size(),
+            names.data(), result.data());
     for (std::size_t k = 0; k < columns.size(); ++k)
       if (are_words[k])
         std::transform(codes[k].begin(), codes[k].begin() + static_cast<std::ptrdiff_t>(length),
@@ -332,11 +333,8 @@ int stops(void*, int, int) {
 
 // Solved films as JSON, with a profile of up to some megabytes.
 std::string film(const std::string& scene, const std::string& request) {
-  const auto told = told_by(
-      [&](char* text, std::size_t size, std::size_t* length) {
-        return tribocheck_film(scene.c_str(), request.c_str(), stops, nullptr, text, size, length);
-      },
-      1 << 22);
+  const auto told =
+      told_by<1 << 22>(tribocheck_film, scene.c_str(), request.c_str(), stops, nullptr);
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   return text_or_error(told);
 }
@@ -345,38 +343,22 @@ std::string film(const std::string& scene, const std::string& request) {
 
 PYBIND11_MODULE(_library, module) {
   module.def("version", &tribocheck_version);
-  module.def("describe", [] {
-    return told_by([](char* text, std::size_t size, std::size_t* length) {
-             return tribocheck_describe(text, size, length);
-           })
-        .second;
-  });
-  module.def("cases", [](const std::string& request) {
-    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_cases(request.c_str(), text, size, length);
-    }));
-  });
+  module.def("describe", [] { return text_of(tribocheck_describe); });
+  module.def("cases",
+             [](const std::string& request) { return text_of(tribocheck_cases, request.c_str()); });
   // Whether all that is offered holds, and the verdict's text.
   module.def("judge", [](const std::string& request, const std::string& answers) {
-    const auto told = told_by(
-        [&](char* text, std::size_t size, std::size_t* length) {
-          return tribocheck_judge(request.c_str(), answers.c_str(), text, size, length);
-        },
-        1 << 20);
+    const auto told = told_by<1 << 20>(tribocheck_judge, request.c_str(), answers.c_str());
     return std::pair(told.first == TRIBOCHECK_OK, text_or_error(told));
   });
   module.def("number", &number_of);
   module.def("describe_scene", [](const std::string& scene) {
-    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_describe_scene(scene.c_str(), text, size, length);
-    }));
+    return text_of(tribocheck_describe_scene, scene.c_str());
   });
   module.def("speeds", &speeds_of);
   module.def("solve", &solved);
   module.def("onset", [](const std::string& scene, double departure) {
-    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_onset(scene.c_str(), departure, text, size, length);
-    }));
+    return text_of(tribocheck_onset, scene.c_str(), departure);
   });
   module.def("film", &film);
   py::class_<Function>(module, "Function")
