@@ -3,7 +3,7 @@
 import collections
 import json
 
-from . import _library
+from . import _help, _library
 
 catalogue = {one["name"]: one for one in json.loads(_library.describe())["functions"]}
 
@@ -13,29 +13,12 @@ def {name}({parameters}, *, masked=False):
 """
 
 
-def _unit(entry):
-    return entry["unit"] or "-"
-
-
-def _range(parameter):
-    if "words" in parameter:
-        return "one of " + ", ".join(parameter["words"])
-    least, greatest = parameter["physical"]
-    return f"{parameter['allowed']}; usual: {least:g} to {greatest:g}"
-
-
 def _docstring(entry):
-    rows = [entry["meaning"][0].upper() + entry["meaning"][1:] + ".", "", f"    {entry['equation']}", "",
-            "Arguments, each a number or an array (of words: a text or an array of texts):", ""]
-    for one in entry["parameters"]:
-        default = f"; default {one['default']}" if "default" in one else ""
-        rows += [f"    {one['name']:<24}{_unit(one):<8}{one['meaning']}", f"    {'':<32}{_range(one)}{default}"]
-    rows += ["", "An argument that is NaN, infinite or not allowed raises ValueError with its index. With masked=True", "the results are masked arrays, and masked there.", "",
-             "Result:" if len(entry["results"]) == 1 else "Results, by name:", ""]
-    rows += [f"    {one['name']:<24}{_unit(one):<8}{one['meaning']}" for one in entry["results"]]
     example = ", ".join(f"{name}={value!r}" for name, value in entry["example"].items() if name != "function")
-    return "\n".join([*rows, "", "A result too large for a double is infinite.",
-                      f"Source: {entry['source']}.", "", f"    >>> tribocheck.{entry['name']}({example})"])
+    return "\n".join(_help.lines(
+        entry, "an array of texts",
+        ["An argument that is NaN, infinite or not allowed raises ValueError with its index. With masked=True", "the results are masked arrays, and masked there."],
+        "by name", f">>> tribocheck.{entry['name']}({example})"))
 
 
 kinds = {}  # the types of results, by their names
@@ -52,7 +35,7 @@ def _made(entry):
                                       module="tribocheck")
         kind.__doc__ = f"The results of tribocheck.{name}()."
         for one in entry["results"]:
-            getattr(kind, one["name"]).__doc__ = f"{one['meaning']}, {_unit(one)}"
+            getattr(kind, one["name"]).__doc__ = f"{one['meaning']}, {one['unit'] or '-'}"
         scope["_make"] = kind._make
         kinds[kind.__name__] = kind
         call = f"_make({call})"
