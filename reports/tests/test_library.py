@@ -338,11 +338,6 @@ class InC(unittest.TestCase):
         self.assertEqual(self.ask("moments", "1.5", "-3", "0.25", "30", "nan").stdout.splitlines()[:3], expected)
         self.assertRegex(self.ask("moments", "1.7", "0").stdout, r"^3 -?nan$")
 
-    def test_a_curve(self):
-        path = ROOT / "reference/published/rough.toml"
-        expected = [(one["speed"], one["film"]) for one in run("curve", path, "--format", "json").json()["points"]]
-        self.assertEqual([tuple(map(float, line.split())) for line in self.ask("curve", path).stdout.splitlines()], expected)
-
     def test_a_verdict(self):
         right, wrong = self.ask("judge", "right"), self.ask("judge", "wrong")
         self.assertEqual((right.returncode, wrong.returncode), (0, 1), right.stdout + wrong.stdout)
