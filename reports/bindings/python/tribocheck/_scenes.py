@@ -266,7 +266,7 @@ class Scene:
         outputs  names, whether the scene asks for them or not; without it those that it asks for
 
         A speed that is NaN, infinite or not above 0 is a ValueError that tells its index. Other threads run during
-        the call, and Ctrl-C ends it. A million points take some 50 ms, and as much again where an output that is a word is
+        the call, and Ctrl-C ends it. A million points take some 50 ms, and some 30 more where an output that is a word is
         first read.
         """
         given = _library.speeds(self.text, False, self.speeds) if speeds is None else numpy.asarray(speeds)
