@@ -77,8 +77,8 @@ class Functions(unittest.TestCase):
             contact, scene = tribocheck.hertz_point(50, 1e11, 0.01), tribocheck.Scene({str(SCENES / "roller.toml")!r})
             assert pickle.loads(pickle.dumps(contact)) == contact
             assert pickle.loads(pickle.dumps(scene)).text == scene.text
-            points = scene.solve([0.1, 1], ["film", "regime"])
-            assert pickle.loads(pickle.dumps(points)) == points
+            points, film = scene.solve([0.1, 1], ["film", "regime"]), tribocheck.film(scene, speed=1)
+            assert pickle.loads(pickle.dumps(points)) == points and pickle.loads(pickle.dumps(film)).central == film.central
             print("same")"""), "same\n")
 
     def test_help_names_units_ranges_words_and_results(self):
@@ -434,7 +434,8 @@ class Check(unittest.TestCase):
         for expression in ["film, 'hamrock_dowson_central'", "{'hamrock_dowson_central': film}",
                            "lambda **given: film(**{'ellipticity': 1} | given), 'hamrock_dowson_central'",
                            "lambda h, E, R: tribocheck.hertz_point(h, E, R), 'hertz_point', arguments={'load': 'h', 'effective_modulus': 'E', 'reduced_radius': 'R'}",
-                           "tribocheck.gaussian_moment, 'gaussian_moment', 'strict'", "tribocheck.load_sharing, 'load_sharing'",
+                           "tribocheck.gaussian_moment, 'gaussian_moment', 'strict'", "film, 'hamrock_dowson_central', sample=np.int64(9)",
+                           "tribocheck.load_sharing, 'load_sharing'",
                            "lambda order, argument: math.fsum([tribocheck.gaussian_moment(order, argument)]), 'gaussian_moment'",
                            "lambda speed, **given: film(speed, **{'ellipticity': 1} | given | {'viscosity': 1e-3 * given['viscosity']}) * 1e9, "
                            "'hamrock_dowson_central', units={'viscosity': 'mPa s', 'value': 'nm'}",
@@ -489,6 +490,7 @@ class Check(unittest.TestCase):
     def test_a_bad_question_is_a_value_error(self):
         for expression, words in [("check(abs, 'hertz')", 'ValueError: no function is called "hertz"; `tribocheck functions` lists all'), ("check(abs)", "TypeError: check() needs the name"),
                                   ("check(abs, 'hertz_point', 'loose')", 'ValueError: tolerance: "loose" is no file that can be read; allowed: engineering, strict, or the path'),
+                                  ("check(abs, 'hertz_point', __import__('pathlib').Path('nowhere'))", 'ValueError: tolerance: "nowhere" is no file'),
                                   ("check(abs, 'hertz_point', '/tmp')", 'ValueError: tolerance: "/tmp" is no file that can be read'),
                                   ("check(abs, 'hertz_point', units={'load': 'mm'})", 'ValueError: units: "mm" is no unit of load; allowed: N, or another unit'),
                                   ("check(abs, 'hertz_point', units={'force': 'N'})", 'ValueError: units: "force" is no argument or result of hertz_point; allowed: load, '),

@@ -128,6 +128,11 @@ def _column(value, count):
     return [str(one) if isinstance(one, complex) else one for one in column]
 
 
+def _json(request):
+    """A request; it may have numbers of numpy and paths."""
+    return json.dumps(request, default=lambda one: one.tolist() if hasattr(one, "tolist") else str(one))
+
+
 def _refuse_unknown(functions, **renamed):
     """Names that no function has would be left aside, and the verdict be on another function."""
     known = dict.fromkeys(one["name"] for name in functions if name in catalogue
@@ -179,14 +184,14 @@ def check(solver, function=None, tolerance="engineering", *, arguments=None, uni
     request = {"tolerance": tolerance, "modulus": modulus, "ellipticity": ellipticity, "sample": sample}
     lines = []
     for one, its_function in solver.items():
-        asked = [json.loads(line) for line in _library.cases(json.dumps({**request, "functions": [one]})).splitlines()]
+        asked = [json.loads(line) for line in _library.cases(_json({**request, "functions": [one]})).splitlines()]
         mine = _Solver(one, its_function, arguments or {}, units or {})
         first = len({question["id"] for question in asked})  # the rest is asked once more
         for part in (asked[:first], asked[first:]):
             lines += [json.dumps({**answer, "id": question["id"]}, default=str)
                       for question, answer in zip(part, mine.answers(part), strict=True)]
     request |= {"functions": list(solver), "subject": name or "the solver"}
-    verdict = Verdict(list(solver), *_library.judge(json.dumps(request), "\n".join(lines)))
+    verdict = Verdict(list(solver), *_library.judge(_json(request), "\n".join(lines)))
     verdicts.append(verdict)
     if not verdict.holds:
         raise AssertionError(verdict.text)
