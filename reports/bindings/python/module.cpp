@@ -182,6 +182,14 @@ class Function {
     throw py::value_error(name_ + (place.empty() ? "" : " " + place) + ": " + fault);
   }
 
+  template <class One>
+  py::object results_of(const One& one) const {
+    if (result_count_ == 1) return one(0);
+    py::tuple all(result_count_);
+    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(k);
+    return all;
+  }
+
   py::object of_numbers(const std::array<Column, most_columns>& columns, bool masked) const {
     std::array<double, most_columns> numbers{}, found{};
     std::array<const double*, most_columns> argument{};
@@ -198,10 +206,7 @@ class Function {
     const auto one = [&](double number) -> py::object {
       return is_done ? py::object(py::float_(number)) : of_numpy("ma").attr("masked");
     };
-    if (result_count_ == 1) return one(found[0]);
-    py::tuple all(result_count_);
-    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(found[k]);
-    return all;
+    return results_of([&](std::size_t k) { return one(found[k]); });
   }
 
   py::object of_arrays(std::array<Column, most_columns>& columns, bool masked) const {
@@ -248,10 +253,7 @@ class Function {
       if (masked) return of_numpy("ma").attr("masked_array")(numbers, mask);
       return shape.empty() ? py::object(py::float_(*numbers.data())) : py::object(numbers);
     };
-    if (result_count_ == 1) return one(results[0]);
-    py::tuple all(result_count_);
-    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(results[k]);
-    return all;
+    return results_of([&](std::size_t k) { return one(results[k]); });
   }
 
   std::string name_;

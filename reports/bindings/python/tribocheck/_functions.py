@@ -7,11 +7,6 @@ from . import _help, _library
 
 catalogue = {one["name"]: one for one in json.loads(_library.describe())["functions"]}
 
-TEMPLATE = """
-def {name}({parameters}, *, masked=False):
-    return {result}
-"""
-
 
 def _docstring(entry):
     example = ", ".join(f"{name}={value!r}" for name, value in entry["example"].items() if name != "function")
@@ -42,12 +37,8 @@ def _made(entry):
     given = [one["name"] + (f"={one['default']!r}" if "default" in one else "") for one in entry["parameters"]]
     # An argument without a default may follow one that has it: from there on all are given by name.
     first = next((i for i, one in enumerate(given) if "=" in one), len(given))
-    if any("=" not in one for one in given[first:]):
-        given.insert(first, "*")
-        template = TEMPLATE.replace(", *, masked", ", masked")
-    else:
-        template = TEMPLATE
-    exec(template.format(name=name, parameters=", ".join(given), result=call), scope)  # as collections.namedtuple does
+    given.insert(first if any("=" not in one for one in given[first:]) else len(given), "*")
+    exec(f"def {name}({', '.join(given)}, masked=False):\n    return {call}\n", scope)  # as collections.namedtuple does
     function = scope[name]
     function.__doc__ = _docstring(entry)
     function.__module__ = "tribocheck"
