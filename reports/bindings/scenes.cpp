@@ -32,9 +32,13 @@ constexpr std::string_view source = "scene";
 bool is_speed(double speed) { return speed > 0 && std::isfinite(speed); }
 constexpr std::string_view speed_allowed = "a number above 0, in m/s";
 
+// Throws all faults of it, a line each.
 Scene scene_of(SceneReading reading) {
-  if (!reading.scene) throw std::invalid_argument(reading.errors.front().line());
-  return std::move(*reading.scene);
+  if (reading.scene) return std::move(*reading.scene);
+  std::string faults;
+  for (const InputProblem& one : reading.errors)
+    faults += (faults.empty() ? "" : "\n") + one.line();
+  throw std::invalid_argument(faults);
 }
 
 Scene scene_of(const char* text, SceneUse use, std::span<const std::string_view> outputs = {}) {
@@ -176,6 +180,8 @@ std::string films(const char* text, const char* request, tribocheck_watch watch,
   const bool with_profile = members.take("profile", false);
   members.refuse_others();
   Scene scene = scene_of(text, SceneUse::film);
+  if (settings.is_flooded && !cli::has_supply_of_film(scene))
+    throw std::invalid_argument(fmt::format("flooded: it {}", cli::no_supply_of_film));
   if (const std::string fault = prepare_film(scene, speed, settings); !fault.empty())
     throw std::invalid_argument(fault);
   protocol::Text told;

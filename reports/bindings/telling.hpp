@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "conformance/conversation.hpp"
@@ -68,14 +69,16 @@ class Members {
     const auto found = all_.find(name);
     if (found == all_.end()) return otherwise;
     try {
-      Value value = found->template get<Value>();
-      all_.erase(found);
-      return value;
-    } catch (const nlohmann::json::exception&) {
-      throw std::invalid_argument(std::string(name) + ": " +
-                                  conformance::start_of(conformance::line_of(*found)) +
-                                  " is not allowed");
+      if (!std::is_same_v<Value, std::size_t> || found->is_number_unsigned()) {
+        Value value = found->template get<Value>();
+        all_.erase(found);
+        return value;
+      }
+    } catch (const nlohmann::json::exception&) {  // it has another type
     }
+    throw std::invalid_argument(fmt::format("{}: {} is not allowed; allowed: {}", name,
+                                            conformance::start_of(conformance::line_of(*found)),
+                                            kind_of(otherwise)));
   }
 
   // A number that `is_allowed` takes, or `otherwise` where none is given.
@@ -105,6 +108,12 @@ class Members {
   }
 
  private:
+  static const char* kind_of(const std::string&) { return "a text"; }
+  static const char* kind_of(bool) { return "true or false"; }
+  static const char* kind_of(double) { return "a number"; }
+  static const char* kind_of(std::size_t) { return "0, or a whole number above it"; }
+  static const char* kind_of(const std::vector<std::string>&) { return "a list of texts"; }
+
   nlohmann::json all_;
 };
 

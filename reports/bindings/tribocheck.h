@@ -27,7 +27,7 @@ extern "C" {
 enum {
   TRIBOCHECK_OK = 0,     /* done; of a verdict: all that is offered holds */
   TRIBOCHECK_WRONG = 1,  /* of a verdict: something fails, or nothing was answered */
-  TRIBOCHECK_REFUSED = 2 /* nothing was done, and `text` is one line that says why */
+  TRIBOCHECK_REFUSED = 2 /* nothing was done, and `text` is one line that says why; of a scene a line each */
 };
 
 /* "0.2.0"; lives as long as the library. */
@@ -57,7 +57,7 @@ int tribocheck_fault(const char* name, const double* arguments, char* text, size
 int tribocheck_number(const char* with_unit, const char* unit, double* number);
 
 /* A scene is its text, TOML or JSON (that whose first sign is {), at most 1 MiB, as in files:
- * model/README.md, section 1. The fault in one is told in one line, "scene: load: -3 is not allowed;
+ * model/README.md, section 1. Each fault in one is told in a line, "scene: load: -3 is not allowed;
  * allowed: a number above 0, in N", with TRIBOCHECK_REFUSED. Told here: {"id": "a ball"
  * or null, "speeds": how many, "outputs": all that there are, each with its name, whether the scene
  * asks for it ("asked"), unit, words (in the order of their codes; none: a number) and meaning, "warnings": the limits of the model that it
@@ -96,7 +96,7 @@ typedef int (*tribocheck_watch)(void* user, int cells, int step);
  *   "tolerance": 1e-4                  relative, from 1e-6 to 1e-2, as --tolerance has it
  *   "viscosity": "barus"               or "roelands"; without it: the scene's
  *   "density": "incompressible"        or "dowson_higginson"
- *   "flooded": true                    whatever supply the scene has
+ *   "flooded": true                    whatever supply the scene has; refused where it has none
  *   "profile": true                    pressure and film along the middle, too */
 int tribocheck_film(const char* scene, const char* request, tribocheck_watch watch, void* user,
                     char* text, size_t size, size_t* length);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "build_info.hpp"
@@ -207,10 +208,12 @@ void append_examples(Text& to, const ConformanceResult& result) {
   }
 }
 
-// A sentence on quantities that are not offered, which take no rows of a table. A function of which
-// none is offered is named once. Empty where all are offered.
+// A sentence on quantities that are not offered, which take no rows of a table, with the reason
+// where all have the same. A function of which none is offered is named once. Empty where all are
+// offered.
 std::string not_offered(const ConformanceResult& result) {
   std::vector<std::string> names;
+  std::set<std::string> reasons;
   for (const QuantityVerdict& one : result.quantities) {
     if (one.status != Verdict::not_offered) continue;
     const bool is_whole =
@@ -218,10 +221,13 @@ std::string not_offered(const ConformanceResult& result) {
           return function_of(other.quantity) != function_of(one.quantity) ||
                  other.status == Verdict::not_offered;
         });
+    reasons.insert(one.first_reason);
     const std::string name = is_whole ? function_of(one.quantity) : one.quantity;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  return names.empty() ? "" : "Not offered: " + joined(names) + ".";
+  if (names.empty()) return "";
+  return fmt::format("Not offered: {}{}.", joined(names),
+                     reasons.size() == 1 ? fmt::format(" ({})", *reasons.begin()) : "");
 }
 
 void append_subject_table(Text& to, const SubjectVerdict& verdict) {

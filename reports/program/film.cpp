@@ -49,13 +49,11 @@ bool is_csv(const std::string& name) { return std::filesystem::path(name).extens
 LoadedScenes scenes_of(const FilmArguments& arguments) {
   bool has_supply = false;
   LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::film, [&](Scene& scene) {
-    has_supply |=
-        scene.supply.kind != SupplyKind::flooded && scene.bodies.shape() != ContactShape::line;
+    has_supply |= has_supply_of_film(scene);
     return prepare_film(scene, arguments.speed, arguments.settings);
   });
   if (arguments.settings.is_flooded && !has_supply) {
-    complain(
-        "--flooded leaves out the [supply] of circles and ellipses, and no scene here has one");
+    complain(fmt::format("--flooded {}", no_supply_of_film));
     loaded.scenes.clear();
   }
   return loaded;

@@ -21,6 +21,10 @@ std::string prepare_curve(Scene& scene) {
   return {};
 }
 
+bool has_supply_of_film(const Scene& scene) {
+  return scene.supply.kind != SupplyKind::flooded && scene.bodies.shape() != ContactShape::line;
+}
+
 std::string prepare_film(Scene& scene, double speed, const FilmSettings& settings) {
   if (speed > 0) scene.speeds = {.list = {speed}};
   if (!settings.viscosity.empty())

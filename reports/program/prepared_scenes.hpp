@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "film_case.hpp"
 #include "tribo/scene.hpp"
@@ -17,5 +18,10 @@ std::string prepare_curve(Scene& scene);
 // Puts one speed, 0: the scene's own, and the settings into a scene that was read with
 // SceneUse::film.
 std::string prepare_film(Scene& scene, double speed, const FilmSettings& settings);
+
+// Whether FilmSettings::is_flooded changes a scene, and why it is refused where it changes none.
+bool has_supply_of_film(const Scene& scene);
+inline constexpr std::string_view no_supply_of_film =
+    "leaves out the [supply] of circles and ellipses, and no scene here has one";
 
 }  // namespace tribo::cli

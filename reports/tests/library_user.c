@@ -4,7 +4,6 @@
  *   library_user moments ORDER D...   the moments, a number a line
  *   library_user judge right|wrong    the verdict on the radius of Hertz' circle
  *   library_user threads FILE         0 where each of four threads gets what one alone gets
- *   library_user curve FILE           speed and film of the curve of a scene, a point a line
  *   library_user texts                0 where texts of any size are told as the header says */
 #include <math.h>
 #include <pthread.h>
@@ -73,20 +72,6 @@ static char* text_of_file(const char* path) {
   if (file == NULL || fread(text, 1, ROOM - 1, file) == 0) exit(2);
   fclose(file);
   return text;
-}
-
-static int curve(const char* path) {
-  const char* const names[] = {"speed", "film"};
-  char *scene = text_of_file(path), told[512];
-  double speed[200], film[200], *result[2];
-  int code, i;
-  result[0] = speed;
-  result[1] = film;
-  code = tribocheck_curve(scene, 200, 2, names, result, told, sizeof told, NULL);
-  if (code != TRIBOCHECK_OK) puts(told);
-  for (i = 0; code == TRIBOCHECK_OK && i < 200; ++i) printf("%.17g %.17g\n", speed[i], film[i]);
-  free(scene);
-  return code;
 }
 
 struct job {
@@ -184,7 +169,6 @@ int main(int count, char** words) {
     return 0;
   }
   if (count > 2 && strcmp(words[1], "judge") == 0) return judge(strcmp(words[2], "wrong") == 0 ? 2 : 1);
-  if (count > 2 && strcmp(words[1], "curve") == 0) return curve(words[2]);
   if (count > 2 && strcmp(words[1], "threads") == 0) return threads(words[2]);
   if (count > 1 && strcmp(words[1], "texts") == 0) return texts();
   return 2;

@@ -154,7 +154,7 @@ class Outputs(ProgramTest):
                 (["--plugin", ""], "--plugin: nothing is given"),
                 (["--subject", "a", "--plugin", "b"], "--subject excludes --plugin"),
                 (["--subject", f"{PROGRAM} stream", "--require", "film"], "film is no quantity"),
-                (["--subject", f"{PROGRAM} stream", "--tolerance", "loose"], "loose: cannot be read"),
+                (["--subject", f"{PROGRAM} stream", "--tolerance", "loose"], 'tolerance: "loose" is no file that can be read; allowed: engineering, strict, or'),
                 (["--subject", f"{PROGRAM} stream", "--baseline", self.folder.path("none.json")],
                  "there is no such baseline"),
                 (["--subject", f"{PROGRAM} stream", "--sample", "0"], "--sample"),

@@ -279,12 +279,18 @@ class Scenes(unittest.TestCase):
         self.assertEqual(about(hot)["warnings"], warned)
         self.assertIn("perhaps mPa·s was meant", str(warned))
 
+    def test_all_faults_of_a_scene_are_those_that_the_program_tells(self):
+        text = re.sub(rb"(?m)^(load|viscosity) *=.*$", rb"\1 = -3", scene_text("published/rough.toml"))
+        expected = run("solve", "-", stdin=text.decode()).err
+        code, told = text_of(LIBRARY.tribocheck_describe_scene, text)
+        self.assertEqual((code, told.count("\n")), (2, 1))
+        self.assertEqual(re.sub("(?m)^scene:", "tribocheck: -:", told) + "\n", expected)
+
     def test_faults_are_one_line_and_leave_the_columns_alone(self):
         text, one = scene_text("published/rough.toml"), (ctypes.c_double * 3)(1, 2, -3)
         count = ctypes.c_size_t(3)
         films = [LIBRARY.tribocheck_film, text]
         for told, words in [
-                (text_of(LIBRARY.tribocheck_describe_scene, b"load = -3\n")[1], "scene: "),
                 (text_of(LIBRARY.tribocheck_describe_scene, b"{")[1], "scene:1:2: not JSON"),
                 (text_of(LIBRARY.tribocheck_describe_scene, b"x" * (1 << 20) + b"y")[1], "too large; allowed: at most 1048576 bytes"),
                 (points(LIBRARY.tribocheck_solve, ["film"], 3, text, count, one), "speeds[2]: -3 is not allowed; allowed: a number above 0, in m/s"),
@@ -297,6 +303,9 @@ class Scenes(unittest.TestCase):
                 (text_of(*films, b'{"speed": "1"}', None, None)[1], 'speed: "1" is not allowed'),
                 (text_of(*films, b'{"tolerance": 1}', None, None)[1], "tolerance: 1 is not allowed; allowed: a number from 1e-6 to 1e-2"),
                 (text_of(*films, b'{"viscosity": "x"}', None, None)[1], 'viscosity: "x" is not known; allowed: barus, roelands'),
+                (text_of(*films, b'{"flooded": 1}', None, None)[1], "flooded: 1 is not allowed; allowed: true or false"),
+                (text_of(LIBRARY.tribocheck_film, scene_text("scenes/roller.toml"), b'{"flooded": true}', None, None)[1],
+                 "flooded: it leaves out the [supply] of circles and ellipses, and no scene here has one"),
                 (text_of(*films, b'{"threads": 1}', None, None)[1], "threads")]:
             with self.subTest(words=words):
                 self.assertIsInstance(told, str)
@@ -328,11 +337,6 @@ class InC(unittest.TestCase):
         expected = [f"0 {one['value']:.17g}" for one in run("stream", stdin=lines).json_lines()]
         self.assertEqual(self.ask("moments", "1.5", "-3", "0.25", "30", "nan").stdout.splitlines()[:3], expected)
         self.assertRegex(self.ask("moments", "1.7", "0").stdout, r"^3 -?nan$")
-
-    def test_a_curve(self):
-        path = ROOT / "reference/published/rough.toml"
-        expected = [(one["speed"], one["film"]) for one in run("curve", path, "--format", "json").json()["points"]]
-        self.assertEqual([tuple(map(float, line.split())) for line in self.ask("curve", path).stdout.splitlines()], expected)
 
     def test_a_verdict(self):
         right, wrong = self.ask("judge", "right"), self.ask("judge", "wrong")

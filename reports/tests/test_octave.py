@@ -79,6 +79,12 @@ class Functions(unittest.TestCase):
                       "a number above 0; usual: 0.001 to 1e+06", "peak_pressure           Pa ",
                       "one of ei_over_ri, ei_over_ep; default 'ei_over_ri'", 'tribocheck_check (@my_film, "hamrock_dowson_central")']:
             self.assertIn(words, text)
+        text = ran("help tribocheck")
+        for entry in CATALOGUE:
+            self.assertRegex(text, rf"tribocheck_{entry['name']} +{re.escape(entry['meaning'])}\n")
+        self.assertIn("help tribocheck_check", text)
+        self.assertAlmostEqual(float(ran(re.search(r"contact = .*", text)[0] + "\nprintf ('%.17g', contact.radius);")),
+                               float(re.search(r"% (\d\S+)", text)[1]), delta=5e-9)
         examples = re.findall(r"^% +(tribocheck_\w+ \(.*\))\nfunction", "".join(path.read_text() for path in FOLDER.glob("*.m")), re.MULTILINE)
         self.assertEqual(len(examples), len(CATALOGUE))
         ran(";\n".join(examples))
@@ -193,20 +199,34 @@ class Check(unittest.TestCase):
                 self.assertNotIn("ERROR", text)
 
     def test_a_fake_is_told_with_its_worst_case_and_the_cause_that_verify_names(self):
-        fakes = {"none": "@film", "film_half_radius": "@(u, eta, alpha, F, E, R, k) film (u, eta, alpha, F, E, R / 2, k)",
-                 "film_speed_sum": "@(u, varargin) film (2 * u, varargin{:})"}
-        for mistake, text in zip(fakes, self.judged(*(one + ", 'hamrock_dowson_central'" for one in fakes.values())), strict=True):
+        film, modulus, line = "hamrock_dowson_central", "effective_modulus", "hertz_line"
+        point, ellipse = "hertz_point", "hertz_ellipse"
+        fakes = {"none": (film, "@film"), "film_half_radius": (film, "@(u, eta, alpha, F, E, R, k) film (u, eta, alpha, F, E, R / 2, k)"),
+                 "film_speed_sum": (film, "@(u, varargin) film (2 * u, varargin{:})"),
+                 "bodies_modulus_doubled": (modulus, "@(varargin) 2 * tribocheck_effective_modulus (varargin{:})"),
+                 "bodies_modulus_without_poisson": (modulus, "@(E, m, F, n) tribocheck_effective_modulus (E, 0, F, 0)"),
+                 "bodies_modulus_one_poisson": (modulus, "@(E, m, F, n) tribocheck_effective_modulus (E, m, F, m)"),
+                 "bodies_modulus_of_first": (modulus, "@(E, m, F, n) E ./ (1 - m .^ 2)"),
+                 "hertz_modulus_doubled": (point, "@(F, E, R) tribocheck_hertz_point (F, 2 * E, R)"),
+                 "hertz_half_radius": (point, "@(F, E, R) tribocheck_hertz_point (F, E, R / 2)"),
+                 "hertz_radius_in_mm": (point, "@(F, E, R) tribocheck_hertz_point (F, E, 1000 * R)"),
+                 "ellipse_modulus_doubled": (ellipse, "@(F, E, x, y) tribocheck_hertz_ellipse (F, 2 * E, x, y)"),
+                 "ellipse_as_circle": (ellipse, "@(F, E, x, y) tribocheck_hertz_ellipse (F, E, 2 ./ (1 ./ x + 1 ./ y), 2 ./ (1 ./ x + 1 ./ y))"),
+                 "line_modulus_doubled": (line, "@(w, E, R) tribocheck_hertz_line (w, 2 * E, R)"),
+                 "line_load_per_millimetre": (line, "@(w, E, R) tribocheck_hertz_line (w / 1000, E, R)")}
+        found = self.judged(*(f"{one}, '{function}'" for function, one in fakes.values()))
+        for (mistake, (function, _)), text in zip(fakes.items(), found, strict=True):
             with self.subTest(mistake=mistake):
-                expected = verify("--subject", subject("fakes/fake.py", "--mistake", mistake, "--only", "hamrock_dowson_central"))
+                expected = verify("--subject", subject("fakes/fake.py", "--mistake", mistake, "--only", function))
                 self.assertEqual(text.startswith("ERROR"), expected.code != 0 and mistake != "none")
                 causes = [one["text"] for one in expected.json()["diagnoses"]]
                 self.assertEqual(re.findall(r"Diagnosis: (.*)", text), causes)
-                self.assertEqual("Worst of hamrock_dowson_central, in case " in text, mistake != "none")
+                self.assertEqual(f"Worst of {function}" in text, mistake != "none")
 
     def test_answers_that_are_none_are_told(self):
         answers = {"NaN": "got null, expected", "'x'": 'got "x", expected', "1 + 2i": 'got "1+2i", expected', "error ('no root')": "got nothing (no root)",
                    "[1, 2, 3]": "value is double of the size [1 3], in place of a number", "{1}": "value is cell of the size [1 1]",
-                   "struct ('colour', 1)": 'has a field "colour", which is no result of it', "[]": "Not offered: pull_off_force",
+                   "struct ('colour', 1)": 'has a field "colour", which is no result of it', "[]": "Not offered: pull_off_force (it gives [])",
                    "Inf": 'got "Infinity", expected'}
         for answer, text in zip(answers, self.judged(*(f"@(varargin) {one}, 'pull_off_force'" for one in answers)), strict=True):
             with self.subTest(answer=answer):
@@ -228,8 +248,8 @@ class Check(unittest.TestCase):
         questions = {"@sin, 'hertz'": 'no function is called "hertz"', "@sin": "a function is wanted, and its name in the catalogue",
                      "3, 'hertz_point'": "a function is wanted, and its name in the catalogue",
                      "@sin, 'hertz_point', 'colour', 1": "argument 3 is no option; allowed: tolerance, ", "@sin, 'hertz_point', 'sample'": "sample has no value",
-                     "@sin, 'hertz_point', 'tolerance', 'loose'": "loose: cannot be read", "@sin, 'hertz_point', 'tolerance', 3": "tolerance: 3 is not allowed",
-                     "@sin, 'hertz_point', 'units', struct ('load', 'mm')": '"mm" is no unit of N',
+                     "@sin, 'hertz_point', 'tolerance', 'loose'": 'tolerance: "loose" is no file that can be read; allowed: engineering', "@sin, 'hertz_point', 'tolerance', 3": "tolerance: 3 is not allowed; allowed: a text",
+                     "@sin, 'hertz_point', 'units', struct ('load', 'mm')": 'units: "mm" is no unit of load; allowed: N, or another',
                      "@sin, 'hertz_point', 'units', struct ('force', 'N')": 'units: "force" is no argument or result of hertz_point; allowed: ',
                      "@sin, 'hertz_point', 'units', 'mN'": 'units: a struct is wanted',
                      "@sin, 'hertz_point', 'modulus', 'bodies'": 'effective_modulus is no argument of the question; "arguments" has the names'}

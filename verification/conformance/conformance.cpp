@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -406,7 +407,11 @@ Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cas
   if (text == tolerance.name) return tolerance;
   tolerance.name = text;
   std::ifstream file(text);
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", text));
+  if (!file || std::filesystem::is_directory(text))
+    throw std::runtime_error(fmt::format(
+        "tolerance: \"{}\" is no file that can be read; allowed: engineering, strict, or "
+        "the path of a file with bounds of quantities",
+        text));
   std::set<std::string> known = quantity_names(cases);
   known.insert("default");
   std::string line;

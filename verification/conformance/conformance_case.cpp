@@ -304,7 +304,10 @@ std::vector<TestCase> read_cases(const CaseSources& sources,
     if (catalogue::function_named(name) == nullptr &&
         std::find(operating_point_functions.begin(), operating_point_functions.end(), name) ==
             operating_point_functions.end())
-      throw std::runtime_error(fmt::format("no function is called \"{}\"", printable(name)));
+      throw std::runtime_error(
+          fmt::format("no function is called \"{}\"; `tribocheck functions` lists all, and "
+                      "operating_point is one, too",
+                      printable(name)));
   std::vector<TestCase> all;
   const auto add = [&](std::vector<TestCase> part) {
     for (TestCase& one : part) all.push_back(std::move(one));

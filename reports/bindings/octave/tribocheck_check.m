@@ -144,7 +144,7 @@ function [ask, columns] = way_to_ask (solver, name, questions, own)
   units = struct ();
   for one = [entry.parameters, entry.results]
     if isfield (own.units, one{1}.name)
-      units.(one{1}.name) = unit_of (own.units.(one{1}.name), one{1}.unit);
+      units.(one{1}.name) = unit_of (own.units, one{1});
     end
   end
   if iscell (own.arguments)
@@ -168,14 +168,17 @@ function [ask, columns] = way_to_ask (solver, name, questions, own)
 end
 
 % Zero and one of a unit, in the SI unit.
-function unit = unit_of (text, si)
+function unit = unit_of (units, quantity)
+  text = units.(quantity.name);
+  si = quantity.unit;
   if isempty (si)
     si = '%';
   end
   for k = 1:2
     [unit(k), code] = library ('number', sprintf ('%d %s', k - 1, text), si);
     if code ~= 0
-      error ('tribocheck:argument', 'tribocheck_check: "%s" is no unit of %s', text, si);
+      error ('tribocheck:argument', 'tribocheck_check: units: "%s" is no unit of %s; allowed: %s, or another unit of the same quantity', ...
+             text, quantity.name, si);
     end
   end
   unit(2) = unit(2) - unit(1);

@@ -42,8 +42,7 @@ def stubs_of(entry):
 
 
 (PACKAGE / "_functions.pyi").write_text("\n".join([HEAD, *(text for entry in catalogue.values() for text in stubs_of(entry))]))
-homes = {name: getattr(getattr(tribocheck, name), "__module__", "tribocheck._functions") for name in tribocheck.__all__} | dict.fromkeys(
-    catalogue, "tribocheck._functions")
-(PACKAGE / "__init__.pyi").write_text("".join(f"from .{home.removeprefix('tribocheck.')} import {name} as {name}\n" for name, home in homes.items())
-                                      + "\n__version__: str\n")
+names = sorted(name for name in vars(tribocheck) if not name.startswith("_"))
+homes = {name: getattr(getattr(tribocheck, name), "__module__", "").removeprefix("tribocheck") or "._functions" for name in names}
+(PACKAGE / "__init__.pyi").write_text("".join(f"from {home} import {name} as {name}\n" for name, home in homes.items()) + "\n__version__: str\n")
 (PACKAGE / "py.typed").touch()

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,15 +25,16 @@ constexpr std::size_t block = 1 << 15;  // points between two looks for Ctrl-C
 
 using Array = py::array_t<double, py::array::c_style>;
 
-// The text that a call tells, and its code. A text with more than `room` costs a second call.
-template <class Call>
-std::pair<int, std::string> told_by(Call call, std::size_t room = 1 << 16) {
+// The text that a function of tribocheck.h tells, and its code. A text with more than `room` costs
+// a second call.
+template <std::size_t room = 1 << 16, class Call, class... Given>
+std::pair<int, std::string> told_by(Call call, Given... given) {
   std::string text(room, '\0');
   std::size_t length = 0;
   int code = 0;
   const auto ask = [&] {
     const py::gil_scoped_release released;
-    code = call(text.data(), text.size(), &length);
+    code = call(given..., text.data(), text.size(), &length);
   };
   ask();
   if (length >= text.size()) {
@@ -48,8 +50,21 @@ std::string text_or_error(const std::pair<int, std::string>& told) {
   return told.second;
 }
 
+template <class Call, class... Given>
+std::string text_of(Call call, Given... given) {
+  return text_or_error(told_by(call, given...));
+}
+
 // The item that numpy has under a name.
 py::object of_numpy(const char* name) { return py::module_::import("numpy").attr(name); }
+
+Array numbers_of(const py::array& given, const std::string& what) {
+  const char kind = given.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw py::type_error(what + " is an array of " + py::cast<std::string>(py::str(given.dtype())) +
+                         ", not of numbers");
+  return Array(given);
+}
 
 // The place of a point as people write it: "at index 17", "at index (2, 3)".
 std::string place_text(std::size_t point, const std::vector<py::ssize_t>& shape) {
@@ -133,12 +148,7 @@ class Function {
       if (PyErr_Occurred() != nullptr) throw py::error_already_set();
       return column;
     }
-    const py::array numbers = of_numpy("asarray")(given);
-    const char kind = numbers.dtype().kind();
-    if (kind != 'f' && kind != 'i' && kind != 'u')
-      throw py::type_error(argument_text(k) + " is an array of " +
-                           py::cast<std::string>(py::str(numbers.dtype())) + ", not of numbers");
-    column.array = Array(numbers);
+    column.array = numbers_of(of_numpy("asarray")(given), argument_text(k));
     return column;
   }
 
@@ -168,10 +178,16 @@ class Function {
   }
 
   [[noreturn]] void refuse(const double* arguments, const std::string& place) const {
-    const auto told = told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_fault(name_.c_str(), arguments, text, size, length);
-    });
-    throw py::value_error(name_ + (place.empty() ? "" : " " + place) + ": " + told.second);
+    const std::string fault = told_by(tribocheck_fault, name_.c_str(), arguments).second;
+    throw py::value_error(name_ + (place.empty() ? "" : " " + place) + ": " + fault);
+  }
+
+  template <class One>
+  py::object results_of(const One& one) const {
+    if (result_count_ == 1) return one(0);
+    py::tuple all(result_count_);
+    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(k);
+    return all;
   }
 
   py::object of_numbers(const std::array<Column, most_columns>& columns, bool masked) const {
@@ -190,10 +206,7 @@ class Function {
     const auto one = [&](double number) -> py::object {
       return is_done ? py::object(py::float_(number)) : of_numpy("ma").attr("masked");
     };
-    if (result_count_ == 1) return one(found[0]);
-    py::tuple all(result_count_);
-    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(found[k]);
-    return all;
+    return results_of([&](std::size_t k) { return one(found[k]); });
   }
 
   py::object of_arrays(std::array<Column, most_columns>& columns, bool masked) const {
@@ -240,10 +253,7 @@ class Function {
       if (masked) return of_numpy("ma").attr("masked_array")(numbers, mask);
       return shape.empty() ? py::object(py::float_(*numbers.data())) : py::object(numbers);
     };
-    if (result_count_ == 1) return one(results[0]);
-    py::tuple all(result_count_);
-    for (std::size_t k = 0; k < result_count_; ++k) all[k] = one(results[k]);
-    return all;
+    return results_of([&](std::size_t k) { return one(results[k]); });
   }
 
   std::string name_;
@@ -252,12 +262,10 @@ class Function {
   std::size_t result_count_;
 };
 
-double number_of(const std::string& text, const std::string& unit) {
+std::optional<double> number_of(const std::string& text, const std::string& unit) {
   double number = 0;
-  if (tribocheck_number(text.c_str(), unit.c_str(), &number) != TRIBOCHECK_OK)
-    throw py::value_error("\"" + text + "\" is no number in a unit of " +
-                          (unit.empty() ? "a number without one" : unit));
-  return number;
+  const int code = tribocheck_number(text.c_str(), unit.c_str(), &number);
+  return code == TRIBOCHECK_OK ? std::optional(number) : std::nullopt;
 }
 
 // The speeds of a scene, or those of its curve.
@@ -265,22 +273,20 @@ Array speeds_of(const std::string& scene, bool is_curve, std::size_t count) {
   Array speeds(static_cast<py::ssize_t>(count));
   const char* const name = "speed";
   double* const result = speeds.mutable_data();
-  text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-    return is_curve ? tribocheck_curve(scene.c_str(), count, 1, &name, &result, text, size, length)
-                    : tribocheck_solve(scene.c_str(), count, nullptr, 1, &name, &result, text, size,
-                                       length);
-  }));
+  const std::size_t columns = 1;
+  if (is_curve)
+    text_of(tribocheck_curve, scene.c_str(), count, columns, &name, &result);
+  else
+    text_of(tribocheck_solve, scene.c_str(), count, nullptr, columns, &name, &result);
   return speeds;
 }
 
-// Outputs at speeds, each an array of their shape.
-std::vector<Array> solved(const std::string& scene, const py::array& given,
-                          const std::vector<std::string>& outputs) {
-  const char kind = given.dtype().kind();
-  if (kind != 'f' && kind != 'i' && kind != 'u')
-    throw py::type_error("speeds: an array of " + py::cast<std::string>(py::str(given.dtype())) +
-                         ", not of numbers");
-  const Array speeds(given);
+// Outputs at speeds, each an array of their shape: numbers, or of words their codes, −1 where one
+// is undefined.
+std::vector<py::array> solved(const std::string& scene, const py::array& given,
+                              const std::vector<std::string>& outputs,
+                              const std::vector<bool>& are_words) {
+  const Array speeds = numbers_of(given, "speeds");
   const std::vector<py::ssize_t> shape(speeds.shape(), speeds.shape() + speeds.ndim());
   const auto count = static_cast<std::size_t>(speeds.size());
   for (std::size_t i = 0; i < count; ++i)
@@ -288,21 +294,33 @@ std::vector<Array> solved(const std::string& scene, const py::array& given,
       throw py::value_error("speeds" + (shape.empty() ? "" : " " + place_text(i, shape)) + ": " +
                             py::cast<std::string>(py::str(py::float_(speed))) +
                             " is not allowed; allowed: a number above 0, in m/s");
-  std::vector<Array> columns;
+  constexpr std::size_t most = 2 * block;
+  std::vector<py::array> columns;
   std::vector<const char*> names;
-  for (const std::string& name : outputs) {
-    columns.emplace_back(shape);
-    names.push_back(name.c_str());
+  std::vector<std::vector<double>> codes(outputs.size());
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    names.push_back(outputs[k].c_str());
+    if (are_words.at(k)) {
+      columns.emplace_back(py::array_t<std::int8_t>(shape));
+      codes[k].resize(std::min(most, count));
+    } else {
+      columns.emplace_back(Array(shape));
+    }
   }
   std::vector<double*> result(columns.size());
   std::size_t first = 0;
   do {  // once for no speeds, too, so that a faulty scene is told
-    const std::size_t length = std::min(2 * block, count - first);
-    for (std::size_t k = 0; k < columns.size(); ++k) result[k] = columns[k].mutable_data() + first;
-    text_or_error(told_by([&](char* text, std::size_t size, std::size_t* told) {
-      return tribocheck_solve(scene.c_str(), length, speeds.data() + first, names.size(),
-                              names.data(), result.data(), text, size, told);
-    }));
+    const std::size_t length = std::min(most, count - first);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      result[k] =
+          are_words[k] ? codes[k].data() : static_cast<double*>(columns[k].mutable_data()) + first;
+    text_of(tribocheck_solve, scene.c_str(), length, speeds.data() + first, names.size(),
+            names.data(), result.data());
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (are_words[k])
+        std::transform(codes[k].begin(), codes[k].begin() + static_cast<std::ptrdiff_t>(length),
+                       static_cast<std::int8_t*>(columns[k].mutable_data()) + first,
+                       [](double code) { return static_cast<std::int8_t>(code >= 0 ? code : -1); });
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     first += length;
   } while (first < count);
@@ -317,11 +335,8 @@ int stops(void*, int, int) {
 
 // Solved films as JSON, with a profile of up to some megabytes.
 std::string film(const std::string& scene, const std::string& request) {
-  const auto told = told_by(
-      [&](char* text, std::size_t size, std::size_t* length) {
-        return tribocheck_film(scene.c_str(), request.c_str(), stops, nullptr, text, size, length);
-      },
-      1 << 22);
+  const auto told =
+      told_by<1 << 22>(tribocheck_film, scene.c_str(), request.c_str(), stops, nullptr);
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   return text_or_error(told);
 }
@@ -330,38 +345,22 @@ std::string film(const std::string& scene, const std::string& request) {
 
 PYBIND11_MODULE(_library, module) {
   module.def("version", &tribocheck_version);
-  module.def("describe", [] {
-    return told_by([](char* text, std::size_t size, std::size_t* length) {
-             return tribocheck_describe(text, size, length);
-           })
-        .second;
-  });
-  module.def("cases", [](const std::string& request) {
-    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_cases(request.c_str(), text, size, length);
-    }));
-  });
+  module.def("describe", [] { return text_of(tribocheck_describe); });
+  module.def("cases",
+             [](const std::string& request) { return text_of(tribocheck_cases, request.c_str()); });
   // Whether all that is offered holds, and the verdict's text.
   module.def("judge", [](const std::string& request, const std::string& answers) {
-    const auto told = told_by(
-        [&](char* text, std::size_t size, std::size_t* length) {
-          return tribocheck_judge(request.c_str(), answers.c_str(), text, size, length);
-        },
-        1 << 20);
+    const auto told = told_by<1 << 20>(tribocheck_judge, request.c_str(), answers.c_str());
     return std::pair(told.first == TRIBOCHECK_OK, text_or_error(told));
   });
   module.def("number", &number_of);
   module.def("describe_scene", [](const std::string& scene) {
-    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_describe_scene(scene.c_str(), text, size, length);
-    }));
+    return text_of(tribocheck_describe_scene, scene.c_str());
   });
   module.def("speeds", &speeds_of);
   module.def("solve", &solved);
   module.def("onset", [](const std::string& scene, double departure) {
-    return text_or_error(told_by([&](char* text, std::size_t size, std::size_t* length) {
-      return tribocheck_onset(scene.c_str(), departure, text, size, length);
-    }));
+    return text_of(tribocheck_onset, scene.c_str(), departure);
   });
   module.def("film", &film);
   py::class_<Function>(module, "Function")

@@ -13,14 +13,18 @@ Each function of `tribocheck functions` is here by its name, for numbers and arr
     >>> tribocheck.hertz_point(load=50, effective_modulus=1.079e11, reduced_radius=9.5e-3).radius
     0.00014890...
 
-`help(tribocheck.hertz_point)` has its units, ranges and source; `tribocheck.functions` is the list of all.
-tribocheck.check() holds a function of yours to certified values. Begin with help(tribocheck.Scene).
+`help(tribocheck.hertz_point)` has its units, ranges and source. tribocheck.check() holds a function of yours to certified
+values. Begin with help(tribocheck.Scene).
+
+All functions, which are in the dict `tribocheck.functions`, too:
+
 """
 from . import _library
 from ._check import check
-from ._functions import functions, kinds
-from ._scenes import Curve, Film, Measured, Onset, Points, Profile, Scene, film
+from ._functions import catalogue as _catalogue, functions, kinds
+from ._scenes import Curve, Film, Measured as Measured, Onset as Onset, Points, Profile as Profile, Scene, film
 
 __version__ = _library.version()
+__doc__ += "".join(f"    {name:<32}{entry['meaning']}\n" for name, entry in _catalogue.items())
 globals().update(functions | kinds)
-__all__ = ["Curve", "Film", "Measured", "Onset", "Points", "Profile", "Scene", "check", "film", "functions", *functions]
+__all__ = ["Curve", "Film", "Points", "Scene", "check", "film"]  # what help(tribocheck) tells

@@ -3,6 +3,7 @@
 import collections
 import inspect
 import json
+import re
 
 import numpy
 
@@ -16,9 +17,11 @@ verdicts = []  # of all checks of this process, for the plug-in of pytest
 class _Unit:
     """x in the SI unit is zero + one * x in another one."""
 
-    def __init__(self, text, si):
-        self.zero = _library.number(f"0 {text}", si or "%")
-        self.one = _library.number(f"1 {text}", si or "%") - self.zero
+    def __init__(self, name, text, si):
+        self.zero, self.one = (_library.number(f"{number} {text}", si or "%") for number in (0, 1))
+        if self.one is None:
+            raise ValueError(f'units: "{text}" is no unit of {name}; allowed: {si or "%"}, or another unit of the same quantity')
+        self.one -= self.zero
 
     def given(self, number):
         return (number - self.zero) / self.one
@@ -34,7 +37,7 @@ class _Solver:
         self.function, self.arguments = function, arguments
         entry = catalogue.get(name, {"parameters": [], "results": []})
         self.results = [one["name"] for one in entry["results"]]
-        self.units = {one["name"]: _Unit(units[one["name"]], one["unit"])
+        self.units = {one["name"]: _Unit(one["name"], units[one["name"]], one["unit"])
                       for one in [*entry["parameters"], *entry["results"]] if one["name"] in units}
         self.is_point = name not in catalogue
         try:  # what it has no default for is given where a question leaves it out
@@ -87,7 +90,9 @@ class _Solver:
         except NotImplementedError as error:
             return {"skip": str(error) or "not implemented"}
         except Exception as error:  # it is the solver's, and becomes part of the verdict
-            return {"error": f"{type(error).__name__}: {error}"}
+            names = isinstance(error, TypeError) and re.search("required .*argument|keyword argument", str(error))
+            hint = "; check(…, arguments={name in the catalogue: its own name}) is for other names" if names else ""
+            return {"error": f"{type(error).__name__}: {error}{hint}"}
 
     def _fields(self, *positional, **given):
         """The results by their names, in SI units."""
@@ -96,7 +101,7 @@ class _Solver:
             found = found._asdict()
         elif not isinstance(found, dict):
             if found is None:
-                raise NotImplementedError("it gives None")
+                raise NotImplementedError("it gives None, as a function without `return` does")
             names = self.results
             if len(names) == 1:
                 found = {names[0]: found}
@@ -121,6 +126,11 @@ def _column(value, count):
         raise TypeError(f"a result has the shape {array.shape}, not ({count},)")
     column = [array.tolist()] * count if array.ndim == 0 else array.tolist()
     return [str(one) if isinstance(one, complex) else one for one in column]
+
+
+def _json(request):
+    """A request; it may have numbers of numpy and paths."""
+    return json.dumps(request, default=lambda one: one.tolist() if hasattr(one, "tolist") else str(one))
 
 
 def _refuse_unknown(functions, **renamed):
@@ -170,20 +180,18 @@ def check(solver, function=None, tolerance="engineering", *, arguments=None, uni
         raise TypeError(f"check(): {solver!r} is no function, and no dict {{name in the catalogue: function}} with one or more")
     elif function is not None:
         raise TypeError("check(): a dict has the names of its functions; leave out the second argument")
-    if sample < 0:
-        raise ValueError(f"sample: {sample} is not allowed; allowed: 0 (all), or a whole number above 0")
     _refuse_unknown(list(solver), arguments=arguments, units=units)
     request = {"tolerance": tolerance, "modulus": modulus, "ellipticity": ellipticity, "sample": sample}
     lines = []
     for one, its_function in solver.items():
-        asked = [json.loads(line) for line in _library.cases(json.dumps({**request, "functions": [one]})).splitlines()]
+        asked = [json.loads(line) for line in _library.cases(_json({**request, "functions": [one]})).splitlines()]
         mine = _Solver(one, its_function, arguments or {}, units or {})
         first = len({question["id"] for question in asked})  # the rest is asked once more
         for part in (asked[:first], asked[first:]):
             lines += [json.dumps({**answer, "id": question["id"]}, default=str)
                       for question, answer in zip(part, mine.answers(part), strict=True)]
     request |= {"functions": list(solver), "subject": name or "the solver"}
-    verdict = Verdict(list(solver), *_library.judge(json.dumps(request), "\n".join(lines)))
+    verdict = Verdict(list(solver), *_library.judge(_json(request), "\n".join(lines)))
     verdicts.append(verdict)
     if not verdict.holds:
         raise AssertionError(verdict.text)

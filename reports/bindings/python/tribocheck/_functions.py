@@ -3,39 +3,17 @@
 import collections
 import json
 
-from . import _library
+from . import _help, _library
 
 catalogue = {one["name"]: one for one in json.loads(_library.describe())["functions"]}
 
-TEMPLATE = """
-def {name}({parameters}, *, masked=False):
-    return {result}
-"""
-
-
-def _unit(entry):
-    return entry["unit"] or "-"
-
-
-def _range(parameter):
-    if "words" in parameter:
-        return "one of " + ", ".join(parameter["words"])
-    least, greatest = parameter["physical"]
-    return f"{parameter['allowed']}; usual: {least:g} to {greatest:g}"
-
 
 def _docstring(entry):
-    rows = [entry["meaning"][0].upper() + entry["meaning"][1:] + ".", "", f"    {entry['equation']}", "",
-            "Arguments, each a number or an array (of words: a text or an array of texts):", ""]
-    for one in entry["parameters"]:
-        default = f"; default {one['default']}" if "default" in one else ""
-        rows += [f"    {one['name']:<24}{_unit(one):<8}{one['meaning']}", f"    {'':<32}{_range(one)}{default}"]
-    rows += ["", "An argument that is NaN, infinite or not allowed raises ValueError with its index. With masked=True", "the results are masked arrays, and masked there.", "",
-             "Result:" if len(entry["results"]) == 1 else "Results, by name:", ""]
-    rows += [f"    {one['name']:<24}{_unit(one):<8}{one['meaning']}" for one in entry["results"]]
     example = ", ".join(f"{name}={value!r}" for name, value in entry["example"].items() if name != "function")
-    return "\n".join([*rows, "", "A result too large for a double is infinite.",
-                      f"Source: {entry['source']}.", "", f"    >>> tribocheck.{entry['name']}({example})"])
+    return "\n".join(_help.lines(
+        entry, "an array of texts",
+        ["An argument that is NaN, infinite or not allowed raises ValueError with its index. With masked=True", "the results are masked arrays, and masked there."],
+        "by name", f">>> tribocheck.{entry['name']}({example})"))
 
 
 kinds = {}  # the types of results, by their names
@@ -52,19 +30,15 @@ def _made(entry):
                                       module="tribocheck")
         kind.__doc__ = f"The results of tribocheck.{name}()."
         for one in entry["results"]:
-            getattr(kind, one["name"]).__doc__ = f"{one['meaning']}, {_unit(one)}"
+            getattr(kind, one["name"]).__doc__ = f"{one['meaning']}, {one['unit'] or '-'}"
         scope["_make"] = kind._make
         kinds[kind.__name__] = kind
         call = f"_make({call})"
     given = [one["name"] + (f"={one['default']!r}" if "default" in one else "") for one in entry["parameters"]]
     # An argument without a default may follow one that has it: from there on all are given by name.
     first = next((i for i, one in enumerate(given) if "=" in one), len(given))
-    if any("=" not in one for one in given[first:]):
-        given.insert(first, "*")
-        template = TEMPLATE.replace(", *, masked", ", masked")
-    else:
-        template = TEMPLATE
-    exec(template.format(name=name, parameters=", ".join(given), result=call), scope)  # as collections.namedtuple does
+    given.insert(first if any("=" not in one for one in given[first:]) else len(given), "*")
+    exec(f"def {name}({', '.join(given)}, masked=False):\n    return {call}\n", scope)  # as collections.namedtuple does
     function = scope[name]
     function.__doc__ = _docstring(entry)
     function.__module__ = "tribocheck"

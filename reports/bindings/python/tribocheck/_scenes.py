@@ -8,8 +8,7 @@ import math
 import numbers
 import os
 import pathlib
-import types
-from typing import Any, Iterable, Mapping, NamedTuple
+from typing import Any, Iterable, Iterator, Mapping, NamedTuple
 
 import numpy
 import numpy.typing
@@ -17,19 +16,62 @@ import numpy.typing
 from . import _library
 
 
-class Points(types.SimpleNamespace):
+class Points:
     """Operating points: an array for the speed and for each output, by its name, as `.speed` and `.film`.
 
     The arrays have the shape of the speeds that were asked for. A number that is undefined, as where the film has
-    collapsed, is NaN, a word is "". `vars(points)` is the dict of all, as pandas.DataFrame takes it.
+    collapsed, is NaN, a word is "". `dict(points)` has all by their names, as pandas.DataFrame takes it. Words are made into
+    texts when they are first read.
     """
 
+    __slots__ = ("_columns", "_words")
+
+    def __init__(self, columns: dict[str, Any], words: dict[str, numpy.ndarray]) -> None:
+        self._columns, self._words = columns, words
+
     def __getattr__(self, name: str) -> Any:
-        raise AttributeError(f"no output {name} was computed; there are: {', '.join(vars(self))}")
+        """The column of an output."""
+        if name in Points.__slots__:  # one that is not made yet, as by pickle
+            raise AttributeError(name)
+        if name not in self._columns:
+            raise AttributeError(f"no output {name} was computed; there are: {', '.join(self)}")
+        return self[name]
+
+    def __getitem__(self, name: str) -> Any:
+        """The same, of a name in quotes."""
+        column = self._columns[name]
+        if column.dtype.kind == "i":  # codes; that of what is undefined is the last one
+            column = self._columns[name] = self._words[name][column]
+        return column
+
+    def keys(self) -> Iterable[str]:
+        """The names: speed, and those of the outputs."""
+        return self._columns.keys()
+
+    def __iter__(self) -> Iterator[str]:
+        """Over the names."""
+        return iter(self._columns)
+
+    def __dir__(self) -> list[str]:
+        """With the names."""
+        return [*super().__dir__(), *self]
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all columns are the same; NaN is as NaN."""
+        if not isinstance(other, Points):
+            return NotImplemented
+        return self.keys() == other.keys() and all(
+            numpy.array_equal(one := self[name], other[name], equal_nan=one.dtype.kind == "f") for name in self)
+
+    def __repr__(self) -> str:
+        """Names and columns."""
+        return f"{type(self).__name__}({', '.join(f'{name}={self[name]!r}' for name in self)})"
 
 
 class Curve(Points):
     """The points of a Stribeck curve, from the least speed to the greatest."""
+
+    __slots__ = ()
 
     def plot(self, axes: Any = None, outputs: Iterable[str] = ("friction", "film", "asperity_load_share")) -> Any:
         """Draws outputs against the logarithm of the speed, with matplotlib, and returns the axes, one an output.
@@ -39,9 +81,9 @@ class Curve(Points):
         axes    a list of as many as outputs are drawn; without it a figure is made
         outputs names; those that the curve does not have are left out
         """
-        outputs = [name for name in outputs if hasattr(self, name)]
+        outputs = [name for name in outputs if name in self]
         if not outputs:
-            raise ValueError(f"nothing to draw; the curve has: {', '.join(vars(self))}")
+            raise ValueError(f"nothing to draw; the curve has: {', '.join(self)}")
         if axes is None:
             try:
                 from matplotlib import pyplot
@@ -50,7 +92,7 @@ class Curve(Points):
                                   "or `pip install matplotlib`") from error
             axes = pyplot.subplots(len(outputs), sharex=True, squeeze=False)[1].ravel()
         for name, one in zip(outputs, axes, strict=True):
-            one.semilogx(self.speed, getattr(self, name))
+            one.semilogx(self.speed, self[name])
             one.set_ylabel(name + (" [m]" if name in ("film", "film_flooded", "separation", "minimum_film") else ""))
         axes[-1].set_xlabel("speed [m/s]")
         return axes
@@ -65,7 +107,7 @@ class Onset(NamedTuple):
     reason: str
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, slots=True)
 class Measured:
     """A number and what it may be off by, which prints as `3.008330e-08 ± 2.9e-13 m`. Calculate with its `.value`."""
 
@@ -121,11 +163,10 @@ class Film:
     tolerance: float
     formulas: list[dict[str, Any]]
 
-    def __init__(self, document: Mapping[str, Any]) -> None:
-        film = document["films"][0]
+    def __init__(self, film: Mapping[str, Any], warnings: list[str]) -> None:
         self.reason = ""
         self.undefined: dict[str, str] = {}
-        self.warnings = [one["text"] for one in document["warnings"]]
+        self.warnings = warnings
         self.measured: dict[str, Measured] = {}
         for name, value in film.items():
             if name == "undefined":
@@ -174,8 +215,8 @@ class Scene:
     source  the path of a file in TOML or JSON, such a text (with a line end, or of JSON), or a dict of the same shape.
             model/README.md, section 1, has all fields with units, ranges and defaults
 
-    A fault in it is a ValueError that names the field, its value and what is allowed. A Scene does not change: another load
-    is another Scene.
+    Faults in it are a ValueError that names each field, its value and what is allowed, a line each. A Scene does not change:
+    another load is another Scene.
 
     id        its name
     outputs   those that it asks for, a dict {name: meaning, with its unit}
@@ -205,11 +246,8 @@ class Scene:
         try:
             about = json.loads(_library.describe_scene(self.text))
         except ValueError as error:
-            raise ValueError(place + str(error).removeprefix("scene")) from None
-        if about["id"] is None:  # as the program names it
-            self.text = (json.dumps({"id": name, **json.loads(self.text)}) if self.text.lstrip().startswith("{") else
-                         f"id = {json.dumps(name)}\n{self.text}")
-        self.id: str = about["id"] or name
+            raise ValueError("\n".join(place + line.removeprefix("scene") for line in str(error).split("\n"))) from None
+        self.id: str = about["id"] or name  # as the program names it
         self.speeds: int = about["speeds"]
         self.outputs: dict[str, str] = {one["name"]: f"{one['meaning']}, {one['unit'] or '-'}" for one in about["outputs"] if one["asked"]}
         self._words = {one["name"]: numpy.array([*one["words"], ""]) for one in about["outputs"] if one["words"]}
@@ -228,10 +266,11 @@ class Scene:
         outputs  names, whether the scene asks for them or not; without it those that it asks for
 
         A speed that is NaN, infinite or not above 0 is a ValueError that tells its index. Other threads run during
-        the call, and Ctrl-C ends it. A million points take some 50 ms, and as much again for each output that is a word.
+        the call, and Ctrl-C ends it. A million points take some 50 ms, and some 30 more where an output that is a word is
+        first read.
         """
         given = _library.speeds(self.text, False, self.speeds) if speeds is None else numpy.asarray(speeds)
-        return Points(**self._columns(given, outputs))
+        return Points(self._columns(given, outputs), self._words)
 
     def curve(self, outputs: Iterable[str] | None = None) -> Curve:
         """The Stribeck curve as `tribocheck curve` has it: over the scene's range of speeds, evenly in their logarithm, or at
@@ -241,22 +280,18 @@ class Scene:
             >>> curve.speed[1]
             0.1
         """
-        return Curve(**self._columns(_library.speeds(self.text, True, self.speeds), outputs))
+        return Curve(self._columns(_library.speeds(self.text, True, self.speeds), outputs), self._words)
 
     def _columns(self, speeds: numpy.ndarray, outputs: Iterable[str] | None) -> dict[str, Any]:
         if isinstance(outputs, str):
             raise TypeError(f"outputs: a list of names, as [{outputs!r}]")
         names = [one for one in dict.fromkeys(self.outputs if outputs is None else outputs) if one != "speed"]
-        found = _library.solve(self.text, speeds, names)
-        columns = {"speed": numpy.asarray(speeds, float)[()]}
-        for name, column in zip(names, found, strict=True):
-            is_word = name in self._words  # what is undefined is the last one
-            columns[name] = self._words[name][numpy.nan_to_num(column, nan=-1).astype(numpy.intp)] if is_word else column[()]
-        return columns
+        found = _library.solve(self.text, speeds, names, [one in self._words for one in names])
+        return {"speed": numpy.asarray(speeds, float)[()], **{name: column[()] for name, column in zip(names, found, strict=True)}}
 
     def onset(self, departure: float = 0.05) -> dict[str, Onset]:
-        """The speeds at which starvation sets in, by each criterion: film_maximum, film_departure, friction_minimum and
-        asperity_minimum, with the bits of `tribocheck onset`.
+        """Where starvation sets in, by each criterion: film_maximum, film_departure, friction_minimum and asperity_minimum, with
+        the bits of `tribocheck onset`. Each has speed in m/s, film in m, film_parameter and reason, which says why there is none.
 
             >>> scene.onset(departure=0.1)["film_departure"].speed > scene.onset()["film_departure"].speed
             True
@@ -285,7 +320,7 @@ def film(scene: Scene | str | os.PathLike[str] | Mapping[str, Any], speed: float
     tolerance  relative, of the films, from 1e-6 to 1e-2; without it 1e-4 for a line contact, 1e-3 for a point contact
     viscosity  the law "barus" or "roelands"; without it the scene's, else Barus'
     density    "incompressible", the default, or "dowson_higginson"
-    flooded    takes the inlet as flooded, whatever the scene's supply
+    flooded    takes the inlet as flooded, whatever the scene's supply; refused where it has none
 
     A line contact takes some tenths of a second, a point contact from a second to minutes; Ctrl-C ends it. Arguments that are
     not allowed are a ValueError, a contact that is not solved is a RuntimeError with the reason.
@@ -306,7 +341,7 @@ def film(scene: Scene | str | os.PathLike[str] | Mapping[str, Any], speed: float
     document = json.loads(_library.film(scene.text, json.dumps(request)))
     if document["films"][0]["central_film"] is None:
         raise RuntimeError(f"{scene.id}: not solved: {document['films'][0]['reason']}")
-    return Film(document)
+    return Film(document["films"][0] | {"id": scene.id}, [one["text"] for one in document["warnings"]])
 
 
 def _plain(value: Any) -> Any:
