@@ -228,6 +228,17 @@ class Scenes(unittest.TestCase):
                 regimes |= {row["regime"] for row in self.same(command, text, about(text))}
         self.assertEqual(regimes, {"mixed", "elastohydrodynamic", "collapsed"})
 
+    def test_points_of_unknown_summits_and_between_solved_films_have_the_bits_of_the_program(self):
+        scene = re.sub(rb"(?ms)^(speed|accept) *=.*?\n|^\[surface\].*?\n\n", b"", scene_text("scenes/ball_on_flat.toml"))
+        names = b'"film", "real_area_ratio", "summit_count", "friction", "regime", "inlet", "peak_pressure", "minimum_film", "lambda_ratio"'
+        for closures in (b"", b'[closures]\nfilm = "solved"\n'):
+            text = (b"speed = {from = 1e-9, to = 400, count = 700}\noutputs = [%s]\n" % names + scene
+                    + b"[surface]\nrms_roughness = 1e-7\n" + closures)
+            rows = self.same("solve", text, about(text))
+            for name in ("friction", "regime") + (("film", "minimum_film", "inlet") if closures else ()):
+                self.assertIn(None, [row[name] for row in rows], name)
+            self.assertNotIn(None, [row["peak_pressure"] for row in rows])
+
     def test_points_at_other_speeds_and_of_other_outputs_are_those_of_such_a_scene(self):
         text = scene_text("published/rough.toml")
         speeds = [0.3, 1e-6, 1e300, 2.5]

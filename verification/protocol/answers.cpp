@@ -109,17 +109,6 @@ OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* s
 void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
                 std::span<double> to) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto words = info(output).words;
-  if (smooth != nullptr) {
-    for (std::size_t i = 0; i < to.size(); ++i) {
-      const OutputValue value = value_of(points[i], smooth, output);
-      const auto word = std::find(words.begin(), words.end(), value.word);
-      to[i] = !value.undefined.empty() ? nan
-              : words.empty()          ? value.number
-                                       : static_cast<double>(word - words.begin());
-    }
-    return;
-  }
   // As value_of() has it, without a look at all the rest of each point: what has collapsed is NaN.
   const auto put = [&](const auto& column, const std::vector<double>& rests_on) {
     std::transform(column.begin(), column.begin() + std::ssize(to), to.begin(),
@@ -131,11 +120,30 @@ void put_values(const OperatingPoints& points, const SmoothContact* smooth, Outp
           !(output == Output::regime && points.regime[i] == Regime::collapsed))
         to[i] = nan;
   };
-  if (output == Output::regime) return put(points.regime, points.asperity_load_share);
-  if (output == Output::inlet) return put(points.inlet, points.film);
-  for_each_number(points, [&](Output one, const std::vector<double>& numbers) {
-    if (one == output) put(numbers, numbers);
-  });
+  if (output == Output::regime) {
+    put(points.regime, points.asperity_load_share);
+  } else if (output == Output::inlet) {
+    put(points.inlet, points.film);
+  } else {
+    for_each_number(points, [&](Output one, const std::vector<double>& numbers) {
+      if (one == output) put(numbers, numbers);
+    });
+  }
+  if (smooth == nullptr) return;
+  const bool is_of_smooth_contact = info(output).is_of_smooth_contact;
+  const bool is_pressure = output == Output::peak_pressure || output == Output::mean_pressure;
+  const bool is_of_summits = summit_outputs().contains(output);
+  const auto has_collapsed = [&](std::size_t i) {
+    return !points.regime.empty() && points.regime[i] == Regime::collapsed;
+  };
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const double speed = points.speed[i], film = points.film.empty() ? 0 : points.film[i];
+    if (is_of_smooth_contact) to[i] = smooth->value(output, speed, film);
+    if ((is_of_smooth_contact && !std::isfinite(to[i])) ||
+        (!is_pressure && smooth->is_beyond_solved_films(film)) ||
+        (is_of_summits && !has_collapsed(i) && smooth->has_unknown_summits(speed, film)))
+      to[i] = nan;
+  }
 }
 
 OutputSet needed_for(const Scene& scene) { return needed_for(scene, scene.outputs); }
