@@ -201,6 +201,7 @@ class Edits {
       if (node.kind == Op::sum) of_sum(i, node);
       if (node.kind == Op::product) of_product(i, node);
       if (node.kind == Op::call) of_call(i, node);
+      if (node.kind == Op::power) of_power(i, node);
       if (node.kind != Op::choice && node.kind != Op::given) of_parts(i, node);
     }
   }
@@ -265,6 +266,19 @@ class Edits {
         put(place, {std::move(outside), std::move(call), std::move(inside)});
       }
   }
+  // (a b)^g as a b^g, and (a + b)^g as a + b^g.
+  void of_power(std::size_t place, const Expression::Node& node) {
+    const Expression::Node& base = law_.nodes[node.parts[0].of];
+    if (base.kind != Op::product && base.kind != Op::sum) return;
+    for (std::size_t i = 0; i < base.parts.size(); ++i) {
+      Expression::Node left = base, raised = node;
+      left.name.clear();
+      raised.name.clear();
+      raised.parts[0].of = base.parts[i].of;
+      left.parts[i].of = law_.nodes.size();
+      put(place, {std::move(left), std::move(raised)});
+    }
+  }
   // a + b as √(a² + b²), and the other way round.
   void as_norm(std::size_t place, const Expression::Node& node) {
     if (node.parts.size() != 2 || node.number != 0) return;
@@ -293,6 +307,12 @@ class Edits {
   }
   void of_sum(std::size_t place, const Expression::Node& node) {
     as_norm(place, node);
+    if (node.number != 0 && std::abs(node.number) != 1) {
+      Expression::Node over_number = node;  // c (1 + x) without c
+      over_number.number = 1;
+      for (Operand& part : over_number.parts) part.number /= node.number;
+      put(place, {std::move(over_number)});
+    }
     // a + b^n as (a + b)^n, and a + f(b) as f(a + b).
     for (std::size_t i = 0; i < node.parts.size() && node.parts.size() < 3; ++i) {
       const Expression::Node& inner = law_.nodes[node.parts[i].of];
@@ -331,7 +351,11 @@ class Edits {
       std::vector<double> others{0, -exponent, 2 * exponent, exponent / 2};
       for (const double one : {1.0, 1 / exponent})
         if (std::abs(one) != std::abs(exponent)) others.push_back(one);
-      // Exponents of two factors may be exchanged; the other one is a change of its own.
+      for (std::size_t k = 0; k < i; ++k) {  // exponents exchanged
+        Expression::Node exchanged = node;
+        std::swap(exchanged.parts[i].number, exchanged.parts[k].number);
+        if (exponent != node.parts[k].number) put(place, {std::move(exchanged)});
+      }
       for (const double one : others) set(place, i, one);
       const Expression::Node& inner = law_.nodes[node.parts[i].of];
       if (inner.kind == Op::sum && std::abs(exponent) == 1) without_parentheses(place, i);
@@ -498,7 +522,12 @@ bool is_of_changed_law(const Part::Number& one, double given, double closeness) 
 
 // Whether a source may print the number: few digits, or a fraction.
 bool is_printed(double number) {
-  return is_of_few_digits(number) || is_of_few_digits(3 * number) || is_of_few_digits(7 * number);
+  const auto is_short = [](double x) {
+    return std::abs(std::stod(fmt::format("{:.1e}", x)) / x - 1) < 1e-6;
+  };
+  const double square = number * number;
+  return is_short(square) || is_short(square / std::numbers::pi) || is_of_few_digits(number) ||
+         is_of_few_digits(3 * number) || is_of_few_digits(7 * number);
 }
 
 // The changes of one number each with which the law gives the answer, by numbers that are printed.
@@ -568,7 +597,21 @@ std::vector<ChangedExpression> changed_expressions(const Part& part) {
           one, changed.value(changed.results[part.place], one.of->question.arguments), closeness);
     });
   };
+  // A change that would make right results of the same case wrong is ruled out by them, unless none
+  // is left.
+  const auto leaves_right = [&](const Expression& changed) {
+    return std::all_of(probes.begin(), probes.end(), [&](const Part::Number& one) {
+      const auto& numbers = one.of->numbers;
+      return std::all_of(numbers.begin(), numbers.end(), [&](const AnsweredNumber& other) {
+        return other.is_wrong || other.place >= changed.results.size() ||
+               std::abs(changed.value(changed.results[other.place], one.of->question.arguments) -
+                        other.got) <= 2 * other.allowed;
+      });
+    });
+  };
+  std::vector<bool> is_left_right;
   const auto tell = [&](Expression changed, std::size_t count, std::string text) {
+    is_left_right.push_back(leaves_right(changed));
     found.push_back({count, std::move(text),
                      [changed = std::move(changed)](const Question& asked, std::size_t place) {
                        return place < changed.results.size()
@@ -608,6 +651,9 @@ std::vector<ChangedExpression> changed_expressions(const Part& part) {
     std::string text = change_in_words(*law, changed, one) + ", and the same of the other one";
     tell(std::move(changed), 1, std::move(text));
   }
+  if (std::find(is_left_right.begin(), is_left_right.end(), true) != is_left_right.end())
+    for (std::size_t i = found.size(); i-- > 0;)
+      if (!is_left_right[i]) found.erase(found.begin() + static_cast<std::ptrdiff_t>(i));
   if (!found.empty() || wrong < fewest_of_two || all.size() > most_of_two) return found;
   Expression first = *law;
   for (std::size_t i = 0; i < all.size() && found.size() < most_told; ++i) {

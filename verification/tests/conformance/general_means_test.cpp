@@ -123,7 +123,7 @@ TEST(Terms, ThatAreLeftOutOrOfTheWrongSignAreTold) {
           const double value = in("viscosity") * exp(scale * pow(1 + in("pressure") / 1.96e8, z));
           return std::isfinite(value) ? json(value) : json();
         }},
-       {"lambda_ratio", "(Rq₁² + Rq₂²) in place of √(Rq₁² + Rq₂²)",
+       {"lambda_ratio", "with 1/Rq² in place of 1/Rq, in h_min/Rq (",
         [](const In& in) -> json {
           const double square = pow(in("first_roughness"), 2) + pow(in("second_roughness"), 2);
           return {{"composite_roughness", sqrt(square)},
@@ -154,6 +154,15 @@ TEST(Parentheses, ThatAreLeftOutAreTold) {
           return rest + (in("viscosity") - rest) *
                             pow(1 + pow(in("relaxation_time") * in("shear_rate"), a), n - 1 / a);
         }},
+       {"murch_wilson_thermal_reduction", "(3.94 + L)^0.62 in place of 3.94 + L^0.62",
+        [=](const In& in) { return 3.94 / pow(3.94 + heat(in), 0.62); }},
+       {"carreau_yasuda_viscosity", "λ (γ̇)^(a) in place of (λ γ̇)^(a)",
+        [](const In& in) {
+          const double a = in("transition_exponent"), rest = in("high_shear_viscosity");
+          return rest + (in("viscosity") - rest) *
+                            pow(1 + in("relaxation_time") * pow(in("shear_rate"), a),
+                                (in("power_law_index") - 1) / a);
+        }},
        {"hamrock_dowson_minimum", "k e^(−0.68) in place of e^(−0.68 k)", [](const In& in) -> json {
           const double modulus = 2 * in("effective_modulus"), radius = in("radius_x");
           return radius * 3.63 * pow(in("speed") * in("viscosity") / modulus / radius, 0.68) *
@@ -178,6 +187,34 @@ TEST(Powers, OfInputsAndOfFactorsAreTold) {
                   {"mean_pressure", mean},
                   {"peak_pressure", 1.5 * mean},
                   {"approach", a * a / r}};
+        }},
+       {"hertz_point", "with 1/a in place of 1/a², in p̄ (",
+        [](const In& in) -> json {
+          const double r = in("reduced_radius"), f = in("load");
+          const double a = std::cbrt(0.75 * f * r / in("effective_modulus"));
+          const double mean = f / (pi * a);
+          return {{"radius", a},
+                  {"mean_pressure", mean},
+                  {"peak_pressure", 1.5 * mean},
+                  {"approach", a * a / r}};
+        }},
+       {"moes_line", "1.311 M^(3/4)/L^0.125 in place of 1.311 L^(3/4)/M^0.125",
+        [](const In& in) {
+          const double modulus = 2 * in("effective_modulus"), r = in("reduced_radius");
+          const double u = 2 * in("speed") * in("viscosity") / (modulus * r);
+          const double m = in("load_per_length") / (modulus * r) / sqrt(u);
+          const double l = in("pressure_viscosity") * modulus * pow(u, 0.25);
+          const double ri = 3 / m, ei = 2.621 * pow(m, -0.2), rp = 1.287 * pow(l, 2. / 3);
+          const double ep = 1.311 * pow(m, 0.75) * pow(l, -0.125);
+          const double s = (7 + 8 * exp(-2 * ei / ri)) / 5;
+          const double rigid = pow(pow(ri, 7. / 3) + pow(ei, 7. / 3), 3 * s / 7);
+          const double thick = pow(pow(rp, -3.5) + pow(ep, -3.5), -2 * s / 7);
+          return pow(rigid + thick, 1 / s) * r * sqrt(u);
+        }},
+       {"persson_contact_area", "1.77245 in place of √2",
+        [](const In& in) {
+          return std::erf(sqrt(pi) * in("pressure") /
+                          (in("effective_modulus") * in("rms_gradient")));
         }},
        {"jkr_radius", "0.74 in place of 3/4",
         [](const In& in) {
