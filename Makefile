@@ -75,8 +75,8 @@ thread-check: ## four threads call libtribocheck.so at once under ThreadSanitize
 	  -Lbuild/threads/reports/bindings -Wl,-rpath,$(CURDIR)/build/threads/reports/bindings -ltribocheck -lm -o build/threads/library_user
 	build/threads/library_user threads
 
-arm64: ## cross compile for arm64 in a Debian of its own, run tests of formulas, engine, scenes and tables under qemu; an hour or more
-	.ci/arm64
+arm64: build ## cross compile program, packages and tests for arm64 in a Debian of its own, run them under qemu, compare answers; an hour or more
+	$(same_dates) .ci/arm64
 
 test-slow: build ## run ten million lines, a billion points, 300 kills, 150 tries, 200 pairs, 200 attacks, 500 forged results, each write failing, the scripts of CI in a clean root; some 40 minutes
 	@.ci/deps test

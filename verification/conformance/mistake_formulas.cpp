@@ -362,6 +362,12 @@ constexpr NamedFormula formulas[] = {
        right[2] = std::sqrt((k - 1) * (k + 1)) / k;
        return right;
      }},
+    {"hertz_ellipse", "ellipse_mean_from_peak", 0,
+     [](const Arguments& a, Constants) {
+       Numbers right = right_ellipse(a);
+       right[3] *= right[4] / a[0];  // the area is F/p_mean
+       return right;
+     }},
     {"hertz_ellipse", "ellipse_with_radius_x", 0,
      [](const Arguments& a, Constants) { return ellipse_with(a, a[2]); }},
     {"hertz_ellipse", "ellipse_with_smaller_radius", 0,
@@ -575,6 +581,8 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants numbers) {
        return std::pow(1 + numbers[0] * a[0] / numbers[1], 1 / numbers[0]);
      }},
+    {"barus_viscosity", "barus_power_of_viscosity", 0,
+     [](const Arguments& a, Constants) { return std::pow(a[0], a[1] * a[2]); }},
     {"barus_viscosity", "barus_linear", 0,
      [](const Arguments& a, Constants) { return a[0] * (1 + a[1] * a[2]); }},
     // Numbers: p_R, what ln η₀ is multiplied by, z over αp_R/(ln η₀ + 9.67), and this 9.67.

@@ -199,8 +199,9 @@ double step_of(const std::vector<double>& values) {
     double a = std::max(step, one - *least), b = std::min(step, one - *least);
     while (b > fine) a = std::exchange(b, std::fmod(a, b));
     step = a;
-    if (step < least_grains * fine) return 0;
+    if (step != 0 && step < least_grains * fine) return 0;
   }
+  if (step == 0) return 0;
   const bool is_grid = std::all_of(values.begin(), values.end(), [&](double one) {
     const double steps = (one - *least) / step;
     return std::abs(steps - std::nearbyint(steps)) <= on_grid;

@@ -378,6 +378,19 @@ TEST(Bisections, ThatEndTooEarlyAreToldWithTheirSteps) {
         [](const In& in) { return starved(in, 12); }}});
 }
 
+// The least of these answers is the first one.
+TEST(Answers, ThatAreRoundedAreToldWithTheirStep) {
+  for (const double step : {1.0, 0.1}) {
+    const auto rounded = [=](const In& in) -> json {
+      const double right =
+          viscosity_index(in("kinematic_viscosity_40"), in("kinematic_viscosity_100"));
+      return step * std::nearbyint(right / step);
+    };
+    const std::string words = fmt::format("are whole steps of {:g} from each other", step);
+    expect_told({{"viscosity_index", words.c_str(), rounded}});
+  }
+}
+
 TEST(LoadSharing, WithAnotherExponentIsToldWithIt) {
   const auto shared = [](double exponent) {
     return [=](const In& in) -> json {
