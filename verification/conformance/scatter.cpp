@@ -197,7 +197,7 @@ double step_of(const std::vector<double>& values) {
   double step = 0;
   for (const double one : values) {
     double a = std::max(step, one - *least), b = std::min(step, one - *least);
-    while (b > fine) a = std::exchange(b, std::fmod(a, b));
+    while (b > fine) a = std::exchange(b, std::abs(std::remainder(a, b)));
     step = a;
     if (step != 0 && step < least_grains * fine) return 0;
   }
@@ -254,7 +254,7 @@ std::string grid_of(const Part& part) {
       if (!is_enough ||
           !std::all_of(values.begin(), values.end(), [](double one) { return std::isfinite(one); }))
         continue;
-      const double step = step_of(values);
+      const double step = round_number(step_of(values));
       if (step == 0 || off > most_off * step || off < least_off * step) continue;
       const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
       const std::string text = halved_width(step, *greatest - *least);
