@@ -192,17 +192,18 @@ constexpr std::size_t fewest_on_grid = 8;
 
 // The greatest step of which all differences are multiples; 0: there is none.
 double step_of(const std::vector<double>& values) {
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  const double range = *greatest - *least, fine = grain * range;
+  const double least = *std::min_element(values.begin(), values.end());
+  const double range = *std::max_element(values.begin(), values.end()) - least;
+  const double fine = grain * range;
   double step = 0;
   for (const double one : values) {
-    double a = std::max(step, one - *least), b = std::min(step, one - *least);
+    double a = std::max(step, one - least), b = std::min(step, one - least);
     while (b > fine) a = std::exchange(b, std::fmod(a, b));
     step = a;
     if (step < least_grains * fine) return 0;
   }
   const bool is_grid = std::all_of(values.begin(), values.end(), [&](double one) {
-    const double steps = (one - *least) / step;
+    const double steps = (one - least) / step;
     return std::abs(steps - std::nearbyint(steps)) <= on_grid;
   });
   return is_grid ? step : 0;
