@@ -20,6 +20,8 @@ SAID = {
     "default_ellipticity": ("hamrock_dowson_central", "with k = 1.03 where it is left out"),
     "index_digits_of_two_rows": ("viscosity_index", "with 5.7941 in place of 5.9741, and -57.07 in place of -50.77 ("),
     "central_film_speed_and_load": ("hamrock_dowson_central", "with U^0.76 in place of U^0.67, and 2 F in place of F ("),
+    "line_film_and_its_sharing_exponent": ("operating_point_of_line.film_flooded",
+                                           "0.2 in place of the film's exponent, in load sharing, where `closures.film` is dowson_toyoda_central"),
     "boundary_word_from_ninety_percent": ("operating_point.regime",
                                           "`boundary` is answered from asperity_load_share = 0.9 on; it is right from"),
 }

@@ -531,9 +531,11 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
                                        : 4 + static_cast<int>(one.count),
                      std::move(one.text), std::move(one.answer)});
   if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);
-  for (ChangedExpression& one : changed_expressions(part))
-    all.push_back(
-        {one.changes == 1 ? 3 : rank_of_odd - 1, std::move(one.text), std::move(one.answer)});
+  // Another right value, as of the other axis, is simpler than a law that gives it.
+  if (other_value(part).empty())
+    for (ChangedExpression& one : changed_expressions(part))
+      all.push_back(
+          {one.changes == 1 ? 3 : rank_of_odd - 1, std::move(one.text), std::move(one.answer)});
   std::stable_sort(all.begin(), all.end(),
                    [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
   std::vector<std::string> texts;

@@ -192,18 +192,21 @@ constexpr std::size_t fewest_on_grid = 8;
 
 // The greatest step of which all differences are multiples; 0: there is none.
 double step_of(const std::vector<double>& values) {
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  const double range = *greatest - *least, fine = grain * range;
+  const double least = *std::min_element(values.begin(), values.end());
+  const double range = *std::max_element(values.begin(), values.end()) - least;
+  const double fine = grain * range;
   double step = 0;
   for (const double one : values) {
-    double a = std::max(step, one - *least), b = std::min(step, one - *least);
+    if (one - least <= fine) continue;
+    double a = std::max(step, one - least), b = std::min(step, one - least);
     while (b > fine) a = std::exchange(b, std::abs(std::remainder(a, b)));
-    step = a;
-    if (step != 0 && step < least_grains * fine) return 0;
+    if (a < least_grains * fine) return 0;
+    step = (one - least) /
+           std::nearbyint((one - least) / a);  // without the rounding of the remainders
   }
   if (step == 0) return 0;
   const bool is_grid = std::all_of(values.begin(), values.end(), [&](double one) {
-    const double steps = (one - *least) / step;
+    const double steps = (one - least) / step;
     return std::abs(steps - std::nearbyint(steps)) <= on_grid;
   });
   return is_grid ? step : 0;

@@ -391,6 +391,19 @@ TEST(Answers, ThatAreRoundedAreToldWithTheirStep) {
   }
 }
 
+// A change of the law is not told where another cause says it more simply.
+TEST(Axes, OfAnEllipseThatAreNotExchangedAreToldAsTheRightValueOfTheOtherOne) {
+  const std::string said = said_of("hertz_ellipse", [](const In& in) -> json {
+    const catalogue::Function& function = *catalogue::function_named("hertz_ellipse");
+    catalogue::Results results{};
+    function.value({in("load"), in("effective_modulus"), in("radius_x"), in("radius_y")}, results);
+    return {{"semi_axis_x", std::min(results[0], results[1])},
+            {"semi_axis_y", std::max(results[0], results[1])}};
+  });
+  EXPECT_NE(said.find("are the right semi_axis_y of their cases"), std::string::npos) << said;
+  EXPECT_EQ(said.find("no factor k"), std::string::npos) << said;
+}
+
 TEST(LoadSharing, WithAnotherExponentIsToldWithIt) {
   const auto shared = [](double exponent) {
     return [=](const In& in) -> json {

@@ -8,10 +8,11 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python_stdlib"))
 import first_maker  # noqa: E402
+import later_slips  # noqa: E402
 import second_maker  # noqa: E402
 import subject  # noqa: E402
 
-SLIPS = {slip.__name__: slip for slip in first_maker.SLIPS + second_maker.SLIPS}
+SLIPS = {slip.__name__: slip for slip in first_maker.SLIPS + second_maker.SLIPS + later_slips.SLIPS}
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
