@@ -7,6 +7,7 @@ import html.parser
 import json
 import os
 import pathlib
+import re
 import shutil
 import socket
 import subprocess
@@ -124,6 +125,15 @@ class Pages(Field):
         self.assertEqual({word: len(found) for word, found in signs.items()}, dict.fromkeys(STATUSES, 1), signs)
         self.assertEqual(len({sign for found in signs.values() for sign, _ in found}), len(STATUSES))
         self.assertEqual([row[0]["text"] for row in rows], document["quantities"])
+        self.assertNotIn("No solver offers", self.text("out.html"))
+
+    def test_quantities_that_no_solver_offers_are_named_below_the_matrix(self):
+        for i in range(3):
+            self.add(f"s{i}", name=self.NAMES[i])
+        self.made()
+        told = re.sub("<[^>]*>", "", re.search("(?s)No solver offers .*?</p>", self.text("out.html"))[0])
+        self.assertEqual(re.findall(r"[\w.]+", told.removeprefix("No solver offers ").rstrip(".")),
+                         [one["quantity"] for one in self.small["quantities"] if one["status"] == "not offered"])
 
     def test_each_cell_of_the_other_tables_is_that_of_the_verdict(self):
         self.made()
@@ -138,6 +148,7 @@ class Pages(Field):
             self.assertEqual((told["held"], told["in part"], told["failed"]),
                              (str(sum(one.startswith("held") and "part" not in one for one in statuses)),
                               str(statuses.count("held in part")), str(statuses.count("FAILED"))))
+            self.assertEqual(told["what is wrong"].strip(), self.small["diagnoses"][0]["text"])
             about, numbers, history = Tables(self.text(f"out/{self.IDS[i]}.html")).tables
             about = {one["text"]: other["text"] for one, other in about}
             self.assertEqual((about["address"], about["commit"], about["licence"], about["conventions"], about["tolerance"]),
@@ -323,6 +334,14 @@ class Refusals(Field):
         shutil.rmtree(self.folder.path("verdicts"))
         self.refused("verdicts: it is not a folder")
 
+    def test_a_package_that_is_missing_is_told(self):
+        self.add("x")
+        os.mkdir(self.folder.path("modules"))
+        self.folder.write("modules/cmarkgfm.py", "raise ImportError(name='cmarkgfm')")
+        result = run("field", self.folder.path("verdicts"), environment={"PYTHONPATH": self.folder.path("modules")})
+        self.assertEqual((result.code, result.out), (1, ""))
+        self.assertEqual(result.err, "tribocheck: Python's cmarkgfm is missing (Debian: apt-get install python3-jinja2 python3-cmarkgfm)\n")
+
     def test_a_page_that_cannot_be_written_is_told(self):
         self.add("x")
         result = run("field", self.folder.path("verdicts"), "-o", self.folder.path("verdicts/x.toml/page.html"))
@@ -381,7 +400,6 @@ id = "spy"
 name = "Spy"
 kind = "public"
 language = "Python"
-licence = "MIT"
 conventions = "None."
 repository = "{self.source}"
 commit = "{commit}"
@@ -410,6 +428,7 @@ subject = "/usr/bin/python3 -B /source/spy.py"
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         self.assertEqual(self.verdict(), "held")
         self.assertEqual(set(os.listdir(self.folder.path("asked"))), {"spy.json", "spy.toml"})
+        self.assertIn('licence = "none stated"\n', self.text("asked/spy.toml"))
         # Another day, the solver is another one: the old verdict stays, and the matrix has both.
         toml = pathlib.Path(self.folder.path("asked/spy.toml"))
         toml.write_text("".join('date = "2026-01-01"\n' if line.startswith("date") else line for line in toml.read_text().splitlines(True)))

@@ -19,7 +19,8 @@ ROOMS = {"model/include/tribo": "formulas", "model/src": "engine", "model/scene"
          "verification/reproduction": "judging", "verification/accuracy": "judging", "verification/protocol": "judging",
          "verification/conformance/subjects": None, "verification/tests": None, "verification/gates": None,
          "reports/program": "program", "reports/page": "page's data", "reports/page/render": "page's templates and pictures",
-         "reports/page/gnuplot": "page's templates and pictures", "benchmarks": "benchmarks", "benchmarks/tests": None}
+         "reports/page/gnuplot": "page's templates and pictures", "reports/field": "page's data",
+         "reports/field/templates": "page's templates and pictures", "reports/field/adapters": None, "reports/field/textbook": None, "benchmarks": "benchmarks", "benchmarks/tests": None}
 # Where libclang 14 finds its own headers (libclang-common-14-dev).
 CLANG_HEADERS = "/usr/lib/llvm-14/lib/clang/14.0.6/include"
 WHOLE = {"BOOL", "CHAR_U", "UCHAR", "USHORT", "UINT", "ULONG", "ULONGLONG", "CHAR_S", "SCHAR", "SHORT", "INT", "LONG", "LONGLONG"}
@@ -467,7 +468,7 @@ def planted_places(root):
     """Places of texts that need no compiler: Python, templates, gnuplot, JavaScript."""
     readers = {".py": python_places, ".md": template_places, ".gp": text_places, ".js": text_places}
     places = []
-    for path in sorted([*root.glob("reports/page/**/*"), *root.glob("benchmarks/**/*.py")]):
+    for path in sorted([*root.glob("reports/page/**/*"), *root.glob("reports/field/**/*"), *root.glob("benchmarks/**/*.py")]):
         file = path.relative_to(root).as_posix()
         if path.suffix in readers and room_of(file) and path.name != "README.md":
             places += readers[path.suffix](file, path.read_text())

@@ -405,7 +405,7 @@ def take_sample(arguments):
 
 
 # The tests that can read texts that are not compiled, by the text's folder; the longest folder that fits counts.
-READERS = {"reports/page": r"program\.test_(report|page|sweep_pictures)", "benchmarks/gates": r"gates\.", "": r"program\."}
+READERS = {"reports/field": r"program\.test_field", "reports/page": r"program\.test_(report|page|sweep_pictures)", "benchmarks/gates": r"gates\.", "": r"program\."}
 
 
 def readers_of(row, built, names):
