@@ -151,6 +151,7 @@ if(NOT output MATCHES "${VERSION}")
   message(FATAL_ERROR "the installed program calls itself: ${output}")
 endif()
 # Outside of the tree too.
+run(${prefix}/bin/tribocheck field ${prefix}/share/tribocheck/verdicts -o ${scratch}/field.html)
 run(${prefix}/bin/tribocheck report --section figures --out ${scratch}/report)
 file(SIZE ${scratch}/report/index.html page_size)
 if(page_size LESS 100000)
