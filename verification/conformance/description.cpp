@@ -412,9 +412,37 @@ std::vector<std::string> different_inputs(const AnsweredCase& one, const Answere
   return found;
 }
 
+// "cut off there", where all wrong answers are those of one value of the input, and all of its
+// values beyond that one are wrong. Empty: they are not.
+std::string cut_at(const Part& part, const std::string& input, const std::vector<double>& given) {
+  const catalogue::Function* const function = part.function();
+  const bool is_one =
+      std::adjacent_find(given.begin(), given.end(), std::not_equal_to<>()) == given.end();
+  if (function == nullptr || !is_one) return {};
+  std::size_t place = 0;
+  while (function->parameters[place].name != input) ++place;
+  for (const bool is_below : {true, false}) {
+    std::size_t beyond = 0, wrong = 0;
+    bool is_cut = true;
+    for (const Part::Number& one : part.all) {
+      const double value = one.input(place);
+      const bool is_beyond = is_below ? value < given.front() : value > given.front();
+      beyond += is_beyond ? 1 : 0;
+      wrong += one.answered->is_left() ? 1 : 0;
+      is_cut = is_cut && (is_beyond || !one.answered->is_left());
+    }
+    if (is_cut && 10 * wrong >= 9 * beyond)  // next to the cut the answers may be near enough
+      return fmt::format(
+          "The answers are those of {} = {:.6g} wherever it is {}: it is cut off there", input,
+          given.front(), is_below ? "less" : "greater");
+  }
+  return {};
+}
+
 // Empty, unless each wrong answer is the right one of a case that differs in the same input alone.
 std::string kept_answers(const Part& part) {
   std::string input, example;
+  std::vector<double> given;  // that input of these cases
   for (const Part::Number& wrong : part.all) {
     if (!wrong.answered->is_left()) continue;
     const bool is_kept =
@@ -426,11 +454,20 @@ std::string kept_answers(const Part& part) {
             example = fmt::format("{} is answered as {}", wrong.of->question.asked->id,
                                   one.of->question.asked->id);
           input = different[0];
+          if (part.function() != nullptr)
+            for (std::size_t i = 0; i < part.function()->parameters.size(); ++i)
+              if (part.function()->parameters[i].name == input) given.push_back(one.input(i));
           return true;
         });
     if (!is_kept) return {};
   }
   if (input.empty()) return {};
+  const std::string cut = cut_at(part, input, given);
+  if (!cut.empty() && given.size() >= fewest_cases) return cut + '.';
+  if (!cut.empty())
+    return fmt::format(
+        "{}; or the solver keeps answers, as a cache does, and looks for them without {} ({}).",
+        cut, input, example);
   return fmt::format(
       "This is the answer to a case that differs in {} alone ({}): the solver keeps answers, as a "
       "cache does, and looks for them without {}.",

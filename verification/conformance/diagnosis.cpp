@@ -358,9 +358,19 @@ class Diagnoser {
     } else if (one.mistakes.size() > 1)
       one.text += " The numbers do not tell these apart.";
     for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;
-    if (cause.left_out) expect_with(cause.choices.front(), *cause.left_out);
+    if (cause.left_out && has_wrong(*cause.left_out))
+      expect_with(cause.choices.front(), *cause.left_out);
     for (const Mistake* const mistake : cause.choices.front()) named_.push_back(mistake);
     found_.push_back(std::move(one));
+  }
+
+  // Whether an answer of this result is wrong.
+  bool has_wrong(std::size_t place) const {
+    return std::any_of(cases_.begin(), cases_.end(), [&](const AnsweredCase& one) {
+      return std::any_of(one.numbers.begin(), one.numbers.end(), [&](const AnsweredNumber& number) {
+        return number.place == place && number.is_wrong;
+      });
+    });
   }
 
   // Judges a result by what the mistakes give, because they change it and something else does, too.

@@ -391,6 +391,45 @@ TEST(Answers, ThatAreRoundedAreToldWithTheirStep) {
   }
 }
 
+TEST(Inputs, ThatAreCutOffAreToldWithTheirEndAndNotAsACache) {
+  const auto cut = [](const char* name, const char* input, double least) {
+    return [=](const In& in) -> json {
+      const catalogue::Function& function = *catalogue::function_named(name);
+      catalogue::Arguments arguments{};
+      for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const std::string parameter(function.parameters[i].name);
+        const double given = in.inputs.value(parameter, 1.0);  // k has a default
+        arguments[i] = parameter == input ? std::fmax(given, least) : given;
+      }
+      catalogue::Results results{};
+      function.value(arguments, results);
+      return results[0];
+    };
+  };
+  const std::string moments = said_of("gaussian_moment", cut("gaussian_moment", "argument", 0));
+  EXPECT_NE(moments.find("those of argument = 0 wherever it is less: it is cut off there."),
+            std::string::npos)
+      << moments;
+  EXPECT_EQ(moments.find("cache"), std::string::npos) << moments;
+  // One case alone does not tell.
+  const std::string film =
+      said_of("hamrock_dowson_minimum", cut("hamrock_dowson_minimum", "ellipticity", 1));
+  EXPECT_NE(film.find("those of ellipticity = 1 wherever it is less: it is cut off there; or the "
+                      "solver keeps answers"),
+            std::string::npos)
+      << film;
+}
+
+TEST(Results, ThatAreRightAreNotToldBesideAWrongOne) {
+  const std::string said = said_of("lambda_ratio", [](const In& in) -> json {
+    const double rms = std::hypot(in("first_roughness"), in("second_roughness"));
+    return {{"composite_roughness", rms},
+            {"lambda_ratio", in("minimum_film") / in("first_roughness")}};
+  });
+  EXPECT_NE(said.find("Rq₁ alone"), std::string::npos) << said;
+  EXPECT_EQ(said.find("composite_roughness"), std::string::npos) << said;
+}
+
 // A change of the law is not told where another cause says it more simply.
 TEST(Axes, OfAnEllipseThatAreNotExchangedAreToldAsTheRightValueOfTheOtherOne) {
   const std::string said = said_of("hertz_ellipse", [](const In& in) -> json {
