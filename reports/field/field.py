@@ -23,7 +23,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(1, str(HERE.parent / "page/render"))
 
 SCHEMA, VERDICT = "field/1", "verify-subject/1"
-# What the file beside a verdict may say, and whether it has to.
+# The fields of the file beside a verdict, and whether each is needed.
 FIELDS = {"name": True, "language": True, "date": True, "address": False, "commit": False, "licence": False,
           "conventions": False, "asked": False, "group": False}
 # A verdict on a quantity, its sign in the matrix and its colour.
@@ -31,7 +31,7 @@ STATUSES = {"held": ("●", "holds"), "held in the physical range": ("◕", "hol
             "FAILED": ("✗", "fails"), "not offered": ("·", ""), "not asked": (" ", "")}
 HELD = ("held", "held in the physical range")
 UNJUDGED = ("not offered", "not asked")
-# What the verdict on a solver looks like, and what the names of tolerances mean.
+# The colour of each verdict on a whole solver, and the meaning of the names of tolerances.
 OVERALL = {"complete": "holds", "partial": "holds", "held in the physical range": "holds", "no worse": "differs", "nothing": "absent"}
 TOLERANCES = {"engineering": "engineering: 1e-6 of the value, times its condition", "strict": "strict: the certified contracts"}
 
@@ -41,7 +41,7 @@ class Refused(Exception):
 
 
 class Verdict(typing.NamedTuple):
-    """What one version of a solver answered."""
+    """The verdict on one version of a solver."""
     stem: str
     about: dict  # the fields of the .toml
     said: dict  # the .json
@@ -154,7 +154,7 @@ def changes(before, after):
 
 
 def differences(solvers, first, last):
-    """What changed between two days, as rows of texts, solver, quantity, verdict then, verdict now; and the solvers that have no
+    """The changes between two days, as rows of texts, solver, quantity, verdict then, verdict now; and the solvers that have no
     verdict of the first day or before it."""
     rows, new = [], []
     for verdicts in solvers:
@@ -195,7 +195,7 @@ def as_json(document):
 
 
 def badge(solver):
-    """What a badge says, and its colour."""
+    """The text of a badge, and its colour."""
     counts = solver["history"][-1]["counts"]
     held = sum(counts.get(word, 0) for word in HELD)
     offered = sum(counts.values()) - counts.get("not offered", 0)

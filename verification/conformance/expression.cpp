@@ -45,7 +45,7 @@ constexpr std::array calls{Called{"e^(", ")", [](double x) { return std::exp(x);
                            Called{"(", ")", [](double x) { return x; }}};
 const Called& call_of(Call call) { return calls[static_cast<std::size_t>(call)]; }
 
-// What people write in place of a function.
+// The functions that people write in place of this one.
 std::vector<Call> others_than(Call call) {
   switch (call) {
     case Call::exponential:

@@ -160,7 +160,7 @@ const std::vector<Inside>& insides_of_points() {
     std::vector<Inside> insides;
     add_friction(insides);
     add_film(insides);
-    // What a film law has as a − b of Uᵃ and Gᵇ.
+    // The a − b of a film law, of Uᵃ and Gᵇ.
     insides.push_back({"the film's exponent in load sharing", Inner::constant, Output::film_flooded,
                        [](const Question& asked) {
                          return MixedContact<double>(*asked.scene).film().sharing_power.value;

@@ -466,8 +466,8 @@ TEST(LoadSharing, WithAnotherExponentIsToldWithIt) {
         shared(0.15)}});
 }
 
-// What is right in a way of its own, or wrong in one that none of these means knows, is not told as
-// one of them.
+// Answers that are right in a way of their own, or wrong in one that none of these means knows, are
+// not told as one of them.
 TEST(GeneralMeans, SayNothingOfNoise) {
   std::size_t number = 0;
   const auto noisy = [&](double right) {
