@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Asks the solvers of solvers.toml, each under bubblewrap without network and without a right to write, and keeps the verdicts.
 
-A solver's repository is cloned into build/field/sources and its pinned commit checked out, or taken from the folder that
+A solver's repository is cloned into build/field/sources, or the folder of --clones, and its pinned commit checked out, or taken from the folder that
 --sources names, in which each checkout has the solver's id. Its adapter finds the checkout by FIELD_SOURCE. Written are
 ID.json, the verdict, and ID.toml, who was asked and how; an older verdict that differs becomes ID_DATE.json and .toml.
 Exit code 1: a solver gave no verdict; 2: bad input, or no bubblewrap.
@@ -40,18 +40,21 @@ def sandbox(source):
             "--setenv", "HOME", "/tmp", "--setenv", "FIELD_SOURCE", "/source", "--"]
 
 
-def checkout(solver, sources):
+def checkout(solver, sources, clones):
     """The folder of the solver's pinned source; None where it has no repository."""
     if "repository" not in solver:
         return None
-    folder = (sources or ROOT / "build/field/sources") / solver["id"]
+    folder = (sources or clones) / solver["id"]
     if not folder.is_dir():
         if sources:
             fail(f"{folder}: it is missing; allowed with --sources: a checkout of {solver['repository']} at {solver['commit']}")
         folder.parent.mkdir(parents=True, exist_ok=True)
         subprocess.run(["git", "clone", "-q", "--no-checkout", solver["repository"], folder], check=True)
     if (folder / ".git").exists():
-        subprocess.run(["git", "-C", folder, "checkout", "-q", solver["commit"]], check=True)
+        git = ["git", "-C", folder]
+        if subprocess.run([*git, "cat-file", "-e", solver["commit"]], stderr=subprocess.DEVNULL).returncode:
+            subprocess.run([*git, "fetch", "-q"], check=True)  # it is newer than the clone
+        subprocess.run([*git, "checkout", "-q", solver["commit"]], check=True)
     return folder.resolve()
 
 
@@ -91,6 +94,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--solvers", type=pathlib.Path, default=ROOT / "reports/field/solvers.toml", metavar="FILE")
     parser.add_argument("--sources", type=pathlib.Path, metavar="DIR")
+    parser.add_argument("--clones", type=pathlib.Path, default=ROOT / "build/field/sources", metavar="DIR")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "reference/field", metavar="DIR")
     parser.add_argument("--only", action="append", default=[], metavar="ID")
     given = parser.parse_args()
@@ -104,7 +108,7 @@ def main():
     silent = []
     for solver in (one for one in solvers if not given.only or one["id"] in given.only):
         try:
-            verdict, asked = ask(solver, checkout(solver, given.sources))
+            verdict, asked = ask(solver, checkout(solver, given.sources, given.clones))
         except subprocess.CalledProcessError as error:
             verdict = ""
             print(f"field: {shlex.join(map(str, error.cmd))} failed", file=sys.stderr)

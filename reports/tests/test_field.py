@@ -383,8 +383,8 @@ class Asking(Field):
         listening = socket.create_server(("127.0.0.1", 0))
         self.addCleanup(listening.close)
         (self.source / "spy.py").write_text(SPY % (str(ROOT / "README.md"), listening.getsockname()[1]))
-        commit = self.committed(RIGHT)
-        self.committed(RIGHT.replace("math.exp", "math.expm1"))  # is not the pinned one
+        self.commit = commit = self.committed(RIGHT)
+        self.later = self.committed(RIGHT.replace("math.exp", "math.expm1"))  # is not the pinned one
         self.write(commit)
         self.has_sandbox = shutil.which("bwrap") and not subprocess.run(["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]).returncode
 
@@ -408,7 +408,7 @@ subject = "/usr/bin/python3 -B /source/spy.py"
 
     def asked(self, *options, **environment):
         return subprocess.run(["/usr/bin/python3", "-B", ROOT / "reports/field/run.py", "--solvers", self.folder.path("solvers.toml"),
-                               "--sources", self.folder.path("sources"), "--out", self.folder.path("asked"), *options],
+                               "--out", self.folder.path("asked"), *(options or ("--sources", self.folder.path("sources")))],
                               capture_output=True, text=True, env=dict(ENVIRONMENT, SECRET="1", **environment))
 
     def checkout(self):
@@ -432,7 +432,7 @@ subject = "/usr/bin/python3 -B /source/spy.py"
         # Another day, the solver is another one: the old verdict stays, and the matrix has both.
         toml = pathlib.Path(self.folder.path("asked/spy.toml"))
         toml.write_text("".join('date = "2026-01-01"\n' if line.startswith("date") else line for line in toml.read_text().splitlines(True)))
-        self.write(subprocess.run(["git", "-C", self.source, "rev-parse", "HEAD"], capture_output=True, text=True).stdout.strip())
+        self.write(self.later)
         self.assertEqual(self.asked().returncode, 0)
         self.assertEqual((self.verdict(), self.verdict("spy_2026-01-01")), ("FAILED", "held"))
         result = run("field", self.folder.path("asked"), "-o", self.folder.path("out.html"))
@@ -452,6 +452,17 @@ subject = "/usr/bin/python3 -B /source/spy.py"
         done = self.asked("--only", "nobody")
         self.assertEqual(done.returncode, 2)
         self.assertIn("--only: nobody is not one of spy", done.stderr)
+
+    def test_without_a_folder_of_checkouts_the_pinned_commit_is_cloned(self):
+        for commit, status in ((self.commit, "held"), (self.later, "FAILED"), ("newer than the clone", "held")):
+            self.write(self.committed(RIGHT + "# again\n") if " " in commit else commit)
+            done = self.asked("--clones", self.folder.path("clones"))
+            if self.has_sandbox:
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertEqual(self.verdict(), status)
+        self.write("0" * 40)
+        done = self.asked("--clones", self.folder.path("clones"))
+        self.assertEqual((done.returncode, "spy" in done.stdout), (1, True) if self.has_sandbox else (2, False), done.stderr)
 
     def test_a_solver_without_a_verdict_is_told_with_what_it_needs(self):
         self.checkout()
