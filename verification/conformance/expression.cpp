@@ -508,7 +508,8 @@ bool Expression::depends_on(std::size_t place, std::size_t other) const {
 namespace {
 
 constexpr double of_one_change = 1e-4, of_two_changes = 1e-6;
-constexpr double farthest = 5, first_step = 0.02;  // of a number, on a logarithmic scale
+constexpr double farthest_number = 5,
+                 first_step_of_number = 0.02;  // of a number, on a logarithmic scale
 constexpr std::size_t fewest_of_two = 8, most_of_two = 400, most_probed = 6, most_told = 3;
 
 // Whether the answer is that of the changed law.
@@ -546,9 +547,9 @@ std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
     const double at_first = off(0);
     for (const double side : {1.0, -1.0}) {
       double before = 0, off_before = at_first;
-      for (double step = first_step; step < 2 * farthest; step *= 2) {
-        const double at = side * std::min(step, farthest), now = off(at);
-        if (!std::isfinite(now) || (now == off_before && step > first_step)) break;
+      for (double step = first_step_of_number; step < 2 * farthest_number; step *= 2) {
+        const double at = side * std::min(step, farthest_number), now = off(at);
+        if (!std::isfinite(now) || (now == off_before && step > first_step_of_number)) break;
         if ((now < 0) != (off_before < 0)) {
           std::uintmax_t steps = 60;
           const bool is_up = side > 0;
