@@ -143,7 +143,7 @@ numbers: build ## write reference/baselines/numbers.json, all bits that numbers_
 	@.ci/deps test
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck /usr/bin/python3 -B kept_numbers.py
 
-field: build ## ask the solvers of reports/field, each in a sandbox: writes reference/field; SOURCES=DIR has their checkouts; some minutes
+field: build ## ask the solvers of reports/field, each in a sandbox: writes reference/field; SOURCES=DIR has their checkouts; half a minute once they are cloned
 	@.ci/deps build test field
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target tribocheck c_plugin cpp_registration fortran_plugin own_model own_model_plugin

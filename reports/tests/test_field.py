@@ -108,6 +108,7 @@ class Pages(Field):
         tables = Tables(self.text("out.html")).tables
         (groups, head, *rows), = [table for table in tables if len(table) > 1 and table[1][0]["text"] == "quantity"]
         self.assertEqual([cell["text"] for cell in groups], ["", "g"])
+        self.assertEqual({cell["title"] for cell in head[1:]}, {"E* & <i>k</i>"})
         columns = [cell["text"] for cell in head[1:]]
         self.assertEqual(sorted(columns), sorted(self.NAMES))
         signs = {}
