@@ -73,9 +73,9 @@ thread-check: ## four threads call libtribocheck.so at once under ThreadSanitize
 	cmake --build --preset threads
 	clang-14 -std=c99 -g -fsanitize=thread -Ireports/bindings -Iverification/conformance reports/tests/library_user.c \
 	  -Lbuild/threads/reports/bindings -Wl,-rpath,$(CURDIR)/build/threads/reports/bindings -ltribocheck -lm -o build/threads/library_user
-	build/threads/library_user threads
+	build/threads/library_user threads reference/published/rough.toml
 
-arm64: build ## cross compile program, packages and tests for arm64 in a Debian of its own, run them under qemu, compare answers; an hour or more
+arm64: build ## cross compile program, packages and tests for arm64 in a Debian of its own, run them under qemu, compare answers; some 20 minutes, of which the Debian is half
 	$(same_dates) .ci/arm64
 
 test-slow: build ## run ten million lines, a billion points, 300 kills, 150 tries, 200 pairs, 200 attacks, 500 forged results, each write failing, the scripts of CI in a clean root; some 40 minutes
