@@ -31,6 +31,13 @@ STATUSES = {"held": ("●", "holds"), "held in the physical range": ("◕", "hol
             "FAILED": ("✗", "fails"), "not offered": ("·", ""), "not asked": (" ", "")}
 HELD = ("held", "held in the physical range")
 UNJUDGED = ("not offered", "not asked")
+# The members of a verdict's lists that are read here, with their types.
+NUMBER, OPTIONAL_NUMBER, ANY = int, (int, float, type(None)), object
+MEMBERS = {"quantities": {"quantity": str, "status": str, "asked": NUMBER, "held": NUMBER, "failed": NUMBER, "skipped": NUMBER,
+                          "worst_relative_error": OPTIONAL_NUMBER, "worst_case": str},
+           "examples": {"quantity": str, "case": str, "request": dict, "expected": ANY, "got": ANY, "unit": str, "reason": str},
+           "diagnoses": {"quantity": str, "functions": list, "text": str}}
+TEXTS = ("subject", "version", "tolerance", "summary", "overall")
 # The colour of each verdict on a whole solver, and the meaning of the names of tolerances.
 OVERALL = {"complete": "holds", "partial": "holds", "held in the physical range": "holds", "no worse": "differs", "nothing": "absent"}
 TOLERANCES = {"engineering": "engineering: 1e-6 of the value, times its condition", "strict": "strict: the certified contracts"}
@@ -70,7 +77,7 @@ class Verdict(typing.NamedTuple):
 def read_about(path):
     try:
         about = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise Refused(f"{path}: {error}; allowed: lines such as name = \"My solver\" (texts in quotes) and date = 2026-11-28") from None
     for field, value in about.items():
         if field not in FIELDS:
@@ -100,23 +107,21 @@ def read_verdict(path):
     if not about.exists():
         raise Refused(f"{path}: {about.name} is missing beside it; it says {', '.join(f for f in FIELDS if FIELDS[f])} of the solver")
     try:
-        said = json.loads(path.read_text(encoding="utf-8"))
+        said = json.loads(path.read_text(encoding="utf-8"), parse_constant=lambda word: None)
         schema = said["schema"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise Refused(f"{path}: it is no JSON of a verdict ({error}); allowed: what tribocheck verify --subject … --format json writes") from None
     if schema != VERDICT:
         raise Refused(f"{path}: schema: {schema!r}; allowed: {VERDICT}, as tribocheck verify --subject … --format json writes it")
-    try:
-        unknown = {one["status"] for one in said["quantities"]} - set(STATUSES)
-        if unknown:
-            raise Refused(f"{path}: quantities: status: {min(unknown)!r}; allowed: {', '.join(STATUSES)}")
-        for part, members in {"examples": "quantity case request expected got unit reason", "diagnoses": "quantity functions text",
-                              "quantities": "quantity asked held failed skipped worst_relative_error worst_case"}.items():
-            for one in said[part]:
-                _ = [one[member] for member in members.split()]
-        _ = said["subject"] + said["version"] + said["tolerance"] + said["summary"] + said["overall"], said["sample"]
-    except (KeyError, TypeError) as error:
-        raise Refused(f"{path}: the member {error} is missing or is of another kind; allowed: a whole document {VERDICT}") from None
+    rows = [("", {**dict.fromkeys(MEMBERS, list), **dict.fromkeys(TEXTS, str), "sample": (int, str)}, said)]
+    rows += [(part, members, one) for part, members in MEMBERS.items() if isinstance(said.get(part), list) for one in said[part]]
+    for part, members, one in rows:
+        for member, kind in members.items():
+            if not isinstance(one, dict) or member not in one or not isinstance(one[member], kind):
+                raise Refused(f"{path}: {part and part + ': '}{member}: it is missing or of another type; allowed: a whole document {VERDICT}")
+    for one in said["quantities"]:
+        if one["status"] not in STATUSES:
+            raise Refused(f"{path}: quantities: status: {one['status']!r}; allowed: {', '.join(STATUSES)}")
     return Verdict(path.stem, read_about(about), said)
 
 
@@ -244,6 +249,7 @@ def main():
     parser.add_argument("format", choices=("page", "json"))
     parser.add_argument("days", nargs="*", help="two days: what changed between them is written to stdout in place of the page")
     given = parser.parse_args()
+    import drawing
     solvers = read_folder(given.folder)
     if given.days:
         first, last = (read_date(day, "--diff") for day in given.days)
@@ -251,19 +257,18 @@ def main():
             raise Refused(f"--diff: {first} {last}; allowed: two days, the earlier one first")
         rows, new = differences(solvers, first, last)
         for row in [("solver", "quantity", first, last), *rows]:
-            print("\t".join(row))
+            print("\t".join(drawing.cleaned(list(row))))
         if new:
             print(f"tribocheck: {len(new)} solvers have no verdict on or before {first} and are left out: {', '.join(new)}", file=sys.stderr)
+        return
+    document = drawing.cleaned(matrix(solvers, given.version))
+    if given.format == "json":
+        print(as_json(document), end="")
         return
     if given.out.suffix != ".html":
         raise Refused(f"--out: {given.out}; allowed: a file whose name ends in .html")
     if given.out.with_suffix("").resolve() == given.folder.resolve():
         raise Refused(f"--out: {given.out}: its pages would be written into the folder of the verdicts, {given.folder}; allowed: another name")
-    import drawing
-    document = drawing.cleaned(matrix(solvers, given.version))
-    if given.format == "json":
-        print(as_json(document), end="")
-        return
     try:
         import cmarkgfm  # noqa: F401
         import jinja2  # noqa: F401

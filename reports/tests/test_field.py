@@ -307,7 +307,9 @@ class Refusals(Field):
         for change, said in (({"schema": "verify-subject/2"}, ["x.json: schema: 'verify-subject/2'", "allowed: verify-subject/1"]),
                              ({"schema": "accuracy/1"}, ["x.json: schema: 'accuracy/1'"]),
                              ({"quantities": [{"quantity": "a", "status": "good"}]}, ["x.json: quantities: status: 'good'"]),
-                             ({"examples": [{}]}, ["x.json", "'quantity'"]), ({"subject": None}, ["x.json"]), ({"quantities": 3}, ["x.json"])):
+                             ({"examples": [{}]}, ["x.json: examples: quantity: "]), ({"subject": None}, ["x.json: subject: "]),
+                             ({"quantities": 3}, ["x.json: quantities: "]), ({"diagnoses": [3]}, ["x.json: diagnoses: quantity: "]),
+                             ({"quantities": [self.small["quantities"][0] | {"worst_relative_error": "1"}]}, ["worst_relative_error: it is missing or of another type"])):
             self.add("x", self.small | change)
             self.refused(*said)
         for about, said in (({"name": ""}, "x.toml: name: ''"), ({"language": 3}, "x.toml: language: 3"), ({"date": "yesterday"}, "x.toml: date: 'yesterday'"),
@@ -331,10 +333,20 @@ class Refusals(Field):
         os.remove(self.folder.path("verdicts/y.toml"))
         self.refused("--out: a.json", ".html", arguments=("-o", "a.json"))
         self.refused("folder of the verdicts", arguments=("-o", self.folder.path("verdicts.html")))
-        self.folder.write("verdicts/x.json", "{")
-        self.refused("x.json")
+        for text in ("{", "[" * 100000, "3"):
+            self.folder.write("verdicts/x.json", text)
+            self.refused("x.json")
         shutil.rmtree(self.folder.path("verdicts"))
         self.refused("verdicts: it is not a folder")
+
+    def test_a_name_breaks_no_line_and_a_folder_called_field_can_be_read_as_json(self):
+        for day, by in (("2026-01-01", 0), ("2026-02-01", 1)):
+            self.add(f"x_{day}", self.turned(by), name="a\tb\nc", date=day)
+        os.rename(self.folder.path("verdicts"), self.folder.path("field"))
+        result = run("field", "field", "--diff", "2026-01-01", "2026-02-01", cwd=self.folder.name)
+        self.assertEqual((result.code, {line.count("\t") for line in result.out.splitlines()}), (0, {3}))
+        result = run("field", "field", "--format", "json", cwd=self.folder.name)
+        self.assertEqual((result.code, json.loads(result.out)["solvers"][0]["name"]), (0, "a b c"), result.err)
 
     def test_a_package_that_is_missing_is_told(self):
         self.add("x")

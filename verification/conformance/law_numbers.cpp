@@ -102,8 +102,7 @@ std::optional<Numbers> film_of_regime(const Arguments& a, Constants n) {
 // Numbers: 10, 100 and 0.00715 of oils above 100, then each row of D2270's table, as it is printed.
 LawOfNumbers index_law_of_numbers() {
   LawOfNumbers law{[](const Arguments& a, Constants n) -> std::optional<Numbers> {
-                     std::size_t row = detail::index_rows.size() - 1;
-                     while (row > 0 && a[1] <= detail::index_rows[row].from) --row;
+                     const std::size_t row = detail::index_row(a[1]);
                      const double u = 1e6 * a[0], y = 1e6 * a[1];
                      const Constants c = n.subspan(3 + 6 * row, 6);
                      const double zero = (c[0] * y + c[1]) * y + c[2];

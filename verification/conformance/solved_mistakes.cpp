@@ -100,22 +100,14 @@ std::vector<Mistake> cut_integrals(const std::vector<WrongAnswer>& wrong) {
 }
 
 std::optional<double> index_by_row(const catalogue::Arguments& a, std::size_t row) {
-  const auto& n = detail::index_rows[row];
-  const double u = 1e6 * a[0], y = 1e6 * a[1];
-  const double zero = (n.a / 1e5 * y + n.b / 1e4) * y + n.c / 1e3;
-  const double hundred = (n.d / 1e5 * y + n.e / 1e4) * y + n.f / 1e3;
-  const double value =
-      u >= hundred ? 100 * (zero - u) / (zero - hundred)
-                   : (std::pow(10, std::log(hundred / u) / std::log(y)) - 1) / 0.00715 + 100;
+  const double value = detail::index_among(a[0], a[1], detail::index_oils(a[1], row));
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::vector<Mistake> other_rows(const std::vector<WrongAnswer>& wrong) {
   const auto rows = static_cast<std::ptrdiff_t>(detail::index_rows.size());
   const auto row_of = [](const catalogue::Arguments& a) {
-    std::size_t row = detail::index_rows.size() - 1;
-    while (row > 0 && a[1] <= detail::index_rows[row].from) --row;
-    return static_cast<std::ptrdiff_t>(row);
+    return static_cast<std::ptrdiff_t>(detail::index_row(a[1]));
   };
   // The rows whose numbers the wrong answers are.
   std::set<std::pair<std::ptrdiff_t, std::ptrdiff_t>> taken;

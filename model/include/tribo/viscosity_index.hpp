@@ -53,16 +53,36 @@ template <class T>
 struct IndexOils {
   T zero, hundred;  // L, H
 };
+// The row that holds at this viscosity at 100 °C, in m²/s.
 template <class T>
-IndexOils<T> index_oils(const T& at_100) {
+std::size_t index_row(const T& at_100) {
   std::size_t row = index_rows.size() - 1;
   while (row > 0 && at_100 <= T(index_rows[row].from)) --row;
+  return row;
+}
+template <class T>
+IndexOils<T> index_oils(const T& at_100, std::size_t row) {
   const auto& [from, a, b, c, d, e, f] = index_rows[row];
   const T y = 1000000 * at_100;
   const auto quadratic = [&y](int second, int first, int constant) {
     return T((T(second) / 100000 * y + T(first) / 10000) * y + T(constant) / 1000);
   };
   return {quadratic(a, b, c), quadratic(d, e, f)};
+}
+template <class T>
+IndexOils<T> index_oils(const T& at_100) {
+  return index_oils(at_100, index_row(at_100));
+}
+
+// VI between or beyond these oils, from ν at 40 °C and at 100 °C in m²/s.
+template <class T>
+T index_among(const T& at_40, const T& at_100, const IndexOils<T>& oils) {
+  using std::exp;
+  using std::log;
+  const T u = 1000000 * at_40;
+  if (u >= oils.hundred) return 100 * (oils.zero - u) / (oils.zero - oils.hundred);
+  const T power = log(T(oils.hundred / u)) / log(T(1000000 * at_100));
+  return (exp(T(power * log(T(10)))) - 1) / (T(715) / 100000) + 100;
 }
 
 // N of equation 6, 10^N = 1 + 0.00715 (VI − 100), with which H = U Y^N, VI above 100.
@@ -82,14 +102,8 @@ T index_power(const T& index) {
 // than 0.3.
 template <class T>
 T viscosity_index(const T& at_40, const T& at_100) {
-  using std::exp;
-  using std::log;
   if (!(at_100 >= T(detail::index_rows[0].from) && at_40 > at_100)) return quiet_nan<T>();
-  const detail::IndexOils<T> oils = detail::index_oils(at_100);
-  const T u = 1000000 * at_40;
-  if (u >= oils.hundred) return 100 * (oils.zero - u) / (oils.zero - oils.hundred);
-  const T power = log(T(oils.hundred / u)) / log(T(1000000 * at_100));
-  return (exp(T(power * log(T(10)))) - 1) / (T(715) / 100000) + 100;
+  return detail::index_among(at_40, at_100, detail::index_oils(at_100));
 }
 
 // ν at 100 °C in m²/s from ν at 40 °C in m²/s and the index, 0 to 400: viscosity_index() solved for
