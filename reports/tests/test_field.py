@@ -306,7 +306,7 @@ class Refusals(Field):
         self.add("x")
         for change, said in (({"schema": "verify-subject/2"}, ["x.json: schema: 'verify-subject/2'", "allowed: verify-subject/1"]),
                              ({"schema": "accuracy/1"}, ["x.json: schema: 'accuracy/1'"]),
-                             ({"quantities": [{"quantity": "a", "status": "good"}]}, ["x.json: quantities: status: 'good'"]),
+                             ({"quantities": [self.small["quantities"][0] | {"status": "good"}]}, ["x.json: quantities: status: 'good'"]),
                              ({"examples": [{}]}, ["x.json: examples: quantity: "]), ({"subject": None}, ["x.json: subject: "]),
                              ({"quantities": 3}, ["x.json: quantities: "]), ({"diagnoses": [3]}, ["x.json: diagnoses: quantity: "]),
                              ({"quantities": [self.small["quantities"][0] | {"worst_relative_error": "1"}]}, ["worst_relative_error: it is missing or of another type"])):
