@@ -12,8 +12,10 @@
 
 #include "catalogue/ways_to_ask.hpp"
 #include "conformance/question.hpp"
+#include "conformance/viscosity_index_table.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/mixed_contact.hpp"
+#include "tribo/viscosity_index.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -93,6 +95,29 @@ std::optional<Real> full_astm_d341(const Question& question, Real (*viscosity_of
   return viscosity_of(z) / 1000000;
 }
 
+// --- The viscosity index by the rows of the standard's table 1, between which one interpolates,
+// and beyond them by its equations 1 and 2, whose constants are those of table X2.1 rounded.
+
+std::optional<Real> index_by_table(const Question& question) {
+  const Real at_100 = 1000000 * Real(question.arguments[1]);
+  const auto viscosity = [](std::size_t row) { return Real(index_table_tenths(row)) / 10; };
+  const std::size_t last = index_table.size() - 1;
+  // The ends in m²/s, as doubles: in long double 1e6 · 2e-6 is less than 2.
+  if (!(question.arguments[1] >= 2e-6)) return std::nullopt;
+  detail::IndexOils<Real> oils{(Real(8353) / 10000 * at_100 + Real(1467) / 100) * at_100 - 216,
+                               (Real(1684) / 10000 * at_100 + Real(1185) / 100) * at_100 - 97};
+  if (question.arguments[1] <= 70e-6) {
+    std::size_t row = 0;
+    while (row + 1 < last && at_100 > viscosity(row + 1)) ++row;
+    const Real part = (at_100 - viscosity(row)) / (viscosity(row + 1) - viscosity(row));
+    const auto between = [&](double IndexTableRow::*oil) {
+      return (1 - part) * Real(index_table[row].*oil) + part * Real(index_table[row + 1].*oil);
+    };
+    oils = {between(&IndexTableRow::zero), between(&IndexTableRow::hundred)};
+  }
+  return detail::index_among(Real(question.arguments[0]), Real(question.arguments[1]), oils);
+}
+
 // --- Films of a solver that is given both radii, with the ellipticity k by the fits that the
 // films' own authors use: B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of
 // point contacts, part I. J. Lubr. Technol. 98 (1976) 223, k = 1.03 (R_y/R_x)^0.64; D. E. Brewe,
@@ -141,6 +166,8 @@ constexpr std::array readings{
     Reading{"astm_d341_viscosity", "value",
             "the exponential term that the standard prints for thin liquids, solved for ν",
             [](const Question& asked) { return full_astm_d341(asked, solved_viscosity); }},
+    Reading{"viscosity_index", "value",
+            "the rows of the standard's table 1, between which it interpolates", index_by_table},
     Reading{film_of_radii, "value", "the fit k = 1.03 (R_y/R_x)^0.64 for the ellipse of contact",
             [](const Question& asked) { return film_with(asked, 1.03, 0.64); }},
     Reading{film_of_radii, "value", "the fit k = 1.0339 (R_y/R_x)^0.636 for the ellipse of contact",

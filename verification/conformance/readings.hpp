@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws whose sources print a constant in two ways, or with a further term, or a fit for an
-// ellipticity: a solver may follow either, in all its answers.
+// Laws whose sources print a constant in two ways, or with a further term, or as a table, or a fit
+// for an ellipticity: a solver may follow either, in all its answers.
 #pragma once
 
 #include <string>

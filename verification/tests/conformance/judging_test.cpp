@@ -17,11 +17,13 @@
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/question.hpp"
 #include "conformance/readings.hpp"
+#include "conformance/viscosity_index_table.hpp"
 #include "sampling/sampler.hpp"
 #include "scene/schema.hpp"
 #include "support/judge.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/threshold.hpp"
+#include "tribo/viscosity_index.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -282,6 +284,33 @@ double walther(const Question& asked) {
   return static_cast<double>((t - less) / 1e6L);
 }
 
+// The index by the standard's table 1, whose rows hold from one to the next where `is_held`.
+double index_of_table(const Question& asked, bool is_held) {
+  const double u = 1e6 * asked.arguments[0], y = 1e6 * asked.arguments[1];
+  double zero = 0.8353 * y * y + 14.67 * y - 216, hundred = 0.1684 * y * y + 11.85 * y - 97;
+  for (std::size_t row = 1; row < index_table.size(); ++row) {
+    const double from = index_table_tenths(row - 1) / 10.0, to = index_table_tenths(row) / 10.0;
+    if (y < from || y > to) continue;
+    const double part = is_held ? 0 : (y - from) / (to - from);
+    zero = std::lerp(index_table[row - 1].zero, index_table[row].zero, part);
+    hundred = std::lerp(index_table[row - 1].hundred, index_table[row].hundred, part);
+    break;
+  }
+  if (u >= hundred) return 100 * (zero - u) / (zero - hundred);
+  return 100 + std::expm1(std::log(hundred / u) / std::log10(y)) / 0.00715;
+}
+
+// Table 1 and the equations of table X2.1 are the same oils, to the digits that the former prints.
+TEST(Readings, ViscosityIndexTableAgreesWithTheEquationsOfItsStandard) {
+  for (std::size_t row = 0; row < index_table.size(); ++row) {
+    const auto equations = detail::index_oils(index_table_tenths(row) * 1e-7);
+    EXPECT_NEAR(index_table[row].zero / equations.zero, 1, 1.2e-3) << "row " << row;
+    EXPECT_NEAR(index_table[row].hundred / equations.hundred, 1, 1.2e-3) << "row " << row;
+  }
+  EXPECT_EQ(index_table_tenths(0), 20);
+  EXPECT_EQ(index_table_tenths(index_table.size() - 1), 700);
+}
+
 TEST(Readings, OfOneLawAreEachHeldWhereAllAnswersFollowThem) {
   struct Solver {
     const char* function;
@@ -302,7 +331,11 @@ TEST(Readings, OfOneLawAreEachHeldWhereAllAnswersFollowThem) {
         {"roelands_viscosity",
          [](const Question& x) { return roelands(x, x.arguments[0] < 0.1 ? 6.31e-5 : 6.32e-5); },
          "the constant 6.31", true, false},
-        {"astm_d341_viscosity", walther, "the exponential terms", false, true}}) {
+        {"astm_d341_viscosity", walther, "the exponential terms", false, true},
+        {"viscosity_index", [](const Question& x) { return index_of_table(x, false); },
+         "the standard's table 1", true, true},
+        {"viscosity_index", [](const Question& x) { return index_of_table(x, true); }, "", true,
+         false}}) {
     for (const Tolerance& tolerance : {engineering_tolerance(), strict_tolerance()}) {
       std::vector<TestCase> cases = cases_for(cases_of(function), tolerance);
       Conversation conversation = answered_by(cases, value);
