@@ -119,7 +119,8 @@ HWY_INLINE Roots<V> roots_alone(D d, Order order, V film_power,
   const SharingInputs<V> in{surface.stiffness, surface.offset, flooded};
   const auto start = root_start(d, film_power, surface, in);
   if (hn::AllFalse(d, start.is_open)) return {start.at.film_parameter, 0};
-  const Roots<V> roots = roots_from(d, order, film_power, in, start.at);
+  const Roots<V> roots = roots_from(d, order, film_power, in, start.at,
+                                    asperities(d, order, in, start.at.film_parameter));
   return {not_below(roots.film_parameter, surface.floor), roots.steps};
 }
 
@@ -128,6 +129,24 @@ SharingRoot<double> root(Order order, const FilmLaw& law,
   const Roots<One> found = roots_alone(OneLane(), order, of(law.sharing_power.inverse),
                                        broadcast(OneLane(), surface), of(flooded));
   return {hn::GetLane(found.film_parameter), found.steps};
+}
+
+// The root of a surface that is used once. Its floor is found where λ₀ may be below it; elsewhere
+// the root, which is not below λ₀, does not ask for it.
+double root_of_surface(Order order, const FilmLaw& law, double stiffness, double offset,
+                       double flooded) {
+  const OneLane d;
+  const One film_power = of(law.sharing_power.inverse), film = of(flooded);
+  const auto surface = surface_without_floor(d, law, of(stiffness), of(offset), of(0));
+  const SharingInputs<One> in{surface.stiffness, surface.offset, film};
+  const auto start = root_start(d, film_power, surface, in);
+  if (hn::AllFalse(d, start.is_open)) return hn::GetLane(start.at.film_parameter);
+  const auto at = asperities(d, order, in, film);
+  if (hn::AllTrue(d, may_be_below_floor(d, law, at)))
+    return root(order, law, first_lane(surface_of(d, order, law, in.stiffness, in.offset, of(0))),
+                flooded)
+        .film_parameter;
+  return hn::GetLane(roots_from(d, order, film_power, in, start.at, at).film_parameter);
 }
 
 void prepare(const detail::ContactWords& words, const detail::SceneNumbers<double>* scenes,
@@ -355,23 +374,7 @@ std::size_t roots_of_one(Order order, const FilmLaw& law,
 std::size_t roots_of_many(Order order, const FilmLaw& law, const double* stiffness,
                           const double* offset, const double* flooded, double* lambda,
                           std::size_t count) {
-  const Many d;
-  using V = hn::Vec<Many>;
-  HWY_ALIGN double floors[sharing_block + 16];
-  const std::size_t steps = roots_of_block<Many, false>(
-      d, order, law.sharing_power.inverse,
-      [&](std::size_t i) HWY_ATTR {
-        const std::size_t left = count - i;
-        const V k = load(d, stiffness + i, left), delta = load(d, offset + i, left);
-        const auto surface = surface_of(d, order, law, k, delta, k);
-        store(d, surface.floor, floors + i, left);
-        return surface;
-      },
-      flooded, lambda, count);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
-    store(d, not_below(load(d, lambda + i, count - i), load(d, floors + i, count - i)), lambda + i,
-          count - i);
-  return steps;
+  return roots_of_surfaces(Many(), order, law, stiffness, offset, flooded, lambda, count);
 }
 
 const char* target_name() { return hwy::TargetName(HWY_TARGET); }
@@ -395,6 +398,7 @@ const detail::Kernels& kernels() {
       .shares_above_floor = at_distance,
       .distance_above_floor = distance_at,
       .root = root,
+      .root_of_surface = root_of_surface,
       .shares_at_root = at_root,
       .roots_of_one = roots_of_one,
       .roots_of_many = roots_of_many,
@@ -507,6 +511,9 @@ bool is_within_engine(double stiffness, double offset) {
 
 double film_parameter(AsperityModel model, double stiffness, double offset, double flooded,
                       const FilmLaw& film) {
+  const double root =
+      detail::engine().root_of_surface(load_order(model), film, stiffness, offset, flooded);
+  if (root == root) return root;
   return LoadSharing<double>(model, stiffness, offset, film).film_parameter(flooded);
 }
 

@@ -44,7 +44,8 @@ struct Kernels {
   void (*logarithms)(const double* x, double* result, std::size_t count);
   double (*power)(double x, const Exponent& exponent);
   // Kernels of one surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the distance
-  // of a fluid share, a root with its steps, the shares at a root.
+  // of a fluid share, a root with its steps, the root of a surface that is used once, the shares at
+  // a root.
   SurfaceNumbers<double> (*surface)(Order order, const FilmLaw& law, double stiffness,
                                     double offset);
   double (*share)(Order order, double stiffness, double argument);
@@ -53,6 +54,8 @@ struct Kernels {
   double (*distance_above_floor)(Order order, const SurfaceNumbers<double>& surface, double fluid);
   SharingRoot<double> (*root)(Order order, const FilmLaw& law,
                               const SurfaceNumbers<double>& surface, double flooded_film_parameter);
+  double (*root_of_surface)(Order order, const FilmLaw& law, double stiffness, double offset,
+                            double flooded_film_parameter);
   LoadShares<double> (*shares_at_root)(Order order, const FilmLaw& law,
                                        const SurfaceNumbers<double>& surface,
                                        double flooded_film_parameter, double film_parameter);

@@ -198,6 +198,17 @@ HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceN
           hn::IfThenElse(is_near, fluid, shares.fluid)};
 }
 
+// The numbers of a surface without those of its floor.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE detail::SurfaceNumbers<V> surface_without_floor(D d, const FilmLaw& law, V stiffness,
+                                                           V offset, V film_at_unit_speed) {
+  const V zero = hn::Zero(d);
+  const V square = hn::MulAdd(exponent_plus_one(d, stiffness), hn::Set(d, free_square_slope),
+                              hn::Set(d, free_square_of(law.sharing_power.value)));
+  const V film_from = hn::Add(offset, hn::Sqrt(hn::Max(square, zero)));
+  return {stiffness, offset, zero, zero, zero, zero, film_from, film_at_unit_speed};
+}
+
 // The floor of a surface, λ_b with A(λ_b) = 1, and what follows from it. ln A is concave and
 // decreasing: steps of third order from the right of its zero. K and δ have to be in the kernels'
 // range.
@@ -208,16 +219,7 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw&
   const bool is_root = order == Order::five_halves;
   const V q = hn::Set(d, is_root ? 0.5 : 1.0), n = hn::Set(d, 0.5 * twice(order));
   const V lowest = hn::Neg(offset);
-  const V square = hn::MulAdd(exponent_plus_one(d, stiffness), hn::Set(d, free_square_slope),
-                              hn::Set(d, free_square_of(law.sharing_power.value)));
-  detail::SurfaceNumbers<V> surface{stiffness,
-                                    offset,
-                                    zero,
-                                    zero,
-                                    zero,
-                                    zero,
-                                    hn::Add(offset, hn::Sqrt(hn::Max(square, zero))),
-                                    film_at_unit_speed};
+  auto surface = surface_without_floor(d, law, stiffness, offset, film_at_unit_speed);
   const auto has_floor = hn::Ge(hn::Mul(stiffness, moment_of(d, order, lowest)), one);
   if (hn::AllFalse(d, has_floor)) {
     if (law.sharing_exponent.p == 0) [[unlikely]]

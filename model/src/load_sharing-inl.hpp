@@ -251,8 +251,8 @@ HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterat
                  hn::Eq(now.log_rise, hn::Zero(d)));
 }
 
-// The roots of a vector of points; NaN where a root is not reached in max_sharing_steps. `steps` is
-// the number of steps of the slowest lane.
+// The roots of a vector of points from a start, with A there; NaN where a root is not reached in
+// max_sharing_steps. `steps` is the number of steps of the slowest lane.
 template <class V>
 struct Roots {
   V film_parameter;
@@ -260,11 +260,10 @@ struct Roots {
 };
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Roots<V> roots_from(D d, Order order, V film_power, const SharingInputs<V>& in,
-                               Iterate<V> now) {
+                               Iterate<V> now, Asperities<V> at) {
   auto is_open = hn::Eq(in.flooded, in.flooded);
   V root = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
   for (int steps = 1; steps <= max_sharing_steps; ++steps) {
-    const Asperities<V> at = asperities(d, order, in, now.film_parameter);
     const V w = film_share(d, film_power, now.log_rise);
     const auto by_floor = is_by_floor(d, film_power, now, at, w);
     const Step<D> step = sharing_step(d, film_power, in.flooded, now, at, w, by_floor,
@@ -281,6 +280,7 @@ HWY_INLINE Roots<V> roots_from(D d, Order order, V film_power, const SharingInpu
     root = hn::IfThenElse(arrives, now.film_parameter, root);
     is_open = hn::AndNot(arrives, is_open);
     if (hn::AllFalse(d, is_open)) return {root, steps};
+    at = asperities(d, order, in, now.film_parameter);
   }
   return {root, max_sharing_steps};
 }

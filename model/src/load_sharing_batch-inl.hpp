@@ -101,13 +101,25 @@ class Travellers {
  public:
   using V = hn::Vec<D>;
 
+  HWY_INLINE Travellers(D d, double film_power) : d_(d), film_power_(film_power) {}
   // `surface` is that of all points, where they have one.
   HWY_INLINE Travellers(D d, double film_power, const detail::SurfaceNumbers<V>& surface)
-      : d_(d), film_power_(film_power) {
+      : Travellers(d, film_power) {
     if constexpr (one_surface) {
       stiffness_[0] = hn::GetLane(surface.stiffness);
       offset_[0] = hn::GetLane(surface.offset);
     }
+  }
+
+  // Points at whose start A is known come before all others.
+  HWY_INLINE void add(hn::Mask<D> mask, const SharingInputs<V>& in, const Iterate<V>& at, V place,
+                      const Asperities<V>& known) {
+    put(mask, known.share, share_);
+    put(mask, known.hazard, hazard_);
+    put(mask, known.slope, slope_);
+    put(mask, known.bend, bend_);
+    add(mask, in, at, place);
+    known_ = count_;
   }
 
   HWY_INLINE void add(hn::Mask<D> mask, const SharingInputs<V>& in, const Iterate<V>& at, V place) {
@@ -157,19 +169,22 @@ class Travellers {
     hn::StoreU(compressed(d_, value, mask), d_, to + count_);
   }
   template <class Visitor>
-  HWY_INLINE void for_each_vector(const Visitor& visit) const {
-    for (std::size_t i = 0; i < count_; i += hn::Lanes(d_)) visit(i);
+  HWY_INLINE void for_each_vector(const Visitor& visit, std::size_t first = 0) const {
+    for (std::size_t i = first; i < count_; i += hn::Lanes(d_)) visit(i);
   }
 
   HWY_INLINE void move(Order order) {
     const V film_power = hn::Set(d_, film_power_);
-    for_each_vector([&](std::size_t i) HWY_ATTR {
-      const auto at = asperities(d_, order, inputs(i), hn::Load(d_, film_parameter_ + i));
-      hn::Store(at.share, d_, share_ + i);
-      hn::Store(at.hazard, d_, hazard_ + i);
-      hn::Store(at.slope, d_, slope_ + i);
-      hn::Store(at.bend, d_, bend_ + i);
-    });
+    for_each_vector(
+        [&](std::size_t i) HWY_ATTR {
+          const auto at = asperities(d_, order, inputs(i), hn::Load(d_, film_parameter_ + i));
+          hn::Store(at.share, d_, share_ + i);
+          hn::Store(at.hazard, d_, hazard_ + i);
+          hn::Store(at.slope, d_, slope_ + i);
+          hn::Store(at.bend, d_, bend_ + i);
+        },
+        known_ - known_ % hn::Lanes(d_));
+    known_ = 0;
     for_each_vector([&](std::size_t i) HWY_ATTR {
       hn::Store(film_share(d_, film_power, hn::Load(d_, log_rise_ + i)), d_, film_share_ + i);
     });
@@ -233,6 +248,7 @@ class Travellers {
   static constexpr std::size_t surface_room = one_surface ? 1 : room;
   D d_;
   std::size_t count_ = 0;
+  std::size_t known_ = 0;  // so many points have their A
   HWY_ALIGN double stiffness_[surface_room];
   HWY_ALIGN double offset_[surface_room];
   double film_power_;
@@ -303,6 +319,71 @@ HWY_INLINE std::size_t roots_of_block(D d, Order order, double film_power,
     place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
   }
   return travellers.travel(order, result);
+}
+
+// May λ₀ be below a floor? A > 1 there, and this A is off by some ulp.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> may_be_below_floor(D d, const FilmLaw& law, const Asperities<V>& at) {
+  if (law.sharing_exponent.p == 0) [[unlikely]]  // the root is λ₀ or the floor
+    return hn::Eq(at.share, at.share);
+  return hn::Gt(at.share, hn::Set(d, 0.99));
+}
+
+// The same with a surface for each point, whose floor is found only where λ₀ may be below it; else
+// the root, which is not below λ₀, does not ask for it.
+template <class D>
+HWY_INLINE std::size_t roots_of_surfaces(D d, Order order, const FilmLaw& law,
+                                         const double* stiffness, const double* offset,
+                                         const double* flooded, double* result, std::size_t count) {
+  using V = hn::Vec<D>;
+  const hn::RebindToSigned<D> integers;
+  const V film_power = hn::Set(d, law.sharing_power.inverse), zero = hn::Zero(d);
+  HWY_ALIGN double lows[sharing_block + hn::MaxLanes(D())];  // places of what may be below a floor
+  std::size_t low_count = 0;
+  Travellers<D, false> travellers(d, law.sharing_power.inverse);
+  const auto start_of = [&](const detail::SurfaceNumbers<V>& surface, V film) HWY_ATTR {
+    return root_start(d, film_power, surface, {surface.stiffness, surface.offset, film});
+  };
+  auto place = hn::Iota(integers, 0);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const std::size_t left = count - i;
+    const auto surface = surface_without_floor(d, law, load(d, stiffness + i, left),
+                                               load(d, offset + i, left), zero);
+    const SharingInputs<V> in{surface.stiffness, surface.offset, load(d, flooded + i, left)};
+    const auto start = start_of(surface, in.flooded);
+    store(d, start.at.film_parameter, result + i, left);
+    const auto open = hn::And(start.is_open, hn::FirstN(d, left));
+    const auto at = asperities(d, order, in, in.flooded);
+    const auto low = hn::And(open, may_be_below_floor(d, law, at));
+    const V places = hn::BitCast(d, place);
+    travellers.add(hn::AndNot(low, open), in, start.at, places, at);
+    hn::StoreU(compressed(d, places, low), d, lows + low_count);
+    low_count += hn::CountTrue(d, low);
+    place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
+  }
+  HWY_ALIGN double floors[sharing_block + hn::MaxLanes(D())];
+  for (std::size_t i = 0; i < low_count; i += hn::Lanes(d)) {
+    const V places = load(d, lows + i, low_count - i);
+    const auto index = hn::BitCast(integers, places);
+    const auto present = hn::FirstN(d, low_count - i);
+    const auto surface = surface_of(d, order, law, hn::GatherIndex(d, stiffness, index),
+                                    hn::GatherIndex(d, offset, index), zero);
+    const V film = hn::GatherIndex(d, flooded, index);
+    const auto start = start_of(surface, film);
+    hn::Store(surface.floor, d, floors + i);
+    HWY_ALIGN double films[hn::MaxLanes(D())];
+    hn::Store(start.at.film_parameter, d, films);
+    for (std::size_t j = 0; j < hn::Lanes(d) && i + j < low_count; ++j)
+      result[std::bit_cast<std::size_t>(lows[i + j])] = films[j];
+    travellers.add(hn::And(start.is_open, present), {surface.stiffness, surface.offset, film},
+                   start.at, places);
+  }
+  const std::size_t steps = travellers.travel(order, result);
+  for (std::size_t i = 0; i < low_count; ++i) {
+    double& root = result[std::bit_cast<std::size_t>(lows[i])];
+    if (root < floors[i]) root = floors[i];
+  }
+  return steps;
 }
 
 }  // namespace tribo::HWY_NAMESPACE

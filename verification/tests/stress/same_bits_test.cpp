@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "support/film_laws.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/judge.hpp"
 #include "support/point_bits.hpp"
@@ -154,16 +155,21 @@ TEST(SameBits, ComeFromEachWayToAPointOnEachInstructionSet) {
   });
 }
 
-// λ of one surface alone, in a batch of it, and among other surfaces.
-TEST(SameBits, ComeFromEachWayToARoot) {
-  const std::vector<double> flooded{1e-300, 1e-30, 1e-4, 0.02, 0.3, 0.9, 1.1, 2.0, 3.5, 6, 40, 1e5};
+// λ of one surface alone, in a batch of it, among other surfaces, and of a surface that is used
+// once, whose floor is found only where λ₀ may be below it: next to a floor, too.
+void expect_same_roots(const FilmLaw& law) {
+  const std::vector<double> films{1e-300, 1e-30, 1e-4, 0.02, 0.3, 0.9, 1.1, 2.0, 3.5, 6, 40, 1e5};
   Sampler sampler(232);
   on_each_instruction_set([&] {
     for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson}) {
       std::vector<double> stiffness, offset, film0, alone;
       for (int i = 0; i < 300; ++i) {
         const LoadSharing<double> sharing(model, sampler.log_uniform(1e-12, 1e12),
-                                          sampler.uniform(0, 5));
+                                          sampler.uniform(0, 5), law);
+        std::vector<double> flooded = films;
+        const double floor = sharing.floor();
+        for (const double part : {0.9, 0.999, 1 - 0x1p-53, 1.0, 1 + 0x1p-52, 1.001, 1.1})
+          if (floor > 0) flooded.push_back(floor * part);
         std::vector<double> together(flooded.size());
         film_parameter(sharing, flooded, together);
         for (std::size_t k = 0; k < flooded.size(); ++k) {
@@ -173,15 +179,22 @@ TEST(SameBits, ComeFromEachWayToARoot) {
           alone.push_back(sharing.film_parameter(flooded[k]));
           EXPECT_EQ(together[k], alone.back())
               << describe({{"K", sharing.stiffness()}, {"lambda0", flooded[k]}});
+          EXPECT_EQ(film_parameter(model, sharing.stiffness(), sharing.offset(), flooded[k], law),
+                    alone.back())
+              << describe({{"K", sharing.stiffness()}, {"lambda0", flooded[k]}});
         }
       }
       std::vector<double> among_others(alone.size());
-      film_parameter(model, stiffness, offset, film0, among_others);
+      film_parameter(model, stiffness, offset, film0, among_others, law);
       for (std::size_t k = 0; k < alone.size(); ++k)
         EXPECT_EQ(among_others[k], alone[k])
             << describe({{"K", stiffness[k]}, {"delta", offset[k]}, {"lambda0", film0[k]}});
     }
   });
+}
+TEST(SameBits, ComeFromEachWayToARoot) {
+  expect_same_roots(hamrock_dowson_central_law);
+  for (const FilmLaw* const law : other_film_laws) expect_same_roots(*law);
 }
 
 }  // namespace
