@@ -64,7 +64,7 @@ class SceneBinder {
     for (const Entry& entry : entries) place(entry);
     for (const GroupPlaces& group : group_places())
       if (!(is_smooth() && (group.fields & named().of_summits).any())) check_group(group);
-    for (std::size_t field = 0; field < scene_fields().size(); ++field) take(field);
+    for (std::size_t field = 0; field < fields_.size(); ++field) take(field);
     check_supply();
     check_roughness();
     if (!is_of_solved_film()) check_outputs();
@@ -102,15 +102,15 @@ class SceneBinder {
 
   void place_field(const Entry& entry, std::size_t field) {
     if (given_[field] != nullptr) return problems_.error(entry.path, {Fault::once});
-    auto number = in_si(entry, scene_fields()[field]);
+    auto number = in_si(entry, fields_[field]);
     given_[field] = number ? &in_si_.emplace_front(std::move(*number)) : &entry;
     is_given_.set(field);
   }
 
   void refuse_section(const Entry& entry) {
     problems_.error(entry.path, wrong_kind(entry.value, "a table of " + names_in(entry.path)));
-    for (std::size_t field = 0; field < scene_fields().size(); ++field)
-      if (section_of(scene_fields()[field].path) == entry.path) explained_.set(field);
+    for (std::size_t field = 0; field < fields_.size(); ++field)
+      if (section_of(fields_[field].path) == entry.path) explained_.set(field);
     if (entry.path == "supply") supply_explained_ = true;
   }
 
@@ -128,8 +128,8 @@ class SceneBinder {
   // One mistake, one line: the field that a misspelt name probably means is not called missing.
   void explain(std::string_view name) {
     if (name == "supply" || section_of(name) == "supply") supply_explained_ = true;
-    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
-      const std::string_view path = scene_fields()[field].path;
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      const std::string_view path = fields_[field].path;
       if (!name.empty() && (path == name || section_of(path) == name)) explained_.set(field);
     }
   }
@@ -137,7 +137,7 @@ class SceneBinder {
   // --- Every field takes its value.
 
   void take(std::size_t field) {
-    const FieldInfo& info = scene_fields()[field];
+    const FieldInfo& info = fields_[field];
     if (given_[field] == nullptr) return miss(field);
     const Value& value = given_[field]->value;
     switch (info.type) {
@@ -169,7 +169,7 @@ class SceneBinder {
   }
 
   void miss(std::size_t field) {
-    const FieldInfo& info = scene_fields()[field];
+    const FieldInfo& info = fields_[field];
     bool needed = info.required;
     if (named().of_speed[field]) needed = needed && speed_is_table();
     if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset && !is_of_solved_film();
@@ -178,7 +178,7 @@ class SceneBinder {
 
   void report_missing(std::size_t field, const std::string& why) {
     if (explained_[field]) return;
-    const FieldInfo& info = scene_fields()[field];
+    const FieldInfo& info = fields_[field];
     const std::string allowed = use_ == SceneUse::one_speed && info.type == FieldType::speeds
                                     ? "one number above 0, in m/s"
                                     : allowed_text(info);
@@ -223,7 +223,7 @@ class SceneBinder {
   }
 
   void take_both_faces(std::size_t field, const Entry& entry) {
-    const FieldInfo& info = scene_fields()[field];
+    const FieldInfo& info = fields_[field];
     for (const Value& element : entry.elements)
       if (element.kind == ValueKind::table || element.kind == ValueKind::list)
         return problems_.error(
@@ -243,7 +243,7 @@ class SceneBinder {
   }
 
   void take_choice(std::size_t field, const Value& value) {
-    const FieldInfo& info = scene_fields()[field];
+    const FieldInfo& info = fields_[field];
     if (value.kind != ValueKind::text) return refuse(info, info.path, value);
     for (std::size_t place = 0; place < info.choices.size(); ++place)
       if (info.choices[place] == value.text)
@@ -316,7 +316,7 @@ class SceneBinder {
 
   std::optional<double> speed_of(const FieldInfo& info, const Value& value, std::size_t i) {
     if (!broken_rule(info, value)) return value.number;  // names are made for errors only
-    const FieldInfo& element = scene_fields()[named().speed_from];
+    const FieldInfo& element = fields_[named().speed_from];
     return number_of(element, value, element_name("speed", i));
   }
 
@@ -369,8 +369,8 @@ class SceneBinder {
   void check_outputs() {
     const bool asked = given_[named().outputs] != nullptr;
     if (!asked) scene_.outputs = OutputSet::all();
-    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
-      const FieldInfo& info = scene_fields()[field];
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      const FieldInfo& info = fields_[field];
       if (!info.needed_by || given_[field] != nullptr) continue;
       if (!scene_.outputs.contains(*info.needed_by) && asked) continue;
       if (asked)
@@ -387,9 +387,9 @@ class SceneBinder {
   void check_roughness() {
     if ((is_given_ & named().of_roughness).count() < 2) return;
     std::string_view first;
-    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
       if (!is_given_[field] || !named().of_roughness[field]) continue;
-      const std::string_view path = scene_fields()[field].path;
+      const std::string_view path = fields_[field].path;
       if (first.empty())
         first = path;
       else
@@ -436,9 +436,9 @@ class SceneBinder {
   void refuse_group(const GroupPlaces& group, const FieldPlaces& given) {
     FieldPlaces so_far;
     std::string_view first;
-    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
       if (!given[field]) continue;
-      const std::string_view path = scene_fields()[field].path;
+      const std::string_view path = fields_[field].path;
       if (first.empty()) first = path;
       if (fitting_set(group, so_far.set(field)) == nullptr)
         return refuse_beside(path, first, sets_text(group.names));
@@ -475,9 +475,9 @@ class SceneBinder {
     const std::size_t field = field_at(path);
     if (first.empty() && group.front().fields.size() > 1) return report_missing(field, "");
     if (first.empty())
-      return problems_.error(path, {Fault::presence, "", "",
-                                    allowed_text(scene_fields()[field]) + "; or, in its place, " +
-                                        sets_text(group, 1)});
+      return problems_.error(
+          path, {Fault::presence, "", "",
+                 allowed_text(fields_[field]) + "; or, in its place, " + sets_text(group, 1)});
     problems_.error(path, {Fault::presence, "", " beside " + std::string(first), sets_text(group)});
   }
 
@@ -501,17 +501,18 @@ class SceneBinder {
   }
 
   void check_supply() {
+    const FieldPlaces given = is_given_ & named().of_supply;
     std::string_view first;
-    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
-      if (given_[field] == nullptr || !named().of_supply[field]) continue;
-      const std::string_view path = scene_fields()[field].path;
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      if (!given[field]) continue;
+      const std::string_view path = fields_[field].path;
       if (first.empty())
         first = path;
       else
         refuse_beside(path, first, "exactly one of " + names_in("supply"));
     }
-    const bool is_line = use_ == SceneUse::line_film || is_given("bodies.length");
-    if (is_of_solved_film() && is_line && !first.empty())
+    if (is_of_solved_film() && !first.empty() &&
+        (use_ == SceneUse::line_film || is_given("bodies.length")))
       problems_.warning(first,
                         {.what = "not used: the solved film of a line is that of a flooded inlet"});
     if (first.empty() && has_section("supply") && !supply_explained_)
@@ -552,6 +553,7 @@ class SceneBinder {
          "a number above " + number_text(least_roelands_viscosity) + ", in Pa·s"});
   }
 
+  const std::span<const FieldInfo> fields_ = scene_fields();
   SceneUse use_;
   Problems& problems_;
   SceneReading& reading_;

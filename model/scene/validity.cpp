@@ -815,11 +815,14 @@ void take_range(const Scene& scene, const FieldInfo& field, std::string_view wor
                 .is_accepted = accepts(scene, word)});
 }
 
-template <class Take>
-void take_ranges(const Scene& scene, const Take& take) {
+// The ranges of fields that the scene leaves.
+std::vector<Validity> ranges_left(const Scene& scene) {
+  std::vector<Validity> left;
+  const auto take = [&left](const Validity& one) { left.push_back(one); };
   const auto fields = scene_fields();
+  const std::vector<std::string>& words = range_words();
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::string& word = range_words()[i];
+    const std::string& word = words[i];
     if (word.empty()) continue;
     if (fields[i].type != FieldType::speeds) {
       const std::optional<double> value = scene_detail::value_in(scene, i);
@@ -830,24 +833,22 @@ void take_ranges(const Scene& scene, const Take& take) {
     if (low > 0) take_range(scene, fields[i], word, low, take);
     if (high > low) take_range(scene, fields[i], word, high, take);
   }
+  return left;
 }
 
 // Is a number outside of its range, and inside with another unit? What follows from it is no reason
 // for advice then.
-bool has_likely_slip(const Scene& scene) {
-  bool has_slip = false;
-  take_ranges(scene, [&has_slip](const Validity& one) {
-    has_slip = has_slip || (!one.likely_unit.empty() && !one.is_accepted);
+bool has_likely_slip(const std::vector<Validity>& ranges) {
+  return std::any_of(ranges.begin(), ranges.end(), [](const Validity& one) {
+    return !one.likely_unit.empty() && !one.is_accepted;
   });
-  return has_slip;
 }
 
-// Which limits are taken: all assumptions, or those that are not kept.
-enum class Which : std::uint8_t { all, not_kept };
+// Which limits are taken: all assumptions, or those that are passed and not accepted.
+enum class Which : std::uint8_t { all, not_passed };
 
 template <class Take>
-void take_assumptions(const State& state, Which which, const Take& take) {
-  const bool has_slip = has_likely_slip(state.scene);
+void take_assumptions(const State& state, Which which, bool has_slip, const Take& take) {
   for (const Row& row : rows) {
     const double value = row.value(state);
     if (std::isnan(value)) continue;
@@ -868,7 +869,8 @@ void take_assumptions(const State& state, Which which, const Take& take) {
     }
     const bool is_known = least != 0 || greatest < unbounded;
     const bool holds = value >= least && value <= greatest;
-    if (which == Which::not_kept && holds) continue;
+    const bool is_accepted = accepts(state.scene, row.word);
+    if (which == Which::not_passed && (holds || is_accepted)) continue;
     const bool is_advised = advice != nullptr && !(is_known && holds) && !has_slip;
     take(Validity{
         .word = row.word,
@@ -880,7 +882,7 @@ void take_assumptions(const State& state, Which which, const Take& take) {
         .source = row.source,
         .touches = state.solves_film() && row.touches == "friction" ? "pressure" : row.touches,
         .advice = is_advised ? advice(state) : std::string(),
-        .is_accepted = accepts(state.scene, row.word)});
+        .is_accepted = is_accepted});
   }
 }
 
@@ -889,8 +891,9 @@ std::vector<Validity> passed_in(const State& state) {
   const auto take = [&passed](const Validity& one) {
     if (one.is_passed()) passed.push_back(one);
   };
-  take_assumptions(state, Which::not_kept, take);
-  take_ranges(state.scene, take);
+  const std::vector<Validity> ranges = ranges_left(state.scene);
+  take_assumptions(state, Which::not_passed, has_likely_slip(ranges), take);
+  std::for_each(ranges.begin(), ranges.end(), take);
   return passed;
 }
 
@@ -922,8 +925,9 @@ std::span<const std::string_view> assumption_words() {
 std::vector<Validity> validity_of(const Scene& scene, SceneUse use) {
   std::vector<Validity> all;
   const auto take = [&all](const Validity& one) { all.push_back(one); };
-  take_assumptions(state_of(scene, use), Which::all, take);
-  take_ranges(scene, take);
+  const std::vector<Validity> ranges = ranges_left(scene);
+  take_assumptions(state_of(scene, use), Which::all, has_likely_slip(ranges), take);
+  std::for_each(ranges.begin(), ranges.end(), take);
   return all;
 }
 

@@ -13,9 +13,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "protocol/question.hpp"
+#include "sweep/on_threads.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::protocol {
@@ -73,6 +75,27 @@ void append_function_answer(Text& to, const FunctionCall& call) {
   answer.close();
   to.push_back('\n');
 }
+
+// Lines that follow one another, and their answers.
+struct Part {
+  Text text;
+  std::vector<std::pair<std::size_t, std::vector<Validity>>> passed;  // by the line's number
+
+  void answer(std::span<const Line> lines, std::size_t number) {
+    text.clear();
+    passed.clear();
+    std::vector<Validity> passed_by_line;
+    for (const Line& line : lines) {
+      if (line.kind == Line::Kind::too_long)
+        append_error(text, {}, "", line_too_long);
+      else if (!is_blank(line.text))
+        append_answer(text, line.text, number, passed_by_line);
+      if (!passed_by_line.empty()) passed.emplace_back(number, std::move(passed_by_line));
+      passed_by_line.clear();
+      ++number;
+    }
+  }
+};
 
 }  // namespace
 
@@ -164,7 +187,9 @@ void append_json_text(Text& to, std::string_view text) {
 }
 
 void append_number(Text& to, double number) {
-  fmt::format_to(fmt::appender(to), FMT_COMPILE("{}"), number);
+  std::array<char, 32> digits;  // a shortest number has at most 24
+  const char* const end = fmt::format_to(digits.data(), FMT_COMPILE("{}"), number);
+  append(to, {digits.data(), static_cast<std::size_t>(end - digits.data())});
 }
 
 AnswerObject::AnswerObject(Text& to, LineId id) : to_(to) {
@@ -250,18 +275,25 @@ void append_answer(Text& to, std::string_view line, std::size_t number,
 
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(std::size_t, const std::vector<Validity>&)>& warn) {
-  std::vector<Validity> passed;
-  for (std::size_t number = 1;; ++number) {
+  constexpr std::size_t most_together = 1024, lines_of_part = 32;
+  std::vector<Line> waiting;
+  std::vector<Part> parts(most_together / lines_of_part);
+  for (std::size_t number = 1;; number += waiting.size()) {
     if (!lines.line_waiting()) output.flush();
-    const Line line = lines.next();
-    if (line.kind == Line::Kind::end_of_input) return;
-    if (line.kind == Line::Kind::too_long)
-      append_error(output.text(), {}, "", line_too_long);
-    else if (!is_blank(line.text))
-      append_answer(output.text(), line.text, number, passed);
-    if (!passed.empty()) warn(number, passed);
-    passed.clear();
-    output.end_row();
+    waiting.assign(1, lines.next());
+    while (waiting.size() < most_together && lines.line_waiting()) waiting.push_back(lines.next());
+    if (waiting[0].kind == Line::Kind::end_of_input) return;
+    const std::size_t count = (waiting.size() + lines_of_part - 1) / lines_of_part;
+    each_on_threads(0, count, [&](std::size_t i) {
+      const std::size_t first = i * lines_of_part;
+      const std::size_t some = std::min(lines_of_part, waiting.size() - first);
+      parts[i].answer(std::span(waiting).subspan(first, some), number + first);
+    });
+    for (Part& part : std::span(parts).first(count)) {
+      append(output.text(), {part.text.data(), part.text.size()});
+      output.end_row();
+      for (const auto& [line, passed] : part.passed) warn(line, passed);
+    }
   }
 }
 

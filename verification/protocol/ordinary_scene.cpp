@@ -60,7 +60,8 @@ class OrdinaryReader {
   bool take(std::string_view name, const dom::element& element) {
     dom::object section;
     // "surface.summit_radius" is not the name of one member, and quotes in a name are escaped.
-    if (name.find_first_of(".\"") != std::string_view::npos) return false;
+    for (const char sign : {'.', '"'})
+      if (name.find(sign) != std::string_view::npos) return false;
     if (element.get(section) != simdjson::SUCCESS) return take_field("", name, element);
     if (!is_of_scenes_ || !scene_detail::is_section(name)) return false;
     Entry* const entry = next_entry();

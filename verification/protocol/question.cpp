@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "protocol/question.hpp"
 
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 
 #include "catalogue/ways_to_ask.hpp"
@@ -221,9 +222,10 @@ std::optional<FunctionCall> read_function_call(std::string_view line) {
 }  // namespace
 
 Question read_question(std::string_view line, std::size_t number) {
-  const std::string source = fmt::format("line {}", number);
+  const std::string source = fmt::format(FMT_COMPILE("line {}"), number);
   // Only a line that may call a function is parsed for a call.
-  if (line.find("\"function\"") != std::string_view::npos)
+  constexpr std::string_view member = "\"function\"";
+  if (::memmem(line.data(), line.size(), member.data(), member.size()) != nullptr)
     if (std::optional<FunctionCall> call = read_function_call(line)) return *std::move(call);
   if (std::optional<SceneReading> reading = read_ordinary_scene(line, source))
     return *std::move(reading);

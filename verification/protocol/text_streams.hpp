@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <sys/types.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -29,7 +30,8 @@ struct InputFailed : std::runtime_error {
 struct Line {
   enum class Kind : std::uint8_t { whole, too_long, end_of_input };
   Kind kind = Kind::whole;
-  std::string_view text;  // without its line end, "\n" or "\r\n"; valid until the next call
+  // Without its line end, "\n" or "\r\n"; valid until next() is called with no line waiting.
+  std::string_view text;
 };
 
 // Reads lines in bounded memory: a line that is too long is skipped and not stored.
@@ -59,7 +61,9 @@ class LineReader {
 using Text = fmt::memory_buffer;
 
 inline void append(Text& text, std::string_view part) {
-  text.append(part.data(), part.data() + part.size());
+  const std::size_t before = text.size();
+  text.resize(before + part.size());
+  std::copy(part.begin(), part.end(), text.data() + before);
 }
 
 // The output's reader has ended (`| head -1`): no error, but the end. SIGPIPE has to be ignored.
