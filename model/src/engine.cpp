@@ -3,6 +3,7 @@
 // chosen at run time, and the functions of batch.hpp, which call them.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 
@@ -424,6 +425,16 @@ namespace {
 
 HWY_EXPORT(kernels);
 
+// The kernels that were chosen: a call of one is short, and a look at all targets is not. Null
+// where they are to be chosen anew.
+constinit std::atomic<const detail::Kernels*> chosen = nullptr;
+
+void choose_from(std::int64_t targets) {
+  hwy::SetSupportedTargetsForTest(targets);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  chosen = nullptr;
+}
+
 struct Names {
   std::array<std::string_view, 16> names{};
   std::array<std::int64_t, 16> targets{};
@@ -436,8 +447,7 @@ Names find_names() {
   const std::int64_t supported = found & ~detail::switched_off_targets();
   if (supported != found) {
     // DisableTargets() of Highway 1.0.3 lasts until SupportedTargets() is called; this lasts.
-    hwy::SetSupportedTargetsForTest(supported);
-    hwy::GetChosenTarget().Update(supported);
+    choose_from(supported);
   }
   Names all;
   for (std::int64_t left = supported & HWY_TARGETS; left != 0; left &= left - 1) {
@@ -500,7 +510,14 @@ void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> l
 
 namespace detail {
 
-const Kernels& engine() { return HWY_DYNAMIC_DISPATCH(kernels)(); }
+const Kernels& engine() {
+  const Kernels* known = chosen.load(std::memory_order_relaxed);
+  if (known == nullptr) [[unlikely]] {
+    known = &HWY_DYNAMIC_DISPATCH(kernels)();
+    chosen.store(known, std::memory_order_relaxed);
+  }
+  return *known;
+}
 
 bool is_within_engine(double stiffness, double offset) {
   return stiffness >= sharing_least_stiffness && stiffness <= sharing_greatest_stiffness &&
@@ -562,8 +579,7 @@ std::span<const std::string_view> instruction_sets() {
 bool use_instruction_set(std::string_view name) {
   for (std::size_t i = 0; i < names().count; ++i) {
     if (names().names[i] != name) continue;
-    hwy::SetSupportedTargetsForTest(names().targets[i]);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    choose_from(names().targets[i]);
     return true;
   }
   return false;
