@@ -100,14 +100,16 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
 // short enough that little is lost with it. A point whose film is solved takes as long as a million
 // other points: its chunk has up to four points, or one where many threads would have nothing to
 // do. Any other sweep has about 256 chunks of 1024 to 65536 points; a greater one has more chunks
-// of 65536 points; the greatest have about 4096 chunks of more points each, up to 2²⁰. A chunk of
-// kept points has at most some 131072 numbers.
+// of 65536 points; the greatest have about 4096 chunks of more points each, up to 2²⁰. Where a case
+// has more points than that, a chunk has up to eight cases, as each column of a chunk has a record
+// of its own. A chunk of kept points has at most some 131072 numbers.
 std::uint64_t groups_a_chunk(const SceneSweep& sweep, std::uint64_t points) {
   constexpr std::uint64_t least = 1024, usual = 65536, most = 1 << 20, most_numbers = 1 << 17;
   std::uint64_t chunk_points = std::clamp(points / 256, least, usual);
   chunk_points = std::clamp(points / 4096, chunk_points, most);
   if (sweep.solves_film) chunk_points = std::clamp<std::uint64_t>(points / 64, 1, 4);
   std::uint64_t groups = chunk_points / std::max<std::uint64_t>(points / sweep.groups, 1);
+  if (!sweep.solves_film) groups = std::max(groups, std::min<std::uint64_t>(8, sweep.groups / 16));
   if (sweep.keep_points)
     groups = std::min(groups, most_numbers / ((sweep.width() + sweep.variables.size()) *
                                               sweep.cases_kept_per_group()));

@@ -13,8 +13,12 @@ namespace {
 constexpr int dropped_places = 52 - 10;
 constexpr std::int32_t subnormal_bins = 1023;  // of exponent 0; its first bin is for zero
 
-constexpr std::int32_t page_of(std::int32_t bin) { return bin >> 8; }
-std::size_t place_in_page(std::int32_t bin) { return static_cast<std::size_t>(bin & 255); }
+constexpr int page_places = 6;
+constexpr std::int32_t bins_of_page = 1 << page_places;
+constexpr std::int32_t page_of(std::int32_t bin) { return bin >> page_places; }
+std::size_t place_in_page(std::int32_t bin) {
+  return static_cast<std::size_t>(bin & (bins_of_page - 1));
+}
 
 constexpr std::size_t longest_varint = 10;
 
@@ -80,10 +84,11 @@ std::uint64_t& QuantileSketch::count_of(std::int32_t bin) {
 
 template <class Use>
 void QuantileSketch::each_bin(Use use) const {
+  static_assert(page_bins == std::size_t{bins_of_page});
   for (std::size_t at = 0; at < places_.size(); ++at) {
     if (places_[at] == 0) continue;
     const Page& page = pages_[places_[at] - 1];
-    const std::int32_t first = (first_page_ + static_cast<std::int32_t>(at)) * 256;
+    const std::int32_t first = (first_page_ + static_cast<std::int32_t>(at)) * bins_of_page;
     for (std::size_t i = 0; i < page_bins; ++i)
       if (page[i] != 0) use(first + static_cast<std::int32_t>(i), page[i]);
   }

@@ -55,9 +55,10 @@ class QuantileSketch {
   static QuantileSketch read(Receiver& from);
 
  private:
-  // Counts are kept by pages, a quarter of a power of two each: values from 1e-300 to 1 would
-  // otherwise need all the memory between.
-  static constexpr std::size_t page_bins = 256;
+  // Counts are kept by pages, a sixteenth of a power of two each: values from 1e-300 to 1 would
+  // otherwise need all the memory between. Longer pages cost time where each column of a chunk has
+  // few values.
+  static constexpr std::size_t page_bins = 64;
   using Page = std::array<std::uint64_t, page_bins>;
 
   std::uint64_t& count_of(std::int32_t bin);

@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/math/distributions/binomial.hpp>
 #include <iterator>
+#include <map>
 #include <numeric>
 
 namespace tribo::sweep {
@@ -31,6 +32,17 @@ QuantileRanks ranks_of(double n, double p) {
   const double centre = n * p - 0.5 + (two_sided_95 * two_sided_95 - 1) * (1 - 2 * p) / 6;
   const double reach = two_sided_95 * std::sqrt(variance);
   return {std::ceil(centre - reach), std::ceil(centre + reach)};
+}
+
+// Many columns of a result have as many values.
+QuantileRanks known_ranks_of(double n, double p) {
+  thread_local double count = -1;
+  thread_local std::map<double, QuantileRanks> by_level;
+  if (n != count) by_level.clear();
+  count = n;
+  const auto [known, is_new] = by_level.try_emplace(p);
+  if (is_new) known->second = ranks_of(n, p);
+  return known->second;
 }
 
 // Calls use(lane, value) for each value, with so many lanes side by side that an addition need not
@@ -125,7 +137,7 @@ Bounded quantile_of(const ValueSummary& summary, double p) {
   };
   // The values in order are x₁ ≤ x₂ …: x_l is above the quantile if K < l, and x_h is not if K ≥ h;
   // so l = low and h = high + 1.
-  const QuantileRanks ranks = ranks_of(n, p);
+  const QuantileRanks ranks = known_ranks_of(n, p);
   Bounded quantile{within(at(std::ceil(n * p) - 1)), -infinity, infinity};
   if (ranks.low >= 1) {
     const double low = at(ranks.low - 1);
