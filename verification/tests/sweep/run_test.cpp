@@ -60,6 +60,15 @@ TEST(Layout, OfASceneHasTheChunksThatItsPointsAskFor) {
     EXPECT_EQ(groups(draws, true), expected) << draws;
 }
 
+// A case with more points than a chunk shares it with up to seven others, where there are many.
+TEST(Layout, OfLongCasesHasUpToEightOfThemAChunk) {
+  for (const auto& [draws, expected] : std::vector<std::pair<std::uint64_t, std::uint64_t>>{
+           {1, 1}, {31, 1}, {32, 2}, {127, 4}, {128, 8}, {10000, 8}, {100000, 16}}) {
+    EXPECT_EQ(laid_out(draws, 10000, false, false).chunk_groups, expected) << draws;
+    EXPECT_EQ(laid_out(draws, 10000, false, true).chunk_groups, 1U) << draws;
+  }
+}
+
 // A group has a point at each speed, and a kept case its numbers and its drawn input.
 TEST(Layout, OfKeptPointsHasAtMostSoManyNumbersAChunk) {
   constexpr std::uint64_t most = 1 << 17, points = std::uint64_t{1} << 32;
