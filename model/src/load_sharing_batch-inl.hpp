@@ -163,7 +163,7 @@ class Travellers {
             hn::Load(d_, bend_ + i)};
   }
   HWY_INLINE std::size_t place_of(std::size_t i) const {
-    return std::bit_cast<std::size_t>(place_[i]);
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(place_[i]));
   }
   HWY_INLINE void put(hn::Mask<D> mask, V value, double* to) const {
     hn::StoreU(compressed(d_, value, mask), d_, to + count_);
@@ -238,7 +238,7 @@ class Travellers {
       hn::StoreU(compressed(d_, place, hn::And(is_last, present)), d_, root_place_);
       const std::size_t there = hn::CountTrue(d_, hn::And(is_last, present));
       for (std::size_t j = 0; j < there; ++j)
-        result[std::bit_cast<std::size_t>(root_place_[j])] = root_[j];
+        result[static_cast<std::size_t>(std::bit_cast<std::uint64_t>(root_place_[j]))] = root_[j];
       add(hn::AndNot(is_last, present), in, at, place);
     }
   }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "build_info.hpp"
-#include "catalogue/catalogue.hpp"
+#include "catalogue/law_films.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "options.hpp"
@@ -53,21 +53,10 @@ struct Fact {
 };
 using Facts = std::vector<Fact>;
 
-// The film of smooth faces in a flooded inlet by one law.
-struct LawFilm {
-  std::string_view law;
-  bool is_minimum;     // else the central film
-  double film;         // m
-  std::string beyond;  // why the contact is not in the range of the law; empty where it is
-  bool is_known;       // is it known whether the contact is in that range?
-  bool is_of_scene;    // is it closures.film?
-  std::string_view source;
-};
-
 struct AtSpeed {
   double speed;  // m/s
   Facts numbers, ratios;
-  std::vector<LawFilm> films;
+  std::vector<catalogue::LawFilm> films;
 };
 
 struct ContactAccount {
@@ -229,75 +218,12 @@ std::string_view word_of_lambda(double ratio) {
   return ratio < least_full_film_lambda_ratio ? "mixed lubrication" : "full film";
 }
 
-// Is it known which ellipticities a film law was fitted to? A circle any law of points was.
-bool is_range_known(const FilmLaw& law, double ellipticity) {
-  return ellipticity == 1 || law.least_ellipticity > 0;
-}
-
-// Why the contact is not in the range of a film law, or why that is not known; empty where it is.
-std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime,
-                      double factor) {
-  if (!(ellipticity >= least_fitted_ellipticity(law) && ellipticity <= law.greatest_ellipticity))
-    return fmt::format("k is {}, and it was fitted to {} to {}", readable(ellipticity),
-                       readable(law.least_ellipticity), readable(law.greatest_ellipticity));
-  const LubricationRegime own = regime_of(law);
-  if (own != regime) {
-    const std::string_view near = factor <= greatest_factor_of_regimes
-                                      ? ", next to the border: films of both regimes are alike"
-                                      : "";
-    return fmt::format("the law is of {} contacts{}", name(own), near);
-  }
-  if (!is_range_known(law, ellipticity))
-    return fmt::format("k is {}, and the range that it was fitted to is not known",
-                       readable(ellipticity));
-  return {};
-}
-
-bool is_of_minimum(const catalogue::Function& function) {
-  return function.results.front().meaning.starts_with("h_min");
-}
-
-std::vector<LawFilm> films_of(const Asked& asked, double speed, LubricationRegime regime) {
-  const auto& scene = asked.numbers();
-  std::vector<LawFilm> films;
-  for (const catalogue::Function& function : catalogue::functions()) {
-    const FilmLaw* const law = function.film_law;
-    const bool is_of_shape = law != nullptr && law->is_of_lines == asked.is_line();
-    if (is_of_shape && scene.pressure_viscosity == 0 && law->material_exponent.p != 0)
-      films.push_back({function.name, is_of_minimum(function), std::nan(""),
-                       "it has no film where the viscosity does not rise with pressure", true,
-                       false, function.source});
-    else if (is_of_shape) {
-      const double ellipticity = asked.is_line() ? 1 : scene.ellipticity;
-      const bool is_known = regime_of(*law) != regime || is_range_known(*law, ellipticity);
-      const double factor = factor_between(regime, regime_of(*law), asked.shape(), scene,
-                                           similarity_of(asked.shape(), scene, speed));
-      films.push_back({function.name, is_of_minimum(function),
-                       smooth_film(*law, asked.shape(), scene, speed),
-                       beyond_of(*law, ellipticity, regime, factor), is_known,
-                       law == &asked.contact.film(), function.source});
-    }
-  }
-  // The laws without fixed exponents are of all regimes.
-  for (const NamedFilmLaw& named : named_film_laws)
-    if (!named.law->has_fixed_exponents() && !named.law->is_solved() &&
-        named.law->is_of_lines == asked.is_line())
-      films.push_back({named.word,
-                       false,
-                       smooth_film(*named.law, asked.shape(), scene, speed),
-                       {},
-                       true,
-                       named.law == &asked.contact.film(),
-                       catalogue::function_named(named.word)->source});
-  return films;
-}
-
 AtSpeed account_at(const Asked& asked, double speed) {
   const auto& scene = asked.numbers();
   const SimilarityNumbers<double> numbers = similarity_of(asked.shape(), scene, speed);
   const MoesNumbers<double> moes = moes_numbers(numbers, asked.is_line());
   const LubricationRegime regime = regime_of(asked.shape(), scene, numbers);
-  AtSpeed account{speed, {}, {}, films_of(asked, speed, regime)};
+  AtSpeed account{speed, {}, {}, catalogue::law_films(asked.contact, speed)};
   account.numbers = {
       number("speed_number", "U", "Hamrock and Dowson's number of the speed", numbers.speed),
       number("material_number", "G", "their number of the materials", numbers.material),
@@ -423,10 +349,10 @@ void append_facts(Text& to, const Facts& facts) {
   }
 }
 
-void append_films(Text& to, const std::vector<LawFilm>& films) {
+void append_films(Text& to, const std::vector<catalogue::LawFilm>& films) {
   append_line(to, fmt::format("  {}  {}  {}  {}", padded("film of smooth faces, flooded, by", 42),
                               padded("it is", 7), padded("film", 10), "inside its range"));
-  for (const LawFilm& film : films) {
+  for (const catalogue::LawFilm& film : films) {
     const std::string law =
         fmt::format("{}{}", film.law, film.is_of_scene ? " (this scene's)" : "");
     append_line(
@@ -519,7 +445,7 @@ void append_csv(Text& to, const ContactAccount& account) {
   for (const AtSpeed& at : account.speeds) {
     const std::string speed = report::exact(at.speed);
     add(speed, "numbers", at.numbers);
-    for (const LawFilm& film : at.films)
+    for (const catalogue::LawFilm& film : at.films)
       append(to, fmt::format("{},{},films,{},{},m,{},{}\n", id, speed, film.law,
                              std::isfinite(film.film) ? report::exact(film.film) : "",
                              film.is_minimum ? "minimum film" : "central film",
@@ -541,9 +467,9 @@ ordered_json json_of(const Facts& facts) {
   return list;
 }
 
-ordered_json json_of(const std::vector<LawFilm>& films) {
+ordered_json json_of(const std::vector<catalogue::LawFilm>& films) {
   ordered_json list = ordered_json::array();
-  for (const LawFilm& film : films)
+  for (const catalogue::LawFilm& film : films)
     list.push_back({{"law", film.law},
                     {"kind", film.is_minimum ? "minimum" : "central"},
                     {"film", std::isfinite(film.film) ? ordered_json(film.film) : nullptr},

@@ -16,43 +16,18 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/output_values.hpp"
 #include "protocol/question.hpp"
 #include "protocol/text_streams.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/operating_points.hpp"
 #include "tribo/scene_reader.hpp"
-#include "tribo/smooth_contact.hpp"
 #include "tribo/validity.hpp"
 
 namespace tribo::protocol {
 
-inline constexpr std::string_view beyond_double = "outside the range of double precision";
-inline constexpr std::string_view film_collapsed =
-    "the film has collapsed: nothing balances the load";
-inline constexpr std::string_view unknown_summits =
-    "Λ is below 3: the faces touch, and Rq alone does not say what their summits carry";
-inline constexpr std::string_view beyond_solved_films =
-    "Moes' M or L is outside the tables of solved films, so that \"solved\" in closures has no "
-    "film "
-    "there";
-
-// An output of an operating point as every format shows it. It is one of three: a reason why it is
-// undefined, a word, or a finite number.
-struct OutputValue {
-  std::string_view undefined;
-  std::string_view word;
-  double number = 0;
-};
-
-// The output is none of smooth_outputs(), which a point does not hold.
-OutputValue value_of(const OperatingPoint<double>& point, Output output);
-// Any output. `smooth`: that of the scene where needs_smooth_contact(scene), else null. The point
-// has the outputs of needed_for().
-OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* smooth,
-                     Output output);
-bool needs_smooth_contact(const Scene& scene);
-// The same at the first `to.size()` points of a batch, as numbers: of a word its place among the
-// output's words, NaN where the output is undefined.
+// Any output at the first `to.size()` points of a batch, as value_of() has it, but as numbers: of a
+// word its place among the output's words, NaN where the output is undefined.
 void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
                 std::span<double> to);
 
