@@ -7,7 +7,7 @@ clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 # Packages have the date of their commit.
 same_dates = SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct 2>/dev/null || date +%s)
 
-.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions field verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions field live live-check verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -260,6 +260,18 @@ pieces-check: ## make them again in another folder, and compare bytes
 	mkdir -p build/pieces
 	build/release/reference/generators/generate_moment_pieces build/pieces
 	cmp build/pieces/gaussian_moment_pieces.inc model/src/gaussian_moment_pieces.inc
+
+live: ## compile the model to WebAssembly for the page's live part: reports/live/tribocheck.wasm; a minute
+	@.ci/deps build live
+	cmake --preset release
+	cmake --build --preset release --target model/film_tables.inc
+	reports/live/make_live.py build/release
+
+live-check: ## compile it again in build/live, and compare bytes
+	@.ci/deps build live
+	cmake --preset release
+	cmake --build --preset release --target model/film_tables.inc
+	reports/live/make_live.py build/release --check
 
 ##@ The text
 format: ## lay out every C++ file with clang-format
