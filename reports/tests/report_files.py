@@ -59,7 +59,7 @@ DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA + CONTACT_DATA + LINE_
 # hour; the page says so.
 FAULTS, MUTANTS = (json.loads((ROOT / f"reference/baselines/{name}.json").read_text()) for name in ("planted_faults", "mutants"))
 NOT_RUN = (len(FAULTS["faults"]) < FAULTS["catalogue"]) + any(one["ran"] < one["drawn"] for one in MUTANTS["score"]["rooms"])
-SECTIONS = ["figures", "comparison", "claims", "readings", "requirements", "uncertainty", "misprints", "model",
+SECTIONS = ["figures", "comparison", "claims", "live", "readings", "requirements", "uncertainty", "misprints", "model",
             "contacts", "film-solved", "film-points", "film-starved", "verification", "worst-inputs", "mutants", "planted-faults", "diagnosis", "work-precision", "skipped-work", "gates", "sweep-speed",
             "references", "environment"]
 

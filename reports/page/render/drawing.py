@@ -141,9 +141,26 @@ def write_text(target, text):
         unfinished.write_text(text, encoding="utf-8")
 
 
+def short_path(match):
+    """A path without zeros at the ends of its numbers, 86.40 as 86.4, and without the L that SVG takes for granted after M."""
+    numbers = re.sub(r"(\.\d*?)0+(?!\d)", r"\1", match[0])
+    return re.sub(r"\s+", " ", re.sub(r"\s+L|\s+(?=')", " ", re.sub(r"\.(?!\d)", "", numbers)))
+
+
+def shortened(svg):
+    """The same picture in a tenth less text: colours as #003468, and none of the marks that gnuplot defines and this one does not use."""
+    svg = re.sub(r"rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\)", lambda match: "#" + "".join(f"{int(one):02x}" for one in match.groups()), svg)
+    svg = re.sub(r""" (?:d|points)\s*=\s*'[^']*'""", short_path, svg)
+    defined = re.compile(r"(?m)^<(?:path|rect|circle|use)\b[^>]*? id='(gp\w+)'[^>]*/>\n")
+    while unused := [match[0] for match in defined.finditer(svg) if f"#{match[1]}'" not in svg]:
+        for one in unused:
+            svg = svg.replace(one, "")
+    return svg
+
+
 def inline_svg(svg, prefix, title, description):
     """An SVG of gnuplot as an element of the page, with identifiers of its own and a text for those who cannot see it."""
-    svg = svg[svg.index("<svg"):]
+    svg = shortened(svg[svg.index("<svg"):])
     svg = re.sub(r"""( id=["']|href=["']#|url\('?#)""", rf"\1{prefix}-", svg)
     for element in ("title", "desc"):  # gnuplot's words about itself
         svg = re.sub(rf"<{element}>.*?</{element}>", "", svg, count=1, flags=re.DOTALL)

@@ -15,6 +15,7 @@ SECTIONS = {
     "figures": Section("The paper's figures, redrawn", ("paper", "ledger")),
     "comparison": Section("The paper's numbers by each criterion and model", ("paper",), True),
     "claims": Section("The paper's 17 claims, one by one", ("ledger", "paper")),
+    "live": Section("Your own contact", ("paper", "contacts")),
     "readings": Section("Interpretations of what the paper leaves open", ("ledger",), True),
     "requirements": Section("What would make the other claims hold", ("ledger",), True),
     "uncertainty": Section("How sure the computed numbers are", ("ledger", "onset_uncertainty"), further=("uncertainty-sweep",)),

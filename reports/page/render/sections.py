@@ -9,6 +9,7 @@ import typing
 import jinja2
 import jinja2.meta
 import jinja2.nodes
+import live_part
 import markup
 from section_table import SECTIONS
 
@@ -123,7 +124,11 @@ class Page:
 
     @property
     def html(self):
-        return html_of(self.first, self.parts, self.figures.into)
+        if "live" not in self.report["sections"]:
+            return html_of(self.first, self.parts, self.figures.into)
+        style, scripts = live_part.parts(self.figures.out)
+        page = html_of(self.first, self.parts, self.figures.into, style)
+        return page.replace("</body>", f"{scripts}</body>")
 
 
 def html_of(first, parts, with_pictures=str, more_style=""):

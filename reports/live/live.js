@@ -1,0 +1,599 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's live part: a contact as a form, computed by the model itself in WebAssembly (live.cpp). The page is complete
+// without it; where a script or WebAssembly cannot run, one sentence says that it is missing.
+"use strict";
+
+(() => {
+// --- The model
+
+// The bytes of a text in base 85, as Python's base64.b85encode writes them.
+function bytesOf(text) {
+  const signs = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;<=>?@^_`{|}~";
+  const values = new Uint8Array(128);
+  for (let i = 0; i < signs.length; ++i) values[signs.charCodeAt(i)] = i;
+  const padded = text.padEnd(Math.ceil(text.length / 5) * 5, "~");
+  const bytes = new Uint8Array(padded.length / 5 * 4), view = new DataView(bytes.buffer);
+  for (let i = 0, to = 0; i < padded.length; to += 4) {
+    let word = 0;
+    for (let k = 0; k < 5; ++k) word = word * 85 + values[padded.charCodeAt(i++)];
+    view.setUint32(to, word);
+  }
+  return bytes.subarray(0, bytes.length - (padded.length - text.length));
+}
+
+async function unpacked(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
+// What live.cpp exports, with texts as strings and lines as lists of cells.
+class Model {
+  // The functions of the system that the C library could call say that there is no such file.
+  static async from(bytes) {
+    const {module, instance} = await WebAssembly.instantiate(bytes, new Proxy({}, {get: () => new Proxy({}, {get: () => () => 8})}));
+    if (!module) throw new Error("no WebAssembly");
+    return new Model(instance.exports);
+  }
+  constructor(calls) {
+    this.calls = calls;
+    calls._initialize();
+    this.outputs = this.lines("live_outputs").map(([name, unit, meaning, words]) => ({name, unit, meaning, words: words.split(" ")}));
+    this.fields = new Map(this.lines("live_fields").map(([path, type, unit, perCent, least, greatest, words, usual, meaning, allowed]) =>
+      [path, {type, unit, least: Number(least), greatest: greatest === "inf" ? Infinity : Number(greatest), words: words.split(" "),
+              usual, meaning, allowed}]));
+    this.regimes = this.lines("live_regimes").map(([word]) => word);
+  }
+  lines(call, ...numbers) {
+    const start = this.calls[call](...numbers), memory = new Uint8Array(this.calls.memory.buffer);
+    const text = new TextDecoder().decode(memory.subarray(start, memory.indexOf(0, start)));
+    return text.split("\n").slice(0, -1).map((line) => line.split("\t"));
+  }
+  numbers(count, call, ...numbers) {
+    const start = this.calls[call](...numbers);
+    return new Float64Array(this.calls.memory.buffer, start, count);
+  }
+  // Reads a scene's text, and holds the scene. Returns [kind, field, sentence] of each error and warning.
+  read(toml) {
+    const text = new TextEncoder().encode(toml), start = this.calls.live_room(text.length);
+    new Uint8Array(this.calls.memory.buffer).set(text, start);
+    return this.lines("live_read");
+  }
+  // The columns `speed` and those of all outputs, at `count` speeds; NaN: undefined.
+  points(low, high, count) {
+    const width = this.outputs.length + 1, all = this.numbers(width * count, "live_points", low, high, count);
+    const columns = {};
+    ["speed", ...this.outputs.map((one) => one.name)].forEach((name, k) => {
+      columns[name] = Float64Array.from({length: count}, (_, i) => all[i * width + k]);
+    });
+    return columns;
+  }
+}
+
+// --- Numbers and their units
+
+// The decimal times a power of ten: its digits stay as they are.
+function shifted(text, power) {
+  const parts = /^([+-]?)(\d*)\.?(\d*)(?:e([+-]?\d+))?$/i.exec(text.trim());
+  if (!parts || parts[2] + parts[3] === "") return null;
+  const digits = (parts[2] + parts[3]).replace(/^0+/, "");
+  if (digits === "") return "0";
+  const end = Number(parts[4] ?? 0) - parts[3].length + power, sign = parts[1] === "-" ? "-" : "";
+  const short = digits.replace(/0+$/, ""), zeros = end + digits.length - short.length;
+  if (zeros >= 0 && short.length + zeros <= 7) return sign + short + "0".repeat(zeros);
+  const point = short.length + zeros;
+  if (zeros < 0 && point > 0) return `${sign}${short.slice(0, point)}.${short.slice(point)}`;
+  if (point <= 0 && point > -4) return `${sign}0.${"0".repeat(-point)}${short}`;
+  return `${sign}${short[0]}${short.length > 1 ? "." + short.slice(1) : ""}e${point - 1}`;
+}
+
+const rounded = (number, digits = 6) => shifted(String(Number(number.toPrecision(digits))), 0) ?? String(number);
+
+// The number in the unit that people use for it.
+function usual(number, unit) {
+  if (!Number.isFinite(number)) return "undefined";
+  const scales = {m: [[1e-3, 3, "mm"], [1e-6, 6, "µm"], [0, 9, "nm"]], Pa: [[1e8, -9, "GPa"], [1e5, -6, "MPa"]]}[unit] ?? [];
+  const scale = scales.find(([least]) => Math.abs(number) >= least);
+  const text = scale && number !== 0 ? rounded(number * 10 ** scale[1], 4) : rounded(number, 4);
+  return `${text}${unit === "" ? "" : " " + (scale && number !== 0 ? scale[2] : unit)}`;
+}
+
+// --- The form: a table of path, label, unit, power of ten of the unit, and for which shapes
+
+const SUPPLIES = {flooded: ["", 0, "as much as the contact can take"], inlet_film: ["nm", -9, "oil layer h_oil of both faces"],
+                  inlet_film_ratio: ["", 0, "oil layer over σ_s"], inlet_flow: ["mm²/s", -6, "oil flow per metre of width"]};
+const FORM = [
+  ["Contact", [
+    ["load", "load F on this contact", "N", 0], ["bodies.effective_modulus", "modulus E* of both bodies", "GPa", 9],
+    ["bodies.reduced_radius", "radius R of both bodies", "mm", -3, "circle"], ["bodies.ellipticity", "ellipticity k of the film's constant", "", 0, "circle"],
+    ["bodies.radius_x", "radius R_x along the motion", "mm", -3, "ellipse line"], ["bodies.radius_y", "radius R_y across it", "mm", -3, "ellipse"],
+    ["bodies.length", "length L of the line", "mm", -3, "line"]]],
+  ["Speed", [["speed.from", "the curve's slowest speed", "m/s", 0], ["speed.to", "its fastest speed", "m/s", 0], ["at", "speed u that is read", "m/s", 0]]],
+  ["Oil", [
+    ["lubricant.viscosity", "viscosity η₀", "mPa·s", -3], ["lubricant.pressure_viscosity", "pressure–viscosity coefficient α", "1/GPa", -9],
+    ["lubricant.eyring_stress", "Eyring's stress τ₀, for friction", "MPa", 6], ["lubricant.thermal", "heated inlet"],
+    ["lubricant.conductivity", "its thermal conductivity k_f", "W/(m·K)", 0], ["lubricant.temperature_coefficient", "its coefficient β", "1/K", 0]]],
+  ["Roughness (empty: smooth)", [
+    ["surface.summit_height_sd", "summit heights σ_s", "µm", -6], ["surface.summit_density", "summit density n", "1/mm²", 6],
+    ["surface.summit_radius", "summit radius β", "µm", -6], ["surface.summit_plane_offset", "plane offset D_d/σ_s", "", 0],
+    ["surface.offset_planes", "faces with the offset, m", "", 0], ["surface.rms_roughness", "roughness Rq of both faces, for Λ", "µm", -6]]],
+  ["Supply of oil", [["kind", "what is known"], ["supply", "its number", "", 0]]],
+  ["Friction", [
+    ["friction.boundary_coefficient", "coefficient μ_b where summits touch", "", 0], ["friction.slide_roll_ratio", "slide–roll ratio S", "", 0],
+    ["friction.fluid", "shear of the film"], ["friction.viscosity", "viscosity in the film"]]],
+  ["Laws", [
+    ["closures.film", "film"], ["closures.asperity", "rough contact"], ["closures.starvation", "inlet with little oil"],
+    ["closures.damiens_exponent", "Damiens' exponent γ", "", 0]]],
+];
+const ROWS = FORM.flatMap(([, rows]) => rows);
+const ROW = new Map(ROWS.map((row) => [row[0], row]));
+const SLIDERS = ["load", "at", "lubricant.viscosity", "surface.summit_height_sd", "supply"];
+const SLIDER_RANGE = 30;  // times and parts of the number that a scene starts with
+const POINTS = 200;
+
+// Fields that another one leaves without a use are not shown, and do not go into the scene.
+function isIdle(state, path) {
+  if (path === "supply") return state.kind === "flooded";
+  if (path === "closures.damiens_exponent") return state.values["closures.starvation"] !== "damiens";
+  if (path === "lubricant.conductivity" || path === "lubricant.temperature_coefficient")
+    return (state.values["lubricant.thermal"] ?? "none") === "none";
+  return false;
+}
+
+// The scene of a contact {shape, kind, values by path} as TOML. A number with a unit stands as people write it; the reader converts it.
+function tomlOf(state) {
+  const number = (text, unit, power) => {
+    if (power === 0 && /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text))
+      return /^[+-]?(0|[1-9]\d*)(\.\d+)?(e[+-]?\d+)?$/i.test(text) ? text : String(Number(text));
+    return JSON.stringify(/^[-+.\deE]+$/.test(text) && unit !== "" ? `${text} ${unit}` : text);
+  };
+  const told = {"": [`id = ${JSON.stringify(state.id)}`]};
+  const put = (path, text, [unit, power]) => {
+    const [, section, name] = /^(?:(.*)\.)?(.*)$/.exec(path);
+    (told[section ?? ""] ??= []).push(`${name} = ${text}${power === 0 && unit ? `  # ${unit}` : ""}`);
+  };
+  for (const [path, , unit, power, shapes] of ROWS) {
+    const text = (state.values[path] ?? "").trim();
+    if (text === "" || isIdle(state, path) || path === "kind" || path === "at" || path.startsWith("speed.") || (shapes && !shapes.split(" ").includes(state.shape))) continue;
+    if (path === "supply") {
+      put(`supply.${state.kind}`, number(text, ...SUPPLIES[state.kind]), SUPPLIES[state.kind]);
+    } else if (power === undefined) {
+      put(path, JSON.stringify(text), ["", 1]);
+    } else if (path !== "bodies.ellipticity" || text !== "1") {
+      put(path, number(text, unit, power), [unit, power]);
+    }
+  }
+  const speed = ["from", "to"].map((end) => [end, (state.values[`speed.${end}`] ?? "").trim()]).filter(([, text]) => text !== "")
+    .map(([end, text]) => `${end} = ${number(text, "m/s", 0)}`);
+  told[""].push(`speed = { ${[...speed, `count = ${POINTS}`].join(", ")} }  # m/s`);
+  return Object.entries(told).map(([section, lines]) => (section ? `\n[${section}]\n` : "") + lines.join("\n") + "\n").join("");
+}
+
+function pythonOf(state) {
+  return `import tribocheck\n\nscene = tribocheck.Scene("""\n${tomlOf(state).replaceAll("\\", "\\\\")}""")\n` +
+    `print(scene.solve([${Number(state.values.at)}], outputs=["film", "asperity_load_share"${state.values["lubricant.eyring_stress"] ? ', "friction"' : ""}]))\n` +
+    "print(scene.onset())\n";
+}
+
+// The held scene as a contact for the form.
+function stateOf(model) {
+  const told = Object.fromEntries(model.lines("live_values"));
+  const state = {id: told.id || "my contact", shape: told.shape, kind: "flooded", values: {}};
+  const unitOf = (text, power) => shifted(String(text).length > 10 ? rounded(Number(text)) : text, -power);
+  for (const [path, , , power] of ROWS)
+    if (path in told) state.values[path] = power === undefined ? told[path] : unitOf(told[path], power);
+  for (const kind in SUPPLIES)
+    if (`supply.${kind}` in told) {
+      state.kind = kind;
+      state.values.supply = unitOf(told[`supply.${kind}`], SUPPLIES[kind][1]);
+    }
+  state.values["speed.from"] = rounded(Number(told.low));
+  state.values["speed.to"] = rounded(Number(told.high));
+  state.values.at = rounded(Math.sqrt(told.low * told.high), 3);
+  return state;
+}
+
+// A contact as the fragment of the page's address, and back.
+function fragmentOf(state) {
+  const parts = new URLSearchParams({id: state.id, shape: state.shape, kind: state.kind});
+  for (const [path, , , , shapes] of ROWS)
+    if (state.values[path] && (!shapes || shapes.split(" ").includes(state.shape))) parts.set(path, state.values[path]);
+  return `#live?${parts}`;
+}
+function stateOfFragment(fragment) {
+  if (!fragment.startsWith("#live?")) return null;
+  const {id, shape, kind, ...values} = Object.fromEntries(new URLSearchParams(fragment.slice("#live?".length)));
+  const known = ["circle", "ellipse", "line"].includes(shape) ? shape : "circle";
+  return {id: id ?? "my contact", shape: known, kind: kind in SUPPLIES ? kind : "flooded",
+          values: Object.fromEntries(Object.entries(values).filter(([path]) => ROW.has(path)))};
+}
+
+globalThis.tribocheckLive = {Model, bytesOf, unpacked, shifted, tomlOf, pythonOf, stateOf, fragmentOf, stateOfFragment};
+if (typeof document === "undefined") return;
+
+// --- Charts
+
+const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+
+// Ticks of an axis: powers of ten, and between them 2 and 5 where there are few; else even steps.
+function ticks([low, high], isLog) {
+  if (isLog) {
+    const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9), found = [];
+    const step = Math.max(1, Math.ceil((last - first) / 5));
+    for (let k = first - 1; k <= last; ++k)
+      for (const part of last - first < 2 ? [1, 2, 5] : [1])
+        if (part * 10 ** k >= low * (1 - 1e-9) && part * 10 ** k <= high * (1 + 1e-9) && (k - first) % step === 0) found.push(Number(`${part}e${k}`));
+    return found;
+  }
+  const size = 10 ** Math.floor(Math.log10((high - low) / 4)), step = [1, 2, 5, 10].map((k) => k * size).find((one) => (high - low) / one <= 5);
+  return Array.from({length: Math.floor((high - low) / step + 1e-9) + 1}, (_, k) => Math.ceil(low / step - 1e-9) * step + k * step)
+    .filter((one) => one <= high * (1 + 1e-9)).map((one) => Number(one.toPrecision(12)));
+}
+
+function tickText(number) {
+  if (number !== 0 && (Math.abs(number) >= 1e4 || Math.abs(number) < 1e-3)) {
+    const power = Math.floor(Math.log10(Math.abs(number)) + 1e-9), part = Number((number / 10 ** power).toPrecision(3));
+    return `${part === 1 ? "" : part + "·"}10<tspan dy="-5" font-size="10">${String(power).replace("-", "−")}</tspan>`;
+  }
+  return String(number).replace("-", "−");
+}
+
+const BOX = {left: 62, right: 12, top: 44, bottom: 42, width: 480, height: 300};
+const DASHES = ["", "7 4", "2 3", "10 3 2 3"];
+
+// A chart as SVG: axes {name, ends, isLog}, lines {name, x, y}, marks at x with a name, the place that is read.
+function chart(id, title, told, x, y, lines, {marks = [], now = null, cells = "", dots = []} = {}) {
+  const {left, top, width, height} = BOX, right = width - BOX.right, bottom = height - BOX.bottom;
+  const along = ({ends: [low, high], isLog}, from, to) => (value) =>
+    from + (to - from) * (isLog ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low));
+  const atX = along(x, left, right), atY = along(y, bottom, top);
+  let svg = `<svg role="img" viewBox="0 0 ${width} ${height}" aria-labelledby="${id}-title ${id}-desc"><title id="${id}-title">${escaped(title)}</title>` +
+    `<desc id="${id}-desc">${escaped(told)}</desc><text class="name" x="${left}" y="16">${escaped(title)}</text>${cells ? cells(atX, atY) : ""}`;
+  for (const one of ticks(x.ends, x.isLog))
+    svg += `<path class="grid" d="M${atX(one).toFixed(1)} ${top}V${bottom}"/><text x="${atX(one).toFixed(1)}" y="${bottom + 18}" text-anchor="middle">${tickText(one)}</text>`;
+  for (const one of ticks(y.ends, y.isLog))
+    svg += `<path class="grid" d="M${left} ${atY(one).toFixed(1)}H${right}"/><text x="${left - 6}" y="${(atY(one) + 4).toFixed(1)}" text-anchor="end">${tickText(one)}</text>`;
+  svg += `<rect class="frame" x="${left}" y="${top}" width="${right - left}" height="${bottom - top}"/>` +
+    `<text x="${right}" y="${height - 6}" text-anchor="end">${escaped(x.name)}</text>`;
+  for (const {x: place} of marks)
+    if (place >= x.ends[0] && place <= x.ends[1]) svg += `<path class="mark" d="M${atX(place).toFixed(1)} ${top}V${bottom}"/>`;
+  if (now !== null) svg += `<path class="now" d="M${atX(now).toFixed(1)} ${top}V${bottom}"/>`;
+  lines.forEach((line, k) => {
+    let path = "", isOn = false;
+    for (let i = 0; i < line.x.length; ++i) {
+      const value = line.y[i], isThere = value >= y.ends[0] * (y.isLog ? 1 - 1e-9 : 1) && value <= y.ends[1] * (1 + 1e-9);
+      if (isThere) path += `${isOn ? "L" : "M"}${atX(line.x[i]).toFixed(1)} ${atY(value).toFixed(1)}`;
+      isOn = isThere;
+    }
+    const colour = `style="stroke:var(--${["one", "two", "three", "four"][k]});stroke-dasharray:${DASHES[k] || "none"}"`;
+    svg += `<path class="line" d="${path}" ${colour}/>`;
+    if (line.name) {
+      const place = left + k * (right - left) / lines.length;
+      svg += `<path class="line" d="M${place} 33h22" ${colour}/><text x="${place + 27}" y="37">${escaped(line.name)}</text>`;
+    }
+  });
+  for (const {x: atDot, y: value} of dots)
+    svg += `<circle cx="${atX(atDot).toFixed(1)}" cy="${atY(value).toFixed(1)}" r="6" style="fill:var(--two);stroke:var(--card);stroke-width:2"/>`;
+  return `${svg}</svg>`;
+}
+
+// The ends of an axis around all numbers above 0.
+function ends(columns, most = 1e6) {
+  let low = Infinity, high = 0;
+  for (const column of columns) for (const one of column) if (one > 0) { low = Math.min(low, one); high = Math.max(high, one); }
+  if (high === 0) return [0.1, 1];
+  low = Math.max(low, high / most);
+  return low * 1.2 < high ? [low / 1.1, high * 1.1] : [low / 2, high * 2];
+}
+
+// --- The page
+
+const home = document.getElementById("live-part");
+if (!home) return;
+const find = (name) => home.querySelector(`[data-part="${name}"]`);
+
+function table(caption, heads, rows) {
+  const cell = ([text, kind]) => `<td${kind ? ` class="${kind}"` : ""}>${text}</td>`;
+  return `<div class="scroll table" tabindex="0" role="region" aria-label="${escaped(caption)}"><table><caption><span>${escaped(caption)}</span></caption>` +
+    `<thead><tr>${heads.map((head) => `<th scope="col">${escaped(head)}</th>`).join("")}</tr></thead>` +
+    `<tbody>${rows.map(([head, ...cells]) => `<tr><th scope="row">${escaped(head)}</th>${cells.map(cell).join("")}</tr>`).join("")}</tbody></table></div>`;
+}
+
+class Page {
+  constructor(model) {
+    this.model = model;
+    this.scenes = JSON.parse(document.getElementById("live-scenes").textContent);
+    this.drawn = 0;  // how often all was drawn, for those who measure
+    home.insertAdjacentHTML("beforeend", this.frame());
+    home.querySelector(".live-missing").hidden = true;
+    home.addEventListener("input", (event) => this.typed(event.target));
+    home.addEventListener("click", (event) => this.clicked(event.target.closest("button")));
+    home.querySelector("form").addEventListener("submit", (event) => event.preventDefault());
+    find("start").addEventListener("change", (event) => this.begin(this.scenes[event.target.value]));
+    const given = stateOfFragment(location.hash);
+    if (given) this.show(given);
+    else this.begin(Object.values(this.scenes)[0]);
+    addEventListener("hashchange", () => {
+      const shared = stateOfFragment(location.hash);
+      if (shared) this.show(shared);
+    });
+  }
+
+  frame() {
+    const options = (words) => words.map((word) => `<option>${escaped(word)}</option>`).join("");
+    const field = ([path, label, unit, power, shapes]) => {
+      const id = `live-${path.replaceAll(".", "-")}`, info = this.model.fields.get(path);
+      const entry = path === "kind" ? `<select id="${id}" data-path="kind">${options(Object.keys(SUPPLIES))}</select>`
+        : power === undefined ? `<select id="${id}" data-path="${path}">${options(info.words)}</select>`
+        : `<input type="text" id="${id}" data-path="${path}" inputmode="decimal" autocomplete="off" spellcheck="false" aria-describedby="${id}-told ${id}-fault">`;
+      return `<div class="field" data-shapes="${shapes ?? ""}"><label for="${id}">${escaped(label)}</label><span class="entry">${entry}` +
+        `<span data-unit="${path}">${unit ?? ""}</span></span><span class="told" id="${id}-told"></span><span class="fault" id="${id}-fault" role="alert"></span></div>`;
+    };
+    const slider = (path) => `<div><label for="live-drag-${path.replaceAll(".", "-")}">${escaped(path === "at" ? "speed u" : path === "supply" ? "supply" : ROW.get(path)[1])}` +
+      `</label><input type="range" id="live-drag-${path.replaceAll(".", "-")}" data-drag="${path}" min="-100" max="100" step="1" value="0"></div>`;
+    const chartPart = (name) => `<div data-part="${name}"></div>`;
+    const tables = ["numbers", "onsets", "films", "limits"].map((name) => `<div data-part="${name}"></div>`).join("");
+    return `<div class="live"><p>Film, load shares, friction and the onsets of starvation of a contact of your own, by the same C++ model, compiled to ` +
+      `WebAssembly: each number lies within the error bound of its function. Shown are the scene's numbers in the units that people use, which may be ` +
+      `typed with another unit, as 4.75 cm.</p><div class="row"><label for="live-start">Start from</label><select id="live-start" data-part="start">${options(Object.keys(this.scenes))}</select>` +
+      `<label for="live-shape">Shape</label><select id="live-shape" data-path="shape">${options(["circle", "ellipse", "line"])}</select></div>` +
+      `<form novalidate aria-label="the contact"><fieldset class="drags"><legend>Drag</legend><div class="sliders">${SLIDERS.map(slider).join("")}</div></fieldset>` +
+      `<div class="shown"><p role="status" data-part="said"></p><p class="fault" role="alert" data-part="faults"></p>` +
+      `<div class="charts" data-part="charts">${["friction", "film", "shares", "map"].map(chartPart).join("")}</div></div>` +
+      `${FORM.map(([name, rows]) => `<fieldset><legend>${name}</legend>${rows.map(field).join("")}</fieldset>`).join("")}</form>` +
+      `<div class="row"><button type="button" data-do="link">Copy a link to this contact</button><button type="button" data-do="toml">Copy as TOML</button>` +
+      `<button type="button" data-do="python">Copy as Python</button><button type="button" data-do="verify">Verify here</button><span role="status" data-part="done"></span></div>` +
+      `<div data-part="verdict"></div>${tables}` +
+      `<details class="more"><summary>The scene's text</summary><label for="live-text">A scene of tribocheck, in TOML; a text from elsewhere can be put here.</label>` +
+      `<textarea id="live-text" data-part="text" spellcheck="false"></textarea><div class="row"><button type="button" data-do="read">Take this text</button></div></details></div>`;
+  }
+
+  // A shipped scene, or a text from elsewhere.
+  begin(toml) {
+    const told = this.model.read(toml).filter(([kind]) => kind === "error");
+    if (told.length > 0) return this.tell(told);
+    this.show(stateOf(this.model));
+  }
+
+  show(state) {
+    this.state = state;
+    for (const entry of home.querySelectorAll("[data-path]")) {
+      const path = entry.dataset.path;
+      const usual = this.model.fields.get(path)?.usual?.replaceAll('"', "") ?? "";
+      entry.value = path === "shape" || path === "kind" ? state[path] : state.values[path] ?? (entry.tagName === "SELECT" ? usual : "");
+      if (entry.tagName === "SELECT" && entry.value === "") entry.selectedIndex = 0;
+    }
+    this.centres = Object.fromEntries(SLIDERS.map((path) => [path, Number(state.values[path])]));
+    for (const one of home.querySelectorAll("[data-drag]")) one.value = 0;
+    this.update();
+  }
+
+  typed(entry) {
+    if (entry.dataset.drag) {
+      const path = entry.dataset.drag, number = this.centres[path] * SLIDER_RANGE ** (entry.value / 100);
+      this.state.values[path] = rounded(number, 3);
+      home.querySelector(`[data-path="${path}"]`).value = this.state.values[path];
+    } else if (entry.dataset.path === "shape" || entry.dataset.path === "kind") {
+      this.state[entry.dataset.path] = entry.value;
+    } else if (entry.dataset.path) {
+      this.state.values[entry.dataset.path] = entry.value;
+      const drag = home.querySelector(`[data-drag="${entry.dataset.path}"]`);
+      if (drag && Number(entry.value) > 0) {
+        if (!(this.centres[entry.dataset.path] > 0)) this.centres[entry.dataset.path] = Number(entry.value);
+        drag.value = 100 * Math.log(entry.value / this.centres[entry.dataset.path]) / Math.log(SLIDER_RANGE);
+      }
+    } else {
+      return;
+    }
+    this.update();
+  }
+
+  // The state's contact read, and all that is shown of it drawn anew; where it cannot be read, its faults.
+  update() {
+    const {state, model} = this;
+    state.values.at ??= "";
+    const toml = tomlOf(state);
+    const told = model.read(toml);
+    if (find("text") !== document.activeElement) find("text").value = toml;
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => history.replaceState(null, "", fragmentOf(state)), 300);
+    this.showFields();
+    const low = Number(state.values["speed.from"]), high = Number(state.values["speed.to"]), at = Number(state.values.at);
+    const errors = told.filter(([kind]) => kind === "error");
+    if (errors.length === 0 && !(at >= low && at <= high))
+      errors.push(["error", "at", `${state.values.at || "this"} is not allowed; allowed: a number from ${low} to ${high}, the curve's speeds, in m/s`]);
+    this.tell(errors);
+    if (errors.length === 0) this.draw(low, high, at, told.filter(([kind]) => kind === "warning"));
+    ++this.drawn;
+  }
+
+  // Which fields there are for this shape and supply, what their numbers are in SI units, and which are physical.
+  showFields() {
+    const {state, model} = this;
+    for (const one of home.querySelectorAll("[data-drag]")) one.parentElement.hidden = !(this.centres[one.dataset.drag] > 0) || isIdle(state, one.dataset.drag);
+    for (const box of home.querySelectorAll(".field")) {
+      const entry = box.querySelector("[data-path]"), path = entry.dataset.path;
+      box.hidden = Boolean(box.dataset.shapes && !box.dataset.shapes.split(" ").includes(state.shape)) || isIdle(state, path);
+      let [, , unit, power] = ROW.get(path);
+      if (path === "supply") {
+        [unit, power] = SUPPLIES[state.kind];
+        home.querySelector('[data-unit="supply"]').textContent = unit;
+      }
+      const info = model.fields.get(path === "supply" ? `supply.${state.kind}` : path);
+      let text = path === "kind" ? SUPPLIES[state.kind][2] : "";
+      if (info && power !== undefined) {
+        const si = power !== 0 && entry.value !== "" ? shifted(entry.value, power) : null;
+        const bound = (number) => shifted(String(number), -power);
+        const range = Number.isFinite(info.greatest) ? `physical: ${bound(info.least)} to ${bound(info.greatest)}` : "";
+        text = [si === null ? "" : `${si} ${info.unit}`, range].filter((part) => part !== "").join("; ");
+      }
+      box.querySelector(".told").textContent = text;
+    }
+  }
+
+  tell(errors) {
+    const rest = [];
+    for (const one of home.querySelectorAll(".field .fault")) one.textContent = "";
+    for (const one of home.querySelectorAll("[data-path]")) one.removeAttribute("aria-invalid");
+    for (const [, path, sentence] of errors) {
+      const box = home.querySelector(`.field:not([hidden]) [data-path="${path.startsWith("supply.") ? "supply" : path}"]`);
+      if (box) box.setAttribute("aria-invalid", "true");
+      const place = box && box.closest(".field").querySelector(".fault");
+      if (place) place.textContent = sentence;
+      else rest.push(path ? `${path}: ${sentence}` : sentence);
+    }
+    find("faults").textContent = rest.join(" ");
+    const isStale = errors.length > 0;
+    for (const name of ["charts", "numbers", "onsets", "films", "limits", "said"]) find(name).classList.toggle("stale", isStale);
+    if (isStale) find("said").textContent = "The numbers below are of the last contact that could be read.";
+  }
+
+  draw(low, high, at, warnings) {
+    const {model} = this, curve = model.points(low, high, POINTS), here = model.points(at, at, 1);
+    const onsets = model.lines("live_onsets").map(([name, meaning, speed, film, parameter, why]) =>
+      ({name, meaning, x: speed === "" ? NaN : Number(speed), film: Number(film), parameter, why}));
+    const x = {name: "speed [m/s]", ends: [low, high], isLog: true}, more = {marks: onsets.filter((one) => one.x > 0), now: at};
+    const value = (name) => here[name][0];
+    const word = (name) => model.outputs.find((one) => one.name === name).words[value(name)] ?? "undefined";
+    const isSmooth = !(value("film_parameter") < Infinity) || !this.state.values["surface.summit_height_sd"];
+    const said = `At ${rounded(at, 4)} m/s: film ${usual(value("film"), "m")}, summits carry ${isSmooth ? "nothing (smooth)" : usual(100 * value("asperity_load_share"), "%")}, ` +
+      `friction ${Number.isNaN(value("friction")) ? "undefined" : rounded(value("friction"), 4)}, regime ${word("regime")}, inlet ${word("inlet")}.`;
+    find("said").textContent = said;
+    const friction = ends([curve.friction], 1e4);
+    find("friction").innerHTML = chart("live-friction", "Stribeck curve", said, x, {ends: friction, isLog: friction[1] > 5 * friction[0]},
+                                       [{name: "friction μ", x: curve.speed, y: curve.friction}], more);
+    const nanometers = (column) => column.map((one) => one * 1e9);
+    const films = [nanometers(curve.film), nanometers(curve.film_flooded)];
+    find("film").innerHTML = chart("live-film", "Film [nm]", said, x, {ends: ends(films, 1e4), isLog: true},
+                                   [{name: "film h*", x: curve.speed, y: films[0]}, {name: "with plenty of oil", x: curve.speed, y: films[1]}], more);
+    find("shares").innerHTML = chart("live-shares", "Shares of the load", said, x, {ends: [0, 1], isLog: false},
+                                     [{name: "summits A", x: curve.speed, y: curve.asperity_load_share}, {name: "film 1 − A", x: curve.speed, y: curve.fluid_load_share}], more);
+    this.drawMap(at);
+    this.drawNumbers(at, here);
+    find("onsets").innerHTML = table("Onsets of starvation: dashed lines in the charts", ["criterion", "speed, m/s", "film", "λ", "meaning, or why there is none"],
+      onsets.map((one) => [one.name, [one.why ? "none" : rounded(one.x, 5), "number"], [one.why ? "" : usual(one.film, "m"), "number"],
+                           [one.why || isSmooth ? "" : rounded(Number(one.parameter), 4), "number"], [escaped(one.why || one.meaning), "prose"]]));
+    this.drawFilms(at);
+    const limits = model.lines("live_limits").filter((one) => one[6] === "0");
+    find("limits").innerHTML = (warnings.length ? `<p>${warnings.map(([, path, sentence]) => escaped(`${path}: ${sentence}`)).join("<br>")}</p>` : "") +
+      (limits.length === 0 ? "<p>The contact is within all limits of the model that are known.</p>"
+        : table("Limits of the model that this contact goes beyond", ["limit", "assumption", "here", "allowed", "touches"],
+                limits.map(([name, assumption, number, least, greatest, unit, , touches, advice, , likely]) => [name,
+                  [escaped(assumption + (likely ? ` Perhaps ${likely} was meant.` : "") + (advice ? ` (${advice})` : "")), "prose"], [usual(Number(number), unit), "number"],
+                  [greatest === "inf" ? `from ${usual(Number(least), unit)}` : Number(least) === 0 ? `to ${usual(Number(greatest), unit)}`
+                    : `${usual(Number(least), unit)} to ${usual(Number(greatest), unit)}`, "number"], [escaped(touches), "word"]])));
+  }
+
+  drawNumbers(at, here) {
+    const why = Object.fromEntries(this.model.lines("live_undefined", at));
+    if (!this.state.values["surface.rms_roughness"] && !this.state.values["surface.summit_height_sd"]) why.lambda_ratio = "no roughness is given";
+    const isMissing = Number.isNaN(here.friction[0]) && !why.friction;
+    if (isMissing) why.friction = "it needs Eyring's stress and the coefficient μ_b";
+    const rows = this.model.outputs.map(({name, unit, meaning, words}) => {
+      const number = here[name][0], isWord = words[0] !== "";
+      const text = why[name] || Number.isNaN(number) ? "undefined" : isWord ? words[number] : usual(number, unit);
+      return [name, [text, isWord ? "word" : "number"], [why[name] || isWord || !unit ? "" : `${rounded(number)} ${unit}`, "number"],
+              [escaped(why[name] ? `undefined: ${why[name]}` : meaning), "prose"]];
+    });
+    const contact = this.model.lines("live_contact").map(([name, symbol, meaning, number, unit]) =>
+      [name, [usual(Number(number), unit), "number"], [unit ? `${rounded(Number(number))} ${unit}` : "", "number"], [escaped(`${symbol}, ${meaning}`), "prose"]]);
+    find("numbers").innerHTML = table(`The numbers at ${rounded(at, 4)} m/s`, ["number", "value", "in SI units", "meaning"], [...rows, ...contact]);
+  }
+
+  drawMap(at) {
+    const {model, state} = this, isLine = state.shape === "line", count = 40;
+    const [own, other] = model.numbers(2, "live_map", at, 0, 1, 0, 1, 0);
+    const around = (number, least, most) => {
+      const middle = Math.log10(number);
+      return [Math.min(least, Math.floor(middle - 0.5)), Math.max(most, Math.ceil(middle + 0.5))];
+    };
+    const [x0, x1] = isLine ? around(own, -1, 4) : around(own, 1, 11), [y0, y1] = isLine ? around(other, -1, 2) : around(other, 0, 9);
+    const map = model.numbers(3 + count * count, "live_map", at, x0, x1, y0, y1, count), regime = model.regimes[map[2]].replaceAll("_", " ");
+    const x = {name: isLine ? "load number M" : "viscosity number g_V", ends: [10 ** x0, 10 ** x1], isLog: true};
+    const y = {ends: [10 ** y0, 10 ** y1], isLog: true};
+    const cells = (atX, atY) => {
+      const edge = (low, high, i) => 10 ** (low + (high - low) * i / count);
+      let text = "";
+      for (let i = 0; i < count; ++i)
+        for (let j = 0, from = 0; j < count; ++j) {  // cells above each other with one regime are one
+          if (j + 1 < count && map[3 + i * count + j + 1] === map[3 + i * count + j]) continue;
+          const left = atX(edge(x0, x1, i)), top = atY(edge(y0, y1, j + 1));
+          text += `<rect x="${left.toFixed(1)}" y="${top.toFixed(1)}" width="${(atX(edge(x0, x1, i + 1)) - left + 0.3).toFixed(1)}" ` +
+            `height="${(atY(edge(y0, y1, from)) - top + 0.3).toFixed(1)}" style="fill:var(--map${map[3 + i * count + j]})"/>`;
+          from = j + 1;
+        }
+      return text;
+    };
+    const names = new Set(map.subarray(3));
+    find("map").innerHTML = chart("live-map", `Regime: ${regime}`, `The map of regimes over ${x.name} and ${isLine ? "material number L" : "elasticity number g_E"}; this contact is ${regime}.`,
+                                  x, y, [], {cells, dots: [{x: own, y: other}]}) +
+      `<p class="note">Upwards: ${isLine ? "material number L" : "elasticity number g_E"}. ${[...names].sort().map((one) =>
+        `<span style="background:var(--map${one})">&nbsp;${model.regimes[one].replaceAll("_", " ")}&nbsp;</span>`).join(" ")}</p>`;
+  }
+
+  drawFilms(at) {
+    const rows = this.model.lines("live_films", at), solved = rows.find(([law]) => law === "solved"), film = Number(solved[2]);
+    const bar = (part) => `<span aria-hidden="true" style="display:inline-block;height:.7em;width:${Math.min(6, Math.abs(part) * 12).toFixed(2)}rem;background:var(--${part < 0 ? "one" : "four"})"></span>`;
+    find("films").innerHTML = table(`Films of smooth faces in plenty of oil at ${rounded(at, 4)} m/s, and how far each is from the solved one`,
+      ["law", "film", "from the solved film", "remark"],
+      rows.map(([law, isMinimum, number, beyond, isScenes]) => {
+        const part = Number(number) / film - 1, isCompared = isMinimum === "0" && law !== "solved" && Number.isFinite(part);
+        return [law, [usual(Number(number), "m"), "number"], [isCompared ? `${part < 0 ? "−" : "+"}${rounded(100 * Math.abs(part), 3)} % ${bar(part)}` : "", "word"],
+                [escaped([isScenes === "1" ? "the scene's law" : "", isMinimum === "1" ? "least film" : "", beyond].filter((one) => one).join("; ")), "prose"]];
+      }));
+  }
+
+  async clicked(button) {
+    const what = button?.dataset.do;
+    if (what === "read") this.begin(find("text").value);
+    if (what === "verify") this.verify();
+    const text = {link: () => new URL(fragmentOf(this.state), location.href).href, toml: () => tomlOf(this.state), python: () => pythonOf(this.state)}[what];
+    if (!text) return;
+    find("text").value = text();
+    let isCopied = true;
+    try {
+      await navigator.clipboard.writeText(text());
+    } catch {  // a page from a file may not write to the clipboard: the text is shown, to be copied by hand
+      isCopied = false;
+      find("text").closest("details").open = true;
+      find("text").select();
+    }
+    find("done").textContent = isCopied ? "Copied." : "The browser does not let this page copy: the text is selected below.";
+  }
+
+  verify() {
+    const start = performance.now(), rows = this.model.lines("live_verify"), took = performance.now() - start;
+    const worst = rows.reduce((a, b) => (Number(b[3]) <= Number(a[3]) ? a : b)), count = rows.reduce((sum, one) => sum + Number(one[2]), 0);
+    const isKept = rows.every((one) => Number(one[3]) <= 1);
+    find("verdict").innerHTML = `<p class="verdict">${isKept ? "Verified in this browser" : "NOT verified in this browser"}: ${count} certified rows of ${new Set(rows.map((one) => one[0])).size} ` +
+      `functions, the worst conditioned among them, in ${rounded(took, 2)} ms. The greatest error takes ${rounded(100 * worst[3], 2)} % of its bound ` +
+      `(${escaped(worst[0])}, row ${escaped(worst[4])}).</p>` +
+      table("Certified rows in this browser", ["function", "result", "rows", "greatest error, of its bound", "row"],
+            rows.map(([name, output, number, part, row]) => [name, [escaped(output), "word"], [number, "number"], [`${rounded(100 * part, 2)} %`, "number"], [escaped(row), "word"]]));
+  }
+}
+
+// --- The start: once the part is near the window, or is asked for by the address
+
+let started = null;
+async function startOnce() {
+  try {
+    const packed = bytesOf(document.getElementById("live-wasm").textContent.trim());
+    tribocheckLive.page = new Page(await Model.from(await unpacked(packed)));
+  } catch (fault) {
+    console.warn(`The live part is missing: ${fault}`);  // the sentence in its place stays
+  }
+}
+const start = () => (started ??= startOnce());
+new IntersectionObserver((seen, observer) => {
+  if (!seen.some((one) => one.isIntersecting)) return;
+  observer.disconnect();
+  start();
+}, {rootMargin: "400px"}).observe(home);
+const goTo = async () => {
+  if (!location.hash.startsWith("#live?")) return;
+  await start();
+  home.scrollIntoView();
+};
+addEventListener("hashchange", goTo);
+goTo();
+})();
