@@ -7,7 +7,7 @@ clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 # Packages have the date of their commit.
 same_dates = SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct 2>/dev/null || date +%s)
 
-.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions field live live-check verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions field live live-check live-firefox verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -272,6 +272,13 @@ live-check: ## compile it again in build/live, and compare bytes
 	cmake --preset release
 	cmake --build --preset release --target model/film_tables.inc
 	reports/live/make_live.py build/release --check
+
+live-firefox: build ## try the live part in Firefox: needs firefox-esr, and npm for puppeteer-core, which drives it
+	@command -v firefox-esr npm >/dev/null || { echo "live-firefox: skipped, as firefox-esr or npm is not there" >&2; exit 0; }; \
+	  npm install --silent --no-audit --no-fund --ignore-scripts --prefix build/live/npm puppeteer-core@24.43.1 || \
+	  { echo "live-firefox: skipped, as npm has no puppeteer-core" >&2; exit 0; }; \
+	  build/release/tribocheck report --section live --out build/live/page && \
+	  node reports/live/firefox.mjs build/live/page/index.html build/live/npm/node_modules
 
 ##@ The text
 format: ## lay out every C++ file with clang-format

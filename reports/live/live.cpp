@@ -359,6 +359,31 @@ TRIBOCHECK_CALL(live_regimes) const char* live_regimes() {
   return answer.c_str();
 }
 
+// The parameters and then the results of the function of the catalogue whose name is in the room:
+// "argument" or "result", name, unit, meaning. None: there is no such function.
+TRIBOCHECK_CALL(live_function) const char* live_function() {
+  answer.clear();
+  const catalogue::Function* const function = catalogue::function_named(room);
+  if (function == nullptr) return answer.c_str();
+  for (const catalogue::Parameter& one : function->parameters)
+    line("argument", one.name, one.unit, one.meaning);
+  for (const catalogue::Result& one : function->results)
+    line("result", one.name, one.unit, one.meaning);
+  return answer.c_str();
+}
+
+// The result of a function that the text in the room asks for: function, result, argument=number,
+// …; NaN: it has none.
+TRIBOCHECK_CALL(live_value) double live_value() {
+  std::string_view text = room;
+  const catalogue::Function* const function = catalogue::function_named(cut(text, ','));
+  if (function == nullptr) return quiet_nan<double>();
+  const std::string_view output = cut(text, ',');
+  Asked asked;
+  ask(function, text, asked);
+  return result_of(function, output, asked);
+}
+
 // The certified rows in here, judged as `tribocheck verify` does: function, output, rows, the
 // greatest part of the bound that an error takes, the row with it. The bound is kept where that
 // part is at most 1.

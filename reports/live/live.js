@@ -54,9 +54,24 @@ class Model {
   }
   // Reads a scene's text, and holds the scene. Returns [kind, field, sentence] of each error and warning.
   read(toml) {
-    const text = new TextEncoder().encode(toml), start = this.calls.live_room(text.length);
-    new Uint8Array(this.calls.memory.buffer).set(text, start);
+    this.put(toml);
     return this.lines("live_read");
+  }
+  // Puts a text into the room, for a call that takes one.
+  put(text) {
+    const bytes = new TextEncoder().encode(text), start = this.calls.live_room(bytes.length);
+    new Uint8Array(this.calls.memory.buffer).set(bytes, start);
+  }
+  // A function of the catalogue: its arguments and results, each a name, a unit and a meaning; null: there is none.
+  function(name) {
+    this.put(name);
+    const lines = this.lines("live_function").map(([kind, ...rest]) => [kind, rest]);
+    const of = (wanted) => lines.filter(([kind]) => kind === wanted).map(([, rest]) => rest);
+    return lines.length === 0 ? null : {name, arguments: of("argument"), results: of("result")};
+  }
+  value(name, result, given) {
+    this.put([name, result, ...Object.entries(given).map(([path, number]) => `${path}=${number}`)].join(","));
+    return this.calls.live_value();
   }
   // The columns `speed` and those of all outputs, at `count` speeds; NaN: undefined.
   points(low, high, count) {
@@ -207,7 +222,61 @@ function stateOfFragment(fragment) {
           values: Object.fromEntries(Object.entries(values).filter(([path]) => ROW.has(path)))};
 }
 
-globalThis.tribocheckLive = {Model, bytesOf, unpacked, shifted, tomlOf, pythonOf, stateOf, fragmentOf, stateOfFragment};
+// --- A number of one's own
+
+// The functions of the held contact that a number may be of, with its arguments at a speed.
+function quantitiesOf(model, at) {
+  const told = Object.fromEntries(model.lines("live_values")), contact = Object.fromEntries(model.lines("live_contact").map((one) => [one[0], Number(one[3])]));
+  const radius = told["bodies.reduced_radius"] ?? told["bodies.radius_x"];
+  const numbers = {speed: at, viscosity: told["lubricant.viscosity"], pressure_viscosity: told["lubricant.pressure_viscosity"], load: told.load,
+                   effective_modulus: told["bodies.effective_modulus"], reduced_radius: radius, radius_x: radius, radius_y: told["bodies.radius_y"] ?? radius,
+                   load_per_length: told.load / told["bodies.length"], ellipticity: told["bodies.ellipticity"] ?? contact.semi_axis_y / contact.semi_axis_x};
+  const laws = model.lines("live_films", at).filter(([law]) => law !== "solved");
+  laws.sort((a, b) => b[4] - a[4]);  // the scene's law first
+  const hertz = {circle: "hertz_point", ellipse: "hertz_ellipse", line: "hertz_line"}[told.shape];
+  return [...laws.map(([law]) => law), hertz].flatMap((name) => {
+    const known = model.function(name);
+    if (!known || known.arguments.some(([argument]) => !(argument in numbers))) return [];
+    const given = Object.fromEntries(known.arguments.map(([argument]) => [argument, Number(numbers[argument])]));
+    return known.results.map(([result, unit, meaning]) => ({name, result, unit, meaning, given, isFilm: name !== hertz}));
+  });
+}
+
+// What gives the number, which is known to half of the last digit that is written: "" the function itself, else the texts of mistakes
+// and of other laws. `right` is the function's own number.
+function causesOf(model, mistakes, quantity, number, doubt, at) {
+  const {name, result, given, isFilm} = quantity;
+  const isNear = (one) => Math.abs(one - number) <= doubt + 1e-9 * Math.abs(number);
+  const right = model.value(name, result, given);
+  if (isNear(right)) return {right, texts: [""]};
+  const texts = [];
+  for (const one of mistakes) {
+    if (!one.functions.includes(name) && !(isFilm && one.functions.includes("film_laws"))) continue;
+    if (Object.keys(one.input).some((argument) => !(argument in given)) || (Object.keys(one.input).length === 0 && !(result in one.result))) continue;
+    const misread = {...given};
+    for (const [argument, {times = 1, is, inverted}] of Object.entries(one.input))
+      misread[argument] = is ?? (inverted ? 1 / given[argument] : given[argument] * times);
+    const {times = 1, over} = one.result[result] ?? {};
+    const made = model.value(name, result, misread) * times / (over ? given[over] : 1);
+    if (isNear(made) && made !== right) texts.push(`${one.text} (${one.name})`);
+  }
+  if (isFilm)
+    for (const [law, , film] of model.lines("live_films", at))
+      if (law !== name && isNear(Number(film))) texts.push(`the film of ${law} in place of that of ${name}`);
+  return {right, texts};
+}
+
+// A typed number with a unit in SI units, and half of its last digit; null: it is no number in a unit that fits.
+function typedNumber(text, unit) {
+  const scales = {m: {m: 1, mm: 1e-3, "µm": 1e-6, um: 1e-6, nm: 1e-9}, Pa: {Pa: 1, MPa: 1e6, GPa: 1e9}}[unit] ?? {"": 1};
+  const parts = /^\s*(-?\d*\.?\d*(?:e[+-]?\d+)?)\s*(\S*)\s*$/i.exec(text.replace("μ", "µ"));
+  if (!parts || parts[1] === "" || !(Number(parts[1]) > 0) || !((parts[2] || unit) in scales)) return null;
+  const scale = scales[parts[2] || unit], [mantissa, power = "0"] = parts[1].toLowerCase().split("e");
+  const decimals = (mantissa.split(".")[1] ?? "").length;
+  return {number: Number(parts[1]) * scale, doubt: 0.5 * 10 ** (Number(power) - decimals) * scale};
+}
+
+globalThis.tribocheckLive = {quantitiesOf, causesOf, typedNumber, Model, bytesOf, unpacked, shifted, tomlOf, pythonOf, stateOf, fragmentOf, stateOfFragment};
 if (typeof document === "undefined") return;
 
 // --- Charts
@@ -292,8 +361,9 @@ if (!home) return;
 const find = (name) => home.querySelector(`[data-part="${name}"]`);
 
 function table(caption, heads, rows) {
+  const within = (tag, inside) => `<${tag}>${inside}</${tag}>`;
   const cell = ([text, kind]) => `<td${kind ? ` class="${kind}"` : ""}>${text}</td>`;
-  return `<div class="scroll table" tabindex="0" role="region" aria-label="${escaped(caption)}"><table><caption><span>${escaped(caption)}</span></caption>` +
+  return `<div class="scroll table" tabindex="0" role="region" aria-label="${escaped(caption)}"><table>${within("caption", within("span", escaped(caption)))}` +
     `<thead><tr>${heads.map((head) => `<th scope="col">${escaped(head)}</th>`).join("")}</tr></thead>` +
     `<tbody>${rows.map(([head, ...cells]) => `<tr><th scope="row">${escaped(head)}</th>${cells.map(cell).join("")}</tr>`).join("")}</tbody></table></div>`;
 }
@@ -301,7 +371,8 @@ function table(caption, heads, rows) {
 class Page {
   constructor(model) {
     this.model = model;
-    this.scenes = JSON.parse(document.getElementById("live-scenes").textContent);
+    const {scenes, mistakes} = JSON.parse(document.getElementById("live-data").textContent);
+    Object.assign(this, {scenes, mistakes});
     this.drawn = 0;  // how often all was drawn, for those who measure
     home.insertAdjacentHTML("beforeend", this.frame());
     home.querySelector(".live-missing").hidden = true;
@@ -342,7 +413,11 @@ class Page {
       `${FORM.map(([name, rows]) => `<fieldset><legend>${name}</legend>${rows.map(field).join("")}</fieldset>`).join("")}</form>` +
       `<div class="row"><button type="button" data-do="link">Copy a link to this contact</button><button type="button" data-do="toml">Copy as TOML</button>` +
       `<button type="button" data-do="python">Copy as Python</button><button type="button" data-do="verify">Verify here</button><span role="status" data-part="done"></span></div>` +
-      `<div data-part="verdict"></div>${tables}` +
+      `<div data-part="verdict"></div>` +
+      `<fieldset class="own"><legend>Test a number of your own</legend><p class="told">A number of your own code for this contact, as 152 nm or 1.08 GPa: which convention gives it?</p>` +
+      `<div class="row"><label for="live-quantity">It is</label><select id="live-quantity" data-part="quantity"></select><label for="live-own">of</label>` +
+      `<input type="text" id="live-own" data-part="own" autocomplete="off" spellcheck="false"><button type="button" data-do="test">Test it</button></div>` +
+      `<p role="status" data-part="cause"></p></fieldset>${tables}` +
       `<details class="more"><summary>The scene's text</summary><label for="live-text">A scene of tribocheck, in TOML; a text from elsewhere can be put here.</label>` +
       `<textarea id="live-text" data-part="text" spellcheck="false"></textarea><div class="row"><button type="button" data-do="read">Take this text</button></div></details></div>`;
   }
@@ -473,6 +548,7 @@ class Page {
       onsets.map((one) => [one.name, [one.why ? "none" : rounded(one.x, 5), "number"], [one.why ? "" : usual(one.film, "m"), "number"],
                            [one.why || isSmooth ? "" : rounded(Number(one.parameter), 4), "number"], [escaped(one.why || one.meaning), "prose"]]));
     this.drawFilms(at);
+    this.listQuantities(at);
     const limits = model.lines("live_limits").filter((one) => one[6] === "0");
     find("limits").innerHTML = (warnings.length ? `<p>${warnings.map(([, path, sentence]) => escaped(`${path}: ${sentence}`)).join("<br>")}</p>` : "") +
       (limits.length === 0 ? "<p>The contact is within all limits of the model that are known.</p>"
@@ -542,8 +618,32 @@ class Page {
       }));
   }
 
+  listQuantities(at) {
+    this.quantities = quantitiesOf(this.model, at);
+    const names = this.quantities.map(({name, result, unit}) => `${result === "value" ? "film" : result} by ${name}${unit ? `, in ${unit}` : ""}`), list = find("quantity");
+    find("cause").textContent = "";
+    if (names.join() === [...list.options].map((one) => one.text).join()) return;
+    const chosen = list.selectedIndex;
+    list.innerHTML = names.map((one) => `<option>${escaped(one)}</option>`).join("");
+    list.selectedIndex = chosen >= 0 && chosen < names.length ? chosen : 0;
+  }
+
+  test() {
+    const quantity = this.quantities[find("quantity").selectedIndex], own = typedNumber(find("own").value, quantity.unit);
+    if (!own) {
+      find("cause").textContent = `"${find("own").value}" is not allowed; allowed: a number above 0${quantity.unit ? `, in ${quantity.unit}, or with its unit, as ${quantity.unit === "m" ? "152 nm" : "1.08 GPa"}` : ""}`;
+      return;
+    }
+    const {right, texts} = causesOf(this.model, this.mistakes, quantity, own.number, own.doubt, Number(this.state.values.at));
+    const here = `${quantity.name} gives ${usual(right, quantity.unit)}`;
+    find("cause").textContent = texts[0] === "" ? `Right: ${here}.`
+      : texts.length > 0 ? `${here}. Your number comes of ${texts.length > 1 ? "one of these: " : ""}${texts.join("; or ")}.`
+      : `${here}; your number is ${rounded(own.number / right, 4)} times that, and no single convention that is known gives it. tribocheck verify asks your code at many inputs, and finds more.`;
+  }
+
   async clicked(button) {
     const what = button?.dataset.do;
+    if (what === "test") this.test();
     if (what === "read") this.begin(find("text").value);
     if (what === "verify") this.verify();
     const text = {link: () => new URL(fragmentOf(this.state), location.href).href, toml: () => tomlOf(this.state), python: () => pythonOf(this.state)}[what];

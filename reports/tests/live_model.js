@@ -32,6 +32,15 @@ const answers = (model) => ({
     return [live.tomlOf(state), live.tomlOf(live.stateOfFragment(live.fragmentOf(state)))];
   },
   toml: (state) => live.tomlOf(state),
+  quantities: (toml, at) => {
+    model.read(toml);
+    return live.quantitiesOf(model, at);
+  },
+  causes: (toml, at, mistakes, quantity, number, doubt) => {
+    model.read(toml);
+    return live.causesOf(model, mistakes, quantity, number, doubt, at);
+  },
+  typed: (text, unit) => live.typedNumber(text, unit),
   python: (state) => live.pythonOf(state),
   shifted: (text, power) => live.shifted(text, power),
   unpacked: (text) => Array.from(live.bytesOf(text)),

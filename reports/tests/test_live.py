@@ -16,6 +16,8 @@ from program import run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 sys.path.insert(0, str(ROOT / "reports/live"))
+sys.path.insert(0, str(ROOT / "reports/page/render"))
+import live_part  # noqa: E402
 import make_live  # noqa: E402
 
 OUTPUTS = ["film_flooded", "film", "separation", "film_parameter", "asperity_load_share", "fluid_load_share", "real_area_ratio",
@@ -186,6 +188,75 @@ class Scenes(unittest.TestCase):
         self.assertEqual(asked["text"].strip(), toml.strip())
         self.assertEqual(asked["speeds"], [float(state["values"]["at"])])
         self.assertTrue(asked["onset"])
+
+
+class OwnNumber(unittest.TestCase):
+    """The diagnosis of one number: the model's own, one with each known mistake, and one that nothing gives."""
+    SCENE, AT = (ROOT / "reference/published/rough.toml").read_text(), 1
+
+    @classmethod
+    def setUpClass(cls):
+        cls.mistakes = live_part.mistakes()
+        cls.quantities = ask([["quantities", cls.SCENE, cls.AT]])[0]
+
+    def quantity(self, name, result):
+        return next(one for one in self.quantities if (one["name"], one["result"]) == (name, result))
+
+    def asked(self, quantity, number, doubt):
+        return ask([["causes", self.SCENE, self.AT, self.mistakes, quantity, number, doubt]])[0]
+
+    def program(self, name, result, **arguments):
+        return run("stream", stdin=json.dumps({"id": "1", "function": name} | arguments)).json_lines()[0][result]
+
+    def test_the_arguments_are_those_of_the_scene_and_the_right_number_is_right(self):
+        self.assertGreater(len(self.mistakes), 100)
+        self.assertEqual(self.quantities[0]["name"], "hamrock_dowson_central", "the scene's law stands first")
+        for one in self.quantities:
+            with self.subTest(one["name"], result=one["result"]):
+                right = self.program(one["name"], one["result"], **one["given"])
+                self.assertEqual(self.asked(one, right, 1e-6 * right)["texts"], [""])
+
+    def test_each_known_mistake_is_named(self):
+        """Of the film and of Hertz' pressure, with the wrong number made by the program."""
+        named = 0
+        for name, result in (("hamrock_dowson_central", "value"), ("hertz_point", "peak_pressure"), ("hertz_point", "radius")):
+            quantity = self.quantity(name, result)
+            right = self.program(name, result, **quantity["given"])
+            for one in self.mistakes:
+                if name not in one["functions"] and not (quantity["isFilm"] and "film_laws" in one["functions"]):
+                    continue
+                if set(one["input"]) - set(quantity["given"]) or one["result"].get(result, {}).get("over"):
+                    continue
+                arguments = dict(quantity["given"])
+                for argument, change in one["input"].items():
+                    arguments[argument] = change.get("is", 1 / arguments[argument] if change.get("inverted") else arguments[argument] * change.get("times", 1))
+                wrong = self.program(name, result, **arguments) * one["result"].get(result, {}).get("times", 1)
+                if abs(wrong / right - 1) < 1e-9:
+                    continue
+                with self.subTest(one["name"]):
+                    told = self.asked(quantity, wrong, 1e-5 * wrong)
+                    self.assertAlmostEqual(told["right"] / right, 1, delta=1e-12)
+                    self.assertTrue(any(f"({one['name']})" in text for text in told["texts"]), told)
+                    named += 1
+        self.assertGreater(named, 25)
+
+    def test_the_film_of_another_law_is_named(self):
+        quantity = self.quantity("hamrock_dowson_central", "value")
+        other = self.quantity("hamrock_dowson_minimum", "value")
+        number = self.program(other["name"], "value", **other["given"])
+        self.assertEqual(self.asked(quantity, number, 1e-4 * number)["texts"], ["the film of hamrock_dowson_minimum in place of that of hamrock_dowson_central"])
+
+    def test_a_number_that_nothing_gives_has_no_cause(self):
+        quantity = self.quantity("hamrock_dowson_central", "value")
+        self.assertEqual(self.asked(quantity, 1.2345e-7, 5e-12)["texts"], [])
+
+    def test_a_typed_number_has_its_unit_and_half_of_its_last_digit(self):
+        for text, unit, number, doubt in (("152 nm", "m", 152e-9, 0.5e-9), ("1.5e-7", "m", 1.5e-7, 0.05e-7), ("1.08 GPa", "Pa", 1.08e9, 0.005e9), ("0.15 µm", "m", 0.15e-6, 0.005e-6),
+                                          ("3", "", 3, 0.5)):
+            told = ask([["typed", text, unit]])[0]
+            self.assertAlmostEqual(told["number"] / number, 1, delta=1e-12)
+            self.assertAlmostEqual(told["doubt"] / doubt, 1, delta=1e-12)
+        self.assertEqual(ask([["typed", *one] for one in (("152 GPa", "m"), ("", "m"), ("much", "m"), ("-3", "m"), ("3 nm", ""), ("1,5 nm", "m"))]), [None] * 6)
 
 
 class Packing(unittest.TestCase):

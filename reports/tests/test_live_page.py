@@ -209,6 +209,20 @@ class Use(LivePage):
         self.assertGreater(len(parts), 20)
         self.assertLessEqual(max(parts), 100)
 
+    def test_a_number_of_ones_own_has_its_cause_named(self):
+        self.show()
+        self.begin("rough")
+        speed = float(self.script("return tribocheckLive.page.state.values.at"))
+        film = {"function": "hamrock_dowson_central", "viscosity": 0.0202, "pressure_viscosity": 2e-8, "load": 50, "effective_modulus": 107.9e9,
+                "reduced_radius": 9.5e-3}
+        for at, words in ((speed, "Right"), (2 * speed, "film-speed-sum"), (3.21 * speed, "no single convention")):
+            number = run("stream", stdin=json.dumps({"id": "1", "speed": at} | film)).json_lines()[0]["value"]
+            entry = self.driver.find_element("css selector", "[data-part=own]")
+            entry.clear()
+            entry.send_keys(f"{1e9 * number:.5g} nm")
+            self.script("document.querySelector('[data-do=test]').click()")
+            self.assertIn(words, self.script("return document.querySelector('[data-part=cause]').textContent"))
+
     def test_random_scenes_have_the_numbers_of_node(self):
         """The bits of WebAssembly are those of the standard: what test_live holds under Node holds here."""
         from live import ask, random_scene, text

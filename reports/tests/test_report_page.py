@@ -44,15 +44,21 @@ class Page(WrittenReport):
             self.assertLessEqual(below, above + 1)
 
     def test_picture_in_the_page_is_the_svg_file(self):
-        """The pictures have different identifiers, and each identifier that is used is defined."""
+        """The pictures have different identifiers, and each identifier that is used is defined. All paths go through the same places in the
+        same order, though the page writes 86.4 for 86.40 and leaves out each L, which SVG takes for granted."""
+        def paths(svg):
+            drawn = re.findall(r" d='([^']+)'", svg.split("</defs>", 1)[1])
+            return [[one if one.isalpha() else float(one) for one in re.findall(r"[A-KM-Za-z]|-?\d+\.?\d*", path)] for path in drawn]
+
         text = (self.out / "index.html").read_text()
         used = set(re.findall(r"(?:href=['\"]|url\()#([^'\")]+)", text))
         self.assertGreater(len(used), 100)
         self.assertLessEqual(used, set(PageReader(text).ids))
         for figure in FIGURES + WORK_FIGURES:
             picture = re.search(f'<figure id="{figure}">.*?(<svg.*?</svg>)', text, re.DOTALL)[1]
-            paths = re.findall(r" d='[^']+'", (self.out / f"figures/{figure}.svg").read_text())
-            self.assertEqual(re.findall(r" d='[^']+'", picture), paths)
+            file = paths((self.out / f"figures/{figure}.svg").read_text())
+            self.assertGreater(sum(map(len, file)), 50)
+            self.assertEqual(paths(picture), file)
 
     def test_each_figure_links_its_data(self):
         text = (self.out / "index.html").read_text()

@@ -4,6 +4,7 @@ import base64
 import gzip
 import json
 import pathlib
+import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent.parent.parent / "live"
 
@@ -13,14 +14,26 @@ def scenes(out):
     return {path.stem: path.read_text(encoding="utf-8") for path in sorted((out / "data/scenes").glob("*.toml"))}
 
 
+def mistakes():
+    """Those of reference/mistakes.toml that change arguments or results of a function by numbers: the page can make them."""
+    places = (HERE.parent.parent / "reference/mistakes.toml", HERE.parent / "mistakes.toml")  # of the sources, of an installed program
+    path = next((one for one in places if one.is_file()), None)
+    known = tomllib.loads(path.read_text(encoding="utf-8"))["mistake"] if path else []
+    return [{"functions": one["function"] if isinstance(one["function"], list) else [one["function"]], "name": one["name"], "text": one["text"],
+             "input": one.get("input", {}), "result": one.get("result", {})}
+            for one in known if set(one) <= {"function", "name", "text", "input", "result", "follows"}
+            and all(set(change) <= {"times", "is", "inverted"} for change in one.get("input", {}).values())
+            and all(set(change) <= {"times", "over"} for change in one.get("result", {}).values())]
+
+
 def parts(out):
     """What goes on where the page's style ends, and the elements at its end; both empty where reports/live is not there."""
     if not (HERE / "tribocheck.wasm").is_file():
         return "", ""
     # Base 85 takes a sixteenth less room than base 64. None of its signs ends a script.
     model = base64.b85encode(gzip.compress((HERE / "tribocheck.wasm").read_bytes(), 9, mtime=0)).decode()
-    told = json.dumps(scenes(out), ensure_ascii=False).replace("</", "<\\/").replace("<!--", "<\\!--")
+    told = json.dumps({"scenes": scenes(out), "mistakes": mistakes()}, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/").replace("<!--", "<\\!--")
     script = (HERE / "live.js").read_text(encoding="utf-8")
     return ((HERE / "live.css").read_text(encoding="utf-8"),
             f'<script type="text/plain" id="live-wasm">{model}</script>\n'
-            f'<script type="application/json" id="live-scenes">{told}</script>\n<script>\n{script}</script>\n')
+            f'<script type="application/json" id="live-data">{told}</script>\n<script>\n{script}</script>\n')
