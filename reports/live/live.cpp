@@ -411,7 +411,7 @@ TRIBOCHECK_CALL(live_verify) const char* live_verify() {
     });
     if (judged == all.end()) judged = all.insert(all.end(), {name, output, id});
     ++judged->rows;
-    if (part <= judged->worst) continue;  // NaN is worse than any
+    if (part <= judged->worst || std::isnan(judged->worst)) continue;  // NaN is worse than any
     judged->worst = part;
     judged->worst_row = id;
   }

@@ -662,7 +662,7 @@ class Page {
 
   verify() {
     const start = performance.now(), rows = this.model.lines("live_verify"), took = performance.now() - start;
-    const worst = rows.reduce((a, b) => (Number(b[3]) <= Number(a[3]) ? a : b)), count = rows.reduce((sum, one) => sum + Number(one[2]), 0);
+    const worst = rows.reduce((a, b) => (Number(b[3]) <= Number(a[3]) || Number.isNaN(Number(a[3])) ? a : b)), count = rows.reduce((sum, one) => sum + Number(one[2]), 0);
     const isKept = rows.every((one) => Number(one[3]) <= 1);
     find("verdict").innerHTML = `<p class="verdict">${isKept ? "Verified in this browser" : "NOT verified in this browser"}: ${count} certified rows of ${new Set(rows.map((one) => one[0])).size} ` +
       `functions, the worst conditioned among them, in ${rounded(took, 2)} ms. The greatest error takes ${rounded(100 * worst[3], 2)} % of its bound ` +
