@@ -306,7 +306,7 @@ function tickText(number) {
   return String(number).replace("-", "−");
 }
 
-const BOX = {left: 62, right: 12, top: 44, bottom: 42, width: 480, height: 300};
+const BOX = {left: 62, right: 22, top: 44, bottom: 42, width: 480, height: 300};
 const DASHES = ["", "7 4", "2 3", "10 3 2 3"];
 
 // A chart as SVG: axes {name, ends, isLog}, lines {name, x, y}, marks at x with a name, the place that is read.
@@ -361,9 +361,8 @@ if (!home) return;
 const find = (name) => home.querySelector(`[data-part="${name}"]`);
 
 function table(caption, heads, rows) {
-  const within = (tag, inside) => `<${tag}>${inside}</${tag}>`;
   const cell = ([text, kind]) => `<td${kind ? ` class="${kind}"` : ""}>${text}</td>`;
-  return `<div class="scroll table" tabindex="0" role="region" aria-label="${escaped(caption)}"><table>${within("caption", within("span", escaped(caption)))}` +
+  return `<div class="scroll table" tabindex="0" role="region" aria-label="${escaped(caption)}"><table><caption><span>${escaped(caption)}</span></caption>` +
     `<thead><tr>${heads.map((head) => `<th scope="col">${escaped(head)}</th>`).join("")}</tr></thead>` +
     `<tbody>${rows.map(([head, ...cells]) => `<tr><th scope="row">${escaped(head)}</th>${cells.map(cell).join("")}</tr>`).join("")}</tbody></table></div>`;
 }
@@ -379,7 +378,7 @@ class Page {
     home.addEventListener("input", (event) => this.typed(event.target));
     home.addEventListener("click", (event) => this.clicked(event.target.closest("button")));
     home.querySelector("form").addEventListener("submit", (event) => event.preventDefault());
-    find("start").addEventListener("change", (event) => this.begin(this.scenes[event.target.value]));
+    find("start").addEventListener("change", ({target}) => { if (target.value) this.begin(this.scenes[target.value]); });
     const given = stateOfFragment(location.hash);
     if (given) this.show(given);
     else this.begin(Object.values(this.scenes)[0]);
@@ -400,12 +399,12 @@ class Page {
         `<span data-unit="${path}">${unit ?? ""}</span></span><span class="told" id="${id}-told"></span><span class="fault" id="${id}-fault" role="alert"></span></div>`;
     };
     const slider = (path) => `<div><label for="live-drag-${path.replaceAll(".", "-")}">${escaped(path === "at" ? "speed u" : path === "supply" ? "supply" : ROW.get(path)[1])}` +
-      `</label><input type="range" id="live-drag-${path.replaceAll(".", "-")}" data-drag="${path}" min="-100" max="100" step="1" value="0"></div>`;
+      ` <b></b></label><input type="range" id="live-drag-${path.replaceAll(".", "-")}" data-drag="${path}" min="-100" max="100" step="1" value="0"></div>`;
     const chartPart = (name) => `<div data-part="${name}"></div>`;
     const tables = ["numbers", "onsets", "films", "limits"].map((name) => `<div data-part="${name}"></div>`).join("");
     return `<div class="live"><p>Film, load shares, friction and the onsets of starvation of a contact of your own, by the same C++ model, compiled to ` +
       `WebAssembly: each number lies within the error bound of its function. Shown are the scene's numbers in the units that people use, which may be ` +
-      `typed with another unit, as 4.75 cm.</p><div class="row"><label for="live-start">Start from</label><select id="live-start" data-part="start">${options(Object.keys(this.scenes))}</select>` +
+      `typed with another unit, as 4.75 cm.</p><div class="row"><label for="live-start">Start from</label><select id="live-start" data-part="start"><option value="">a scene …</option>${options(Object.keys(this.scenes))}</select>` +
       `<label for="live-shape">Shape</label><select id="live-shape" data-path="shape">${options(["circle", "ellipse", "line"])}</select></div>` +
       `<form novalidate aria-label="the contact"><fieldset class="drags"><legend>Drag</legend><div class="sliders">${SLIDERS.map(slider).join("")}</div></fieldset>` +
       `<div class="shown"><p role="status" data-part="said"></p><p class="fault" role="alert" data-part="faults"></p>` +
@@ -431,6 +430,7 @@ class Page {
 
   show(state) {
     this.state = state;
+    find("start").value = state.id in this.scenes ? state.id : "";
     for (const entry of home.querySelectorAll("[data-path]")) {
       const path = entry.dataset.path;
       const usual = this.model.fields.get(path)?.usual?.replaceAll('"', "") ?? "";
@@ -484,7 +484,12 @@ class Page {
   // Which fields there are for this shape and supply, what their numbers are in SI units, and which are physical.
   showFields() {
     const {state, model} = this;
-    for (const one of home.querySelectorAll("[data-drag]")) one.parentElement.hidden = !(this.centres[one.dataset.drag] > 0) || isIdle(state, one.dataset.drag);
+    for (const one of home.querySelectorAll("[data-drag]")) {
+      const path = one.dataset.drag, text = `${state.values[path]} ${path === "supply" ? SUPPLIES[state.kind][0] : ROW.get(path)[2]}`.trim();
+      one.parentElement.hidden = !(this.centres[path] > 0) || isIdle(state, path);
+      one.setAttribute("aria-valuetext", text);
+      one.parentElement.querySelector("b").textContent = text;
+    }
     for (const box of home.querySelectorAll(".field")) {
       const entry = box.querySelector("[data-path]"), path = entry.dataset.path;
       box.hidden = Boolean(box.dataset.shapes && !box.dataset.shapes.split(" ").includes(state.shape)) || isIdle(state, path);

@@ -107,6 +107,7 @@ class Use(LivePage):
             with self.subTest(scene):
                 self.begin(scene)
                 self.assertEqual(self.script("return tribocheckLive.page.state.id"), scene)
+                self.assertEqual(self.script("return document.querySelector('[data-part=start]').value"), scene)
                 self.assert_programs_numbers()
 
     def test_typing_changes_numbers_and_curves_at_once(self):
@@ -151,7 +152,10 @@ class Use(LivePage):
             before = self.script("return tribocheckLive.page.state.values[arguments[0]]", name)
             self.script(DRAG, name, 20)
             self.assertGreater(float(self.script("return tribocheckLive.page.state.values[arguments[0]]", name)), float(before))
-            self.assertEqual(self.field(name).get_property("value"), self.script("return tribocheckLive.page.state.values[arguments[0]]", name))
+            value = self.script("return tribocheckLive.page.state.values[arguments[0]]", name)
+            self.assertEqual(self.field(name).get_property("value"), value)
+            told = self.driver.find_element("css selector", f'[data-drag="{name}"]').get_attribute("aria-valuetext")
+            self.assertEqual(told.split()[0], value)
         self.assert_programs_numbers()
         times = [self.script(DRAG, "load", k % 100 - 50) for k in range(200)]
         print(f"200 drags: the script takes {statistics.median(times):.1f} ms in the median, {min(times):.1f} ms at the least", file=sys.stderr)
