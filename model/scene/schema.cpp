@@ -543,10 +543,11 @@ std::optional<double> value_in(const Scene& scene, std::size_t field) {
   const auto& [info, access] = rows[field];
   if (access.load == nullptr) return std::nullopt;
   const std::optional<double> value = access.load(scene);
+  if (value != 0.0) return value;
   // A field that is not given, and that could not be 0, is 0 in a scene.
   const bool may_be_zero =
       info.type == FieldType::choice || info.minimum < 0 || !info.exclusive_minimum;
-  return value == 0.0 && (!may_be_zero || info.is_radius_of_face) ? std::nullopt : value;
+  return !may_be_zero || info.is_radius_of_face ? std::nullopt : value;
 }
 
 double Numbers::*contact_number(std::size_t field, ContactShape shape) {

@@ -800,7 +800,8 @@ State state_of(const Scene& scene, SceneUse use) {
 template <class Take>
 void take_range(const Scene& scene, const FieldInfo& field, std::string_view word, double value,
                 const Take& take) {
-  if (value >= field.plausible_minimum && value <= field.plausible_maximum) return;
+  if (value >= field.plausible_minimum && value <= field.plausible_maximum) [[likely]]
+    return;
   if (field.is_radius_of_face && value >= flat_radius) return;
   const bool follows = follows_from_others(scene, field.path);
   take(Validity{.word = word,

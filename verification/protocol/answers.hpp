@@ -93,7 +93,7 @@ void append_first_error(Text& to, const SceneReading& reading);
 // The work of `stream`, but for descriptors and stderr. Answers all lines that are not blank, in
 // order, until the input ends. A program that waits for each answer gets it before it must ask
 // again: the output is flushed whenever no complete line is waiting. Many lines that wait are
-// answered on as many threads as the process may run on. `warn` gets, in order and on the calling
+// answered on up to eight threads. `warn` gets, in order and on the calling
 // thread, the number of each line whose scene passes limits, and these.
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(std::size_t, const std::vector<Validity>&)>& warn);
