@@ -154,7 +154,7 @@ class Prepared:
         if not kept["built"]:
             found = json.loads((folder / "places.json").read_text())
             kept["population"] = {room: sum(one["room"] == room for one in found) for room in sizes}
-            self.build(found, seed, sizes)
+            self.build(found, seed, sizes, self.copy.targets(left_out) if left_out else [])
         self.mutants = kept["mutants"]
         self.numbers = kept["numbers"]
         self.trees = [tests.Tree(self.base, self.copy, folder / f"tree-{k}") for k in range(workers)]
@@ -164,8 +164,8 @@ class Prepared:
     def save(self):
         write(self.file, self.kept)
 
-    def build(self, found, seed, sizes):
-        """Builds the copy; a mutant whose switch does not compile is dropped, and another one drawn."""
+    def build(self, found, seed, sizes, targets):
+        """Builds these targets of the copy, or all; a mutant whose switch does not compile is dropped, and another one drawn."""
         kept = self.kept
         while True:
             drawn = sample.draw(found, sizes, seed, set(kept["dropped"]))
@@ -173,7 +173,7 @@ class Prepared:
                 kept["numbers"].setdefault(one["id"], len(kept["numbers"]))
             self.copy.write(drawn, kept["numbers"])
             ids = {number: name for name, number in kept["numbers"].items()}
-            failing = self.copy.failing()
+            failing = self.copy.failing(*targets)
             now = [ids[number] for number in failing]
             if not failing:
                 break
@@ -239,7 +239,8 @@ class Verdicts:
     def __init__(self, prepared, seed, path, over):
         self.prepared, self.path, self.over = prepared, path, over
         self.ledger, self.lock = read_ledger(path), threading.Lock()
-        mine = next((one for one in self.ledger["samples"] if one["seed"] == seed), None)
+        # Rooms that are drawn later with the same seed have an entry of their own.
+        mine = next((one for one in self.ledger["samples"] if one["seed"] == seed and set(one["rooms"]) == set(prepared.kept["population"])), None)
         if mine is None:
             kept = prepared.kept
             mine = {"seed": seed, "commit": kept["commit"], "date": datetime.date.today().isoformat(),

@@ -272,6 +272,18 @@ class Verdicts(Folder):
         verdicts.rows["m"]["outlived"] = ["program.test_c:Y"]
         self.assertEqual([unit["name"] for unit in verdicts.most_likely(mutant)], ["film.a_test", "program.test_b:X"])
 
+    def test_rooms_drawn_later_with_the_same_seed_have_an_entry_of_their_own_and_the_same_rooms_go_on_with_theirs(self):
+        path, entries = self.folder / "ledger.json", []
+        for room in ("film", "scene", "film"):
+            prepared = types.SimpleNamespace(kept={"commit": "c", "population": {room: 9}, "dropped": [], "left_out": ""}, trees=[],
+                                             mutants=[{**dict.fromkeys(run.KEPT, ""), "id": room, "room": room}])
+            verdicts = run.Verdicts(prepared, 7, path, None)
+            self.assertEqual([one["id"] for one in verdicts.waiting()], [room] if len(entries) < 2 else [])
+            verdicts.rows[room]["verdict"] = "caught"
+            run.write_ledger(path, verdicts.ledger)
+            entries = [list(one["rooms"]) for one in json.loads(path.read_text())["samples"]]
+        self.assertEqual(entries, [["film"], ["scene"]])
+
     def test_a_test_that_is_red_without_a_mutant_ends_the_run_with_its_name(self):
         tree = self.tree()
         prepared = run.Prepared.__new__(run.Prepared)
