@@ -475,18 +475,23 @@ def planted_places(root):
     return places
 
 
-def all_places(root, build):
-    """All places; they are cached in the build folder for one state of the files."""
+def with_rooms(places):
+    return [{**one, "room": room_of(one["file"])} for one in places]
+
+
+def all_places(root, build, rooms=None):
+    """All places; they are cached in the build folder for one state of the files. Where all that is asked is `rooms` without a text that
+    is compiled, the quick ones alone."""
     files = sorted(path for path in root.glob("**/*") if path.suffix in (".cpp", ".hpp", ".py", ".md", ".gp", ".js")
                    and room_of(path.relative_to(root).as_posix()) and path.is_file())
+    if rooms and not any(path.suffix in (".cpp", ".hpp") and room_of(path.relative_to(root).as_posix()) in rooms for path in files):
+        return with_rooms(planted_places(root))
     state = hashlib.sha256(pathlib.Path(__file__).read_bytes() + b"".join(str(path).encode() + path.read_bytes() for path in files)).hexdigest()
     cache = build / "mutant_places.json"
     if cache.is_file() and (kept := json.loads(cache.read_text()))["state"] == state:
         return kept["places"]
     texts = {path.relative_to(root).as_posix(): path.read_bytes() for path in files}
     places = [one for one in cpp_places(root, build) if not decides_while_compiling(texts[one["file"]], one["begin"])]
-    places += planted_places(root)
-    for one in places:
-        one["room"] = room_of(one["file"])
+    places = with_rooms(places + planted_places(root))
     cache.write_text(json.dumps({"state": state, "places": places}))
     return places

@@ -143,7 +143,7 @@ class Prepared:
         self.base = folder / "base"
         self.copy = schemata.Copy(self.base, folder / "tree", folder / "tree/build/release")
         if not kept:
-            found = places.all_places(ROOT, ROOT / "build/release")
+            found = places.all_places(ROOT, ROOT / "build/release", sizes)
             for tree in (self.base, self.copy.tree):
                 scratch.copy_tree(ROOT, tree)
                 schemata.with_history(ROOT, tree)
