@@ -57,11 +57,12 @@ def changed_number(text, dice):
 class Cpp:
     """The places of one source, and of the headers it includes that were not seen yet."""
 
-    def __init__(self, root):
+    def __init__(self, root, rooms=None):
         import clang.cindex
         self.kinds = clang.cindex.CursorKind
         self.index = clang.cindex.Index.create()
         self.root, self.seen, self.places = str(root) + "/", set(), []
+        self.is_asked = lambda file: (room := room_of(file)) is not None and (rooms is None or room in rooms)
 
     def read(self, command, file):
         words = iter(shlex.split(command)[1:])
@@ -80,7 +81,7 @@ class Cpp:
             if not name.startswith(self.root):
                 continue
             path = str(pathlib.Path(name).resolve()).removeprefix(self.root)
-            if path in self.seen or room_of(path) is None or path.endswith(".inc"):
+            if path in self.seen or not self.is_asked(path) or path.endswith(".inc"):
                 continue
             if path not in self.texts:
                 self.texts[path] = pathlib.Path(self.root + path).read_bytes()
@@ -312,8 +313,8 @@ class Fields:
                 self.read(child, root, kinds)
 
 
-def cpp_part(root, commands):
-    found = Cpp(root)
+def cpp_part(root, commands, rooms=None):
+    found = Cpp(root, rooms)
     for command, file in commands:
         found.read(command, file)
     return found.places
@@ -325,14 +326,21 @@ def sources_of(file):
     return re.findall(r'^#include "(.+)"', file.read_text(), flags=re.MULTILINE) if joined else [str(file)]
 
 
-def cpp_places(root, build, workers=2):
-    """Places of all sources that the build compiles, and of the headers that they include."""
+def cpp_places(root, build, workers=2, rooms=None):
+    """Places of all sources of these rooms, or of all, that the build compiles, and of their headers that these include."""
     entries = json.loads((build / "compile_commands.json").read_text())
     commands = [(one["command"], file) for one in entries for file in sources_of(pathlib.Path(one["file"]))
                 if file.endswith(".cpp") and (name := file.removeprefix(f"{root}/")) != file and room_of(name)]
+    if rooms is not None:
+        is_mine = lambda file: room_of(str(file).removeprefix(f"{root}/")) in rooms  # noqa: E731
+        texts = "".join(path.read_text() for path in root.glob("**/*.?pp") if is_mine(path))
+        # A header that these rooms do not include themselves is read with the first source that does.
+        lonely = [path.name for path in root.glob("**/*.hpp") if is_mine(path) and f'{path.name}"' not in texts]
+        readers = {next((file for _, file in commands if f'/{name}"' in pathlib.Path(file).read_text()), None) for name in lonely}
+        commands = [row for row in commands if is_mine(row[1]) or row[1] in readers]
     random.Random(1).shuffle(commands)
     with concurrent.futures.ProcessPoolExecutor(workers) as pool:
-        parts = list(pool.map(cpp_part, [root] * workers, [commands[i::workers] for i in range(workers)]))
+        parts = list(pool.map(cpp_part, [root] * workers, [commands[i::workers] for i in range(workers)], [rooms] * workers))
     once = {(one["file"], one["begin"], one["end"], one["operator"], one["replacement"]): one for part in parts for one in part}
     return list(once.values())
 
@@ -475,23 +483,18 @@ def planted_places(root):
     return places
 
 
-def with_rooms(places):
-    return [{**one, "room": room_of(one["file"])} for one in places]
-
-
 def all_places(root, build, rooms=None):
-    """All places; they are cached in the build folder for one state of the files. Where all that is asked is `rooms` without a text that
-    is compiled, the quick ones alone."""
+    """All places, or those of some rooms; they are cached in the build folder for one state of the files."""
     files = sorted(path for path in root.glob("**/*") if path.suffix in (".cpp", ".hpp", ".py", ".md", ".gp", ".js")
-                   and room_of(path.relative_to(root).as_posix()) and path.is_file())
-    if rooms and not any(path.suffix in (".cpp", ".hpp") and room_of(path.relative_to(root).as_posix()) in rooms for path in files):
-        return with_rooms(planted_places(root))
+                   and (room := room_of(path.relative_to(root).as_posix())) and (rooms is None or room in rooms) and path.is_file())
     state = hashlib.sha256(pathlib.Path(__file__).read_bytes() + b"".join(str(path).encode() + path.read_bytes() for path in files)).hexdigest()
     cache = build / "mutant_places.json"
     if cache.is_file() and (kept := json.loads(cache.read_text()))["state"] == state:
         return kept["places"]
     texts = {path.relative_to(root).as_posix(): path.read_bytes() for path in files}
-    places = [one for one in cpp_places(root, build) if not decides_while_compiling(texts[one["file"]], one["begin"])]
-    places = with_rooms(places + planted_places(root))
+    places = [one for one in cpp_places(root, build, rooms=rooms) if not decides_while_compiling(texts[one["file"]], one["begin"])]
+    places += [one for one in planted_places(root) if one["file"] in texts]
+    for one in places:
+        one["room"] = room_of(one["file"])
     cache.write_text(json.dumps({"state": state, "places": places}))
     return places
