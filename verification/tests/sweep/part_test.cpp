@@ -344,6 +344,7 @@ TEST(PartsInHand, OfTwoProcessesEachTakesPartsThatTheOtherHasNot) {
   const TemporaryFolder folder;
   Process first(folder), second(folder);
   EXPECT_EQ(first.compute(2), (ChunkList{0, 1}));
+  EXPECT_EQ(first.parts.chunks_there(), 2U);  // of a part that is not whole yet
   EXPECT_EQ(second.compute(4), (ChunkList{3, 4, 5, 6}));
   EXPECT_EQ(first.compute(9), (ChunkList{2, 9}));
   EXPECT_FALSE(first.parts.is_done());  // the other process holds one part
@@ -355,6 +356,28 @@ TEST(PartsInHand, OfTwoProcessesEachTakesPartsThatTheOtherHasNot) {
   EXPECT_EQ(paths.size(), 4U);
   EXPECT_EQ(set_of(paths, 10).count(), 10U);
   EXPECT_EQ(files_of_parts(folder.file("out")).size(), 4U);  // no claim is left
+}
+
+// Whether the longest of the names is too long is seen at the begin, wherever its part stands.
+TEST(PartsInHand, AreRefusedWhereTheNameOfAnyPartIsTooLong) {
+  const TemporaryFolder folder;
+  const auto is_refused = [&](std::size_t length, const std::vector<ChunkList>& parts) {
+    try {
+      PartsInHand({folder.file(std::string(length, 'o')), header, 0, false, {}}, parts,
+                  std::vector<bool>(parts.size()));
+      return false;
+    } catch (const std::exception&) {
+      return true;
+    }
+  };
+  std::size_t told_apart = 0;
+  for (std::size_t length = 200; length <= 255; ++length) {
+    const bool is_long = is_refused(length, {{1000}});
+    told_apart += is_long && !is_refused(length, {{0}}) ? 1 : 0;
+    EXPECT_EQ(is_refused(length, {{0}, {1000}}), is_long) << length;
+    EXPECT_EQ(is_refused(length, {{1000}, {0}}), is_long) << length;
+  }
+  EXPECT_GT(told_apart, 0U);
 }
 
 TEST(PartsInHand, TakesWhatAProcessThatEndedHasClaimed) {
