@@ -182,6 +182,9 @@ std::string known_factor(double ratio) {
   constexpr Factor factors[] = {{2, "2"},
                                 {3.14159265358979, "π"},
                                 {1.4142135623731, "√2"},
+                                {1.7320508075688772, "√3"},
+                                {3, "3"},
+                                {8, "8"},
                                 {1.5, "3/2"},
                                 {1.33333333333333, "4/3"},
                                 {2.506628274631, "√(2π)"},
@@ -191,7 +194,9 @@ std::string known_factor(double ratio) {
                                 {1e9, "10⁹, as between m and nm, or Pa and GPa"},
                                 {100, "100, as with percent"},
                                 {4, "4"},
-                                {6.283185307179586, "2π"}};
+                                {6.283185307179586, "2π"},
+                                {12.566370614359172, "4π"},
+                                {1.2732395447351628, "4/π"}};
   if (std::abs(ratio + 1) < 1e-6) return "It has another sign convention.";
   for (const Factor& one : factors) {
     if (std::abs(ratio / one.value - 1) < 1e-6)
@@ -494,6 +499,14 @@ std::string kept_from_before(const Part& part) {
     begins.insert(changed[i].front());
     if (first.empty()) first = part.all[i].of->question.asked->id;
   }
+  // A cache that is looked up without an input is wrong wherever that input alone changes.
+  const auto begin_right = [&](std::size_t i) {
+    return changed[i].size() == 1 && begins.contains(changed[i].front()) &&
+           !part.all[i].answered->is_wrong && !part.all[i - 1].answered->is_wrong;
+  };
+  std::size_t right = 0;
+  for (std::size_t i = 1; i < part.all.size(); ++i) right += begin_right(i) ? 1 : 0;
+  if (5 * right > part.wrong.size()) return {};
   if (begins.empty() || log_chance > log_chance_of_cache) return {};
   return fmt::format(
       "It is wrong only in cases that differ from the case before in one input, first in {}, and "
@@ -502,7 +515,7 @@ std::string kept_from_before(const Part& part) {
       first, fmt::join(begins, " or "), begins.size() == 1 ? "this input" : "these inputs");
 }
 
-Description described(const Part& part, const std::vector<Mistake>& mistakes) {
+Description described(const Part& part, const std::vector<Mistake>& mistakes, bool rests_on_wrong) {
   std::string text = pattern(part);
   std::function<bool(const Question&)> is_in_place;
   const auto with = [&](const std::string& misread) {
@@ -539,11 +552,13 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes) {
     return {text + ' ' + form, true, {}, is_in_place};
   if (const std::string grid = grid_of(part); !grid.empty())
     return {text + ' ' + grid, true, {}, is_in_place};
-  if (const Growth growth = growth_of(part); !growth.text.empty())
+  const Growth growth = rests_on_wrong ? Growth{} : growth_of(part);
+  if (!growth.text.empty() && growth.is_numerics)
     return {text + ' ' + growth.text, true, growth.cause, is_in_place};
   if (const std::optional<Dependence> depends = dependence_of(part))
     return {text + ' ' + depends->text, false, {}, is_in_place};
-  if (const std::string scatter = scatter_of(part); !scatter.empty())
+  if (!growth.text.empty()) return {text + ' ' + growth.text, false, {}, is_in_place};
+  if (const std::string scatter = scatter_of(part); !scatter.empty() && !rests_on_wrong)
     return {text + ' ' + scatter, false, {}, is_in_place};
   return {text, false, {}, is_in_place};
 }

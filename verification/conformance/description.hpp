@@ -25,7 +25,8 @@ struct Description {
   std::function<void(Question&)> change = {};  // what is misread; empty: nothing of a question is
 };
 // The pattern of a part that no known mistake gives, where it is wrong, and its law if it has one.
-Description described(const Part& part, const std::vector<Mistake>& mistakes);
+// Where the function rests on a wrong one, its errors tell nothing of its own numerics.
+Description described(const Part& part, const std::vector<Mistake>& mistakes, bool rests_on_wrong);
 
 // The factor of the wrong answers, where it is a product of powers of the inputs, or a constant;
 // empty where it is none.

@@ -14,11 +14,13 @@
 #include <utility>
 
 #include "conformance/description.hpp"
+#include "conformance/expression.hpp"
 #include "conformance/follow.hpp"
 #include "conformance/misread.hpp"
 #include "conformance/mistake_search.hpp"
 #include "conformance/solved_mistakes.hpp"
 #include "conformance/words.hpp"
+#include "tribo/hertz_ellipse.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -70,6 +72,7 @@ class Diagnoser {
   std::vector<Diagnosis> run() {
     follow_by_number();
     find_causes();
+    follow_by_ellipticity();
     if (follow_by_use()) find_causes();
     describe_rest();
     return std::move(found_);
@@ -78,7 +81,9 @@ class Diagnoser {
   const std::set<const TestCase*>& cases_with_wrong_numbers() const { return with_wrong_numbers_; }
 
   // The function as others that are computed from it see it.
-  WrongFunction as_below() const { return {function_, cases_, named()}; }
+  WrongFunction as_below() const {
+    return {function_, as_answered_.empty() ? cases_ : as_answered_, named()};
+  }
   std::vector<Mistake> named() const {
     std::vector<Mistake> named;
     for (const Mistake* const one : named_) named.push_back(*one);
@@ -223,6 +228,54 @@ class Diagnoser {
       one.of->question = std::move(one.question);
       for (AnsweredNumber& number : one.of->numbers) shift(number, one);
     }
+  }
+
+  // The results of an ellipse whose axes have the ratio that is answered.
+  static Numbers ellipse_of_ratio(const Question& asked, double answered) {
+    const bool is_exchanged = asked.arguments[3] < asked.arguments[2];
+    const double k = is_exchanged ? 1 / answered : answered;
+    const auto [b, d] = detail::associated_integrals(k);
+    Expression law = *law_expression(*asked.function);
+    for (Expression::Node& node : law.nodes)
+      for (const auto& [name, value] :
+           {std::pair{"k", k}, std::pair{"K", b + d}, std::pair{"E", b + d / k / k}})
+        if (node.kind == Expression::Op::given && node.name == name)
+          node.get = [value = value](const catalogue::Arguments&) { return value; };
+    Numbers numbers{};
+    for (std::size_t i = 0; i < law.results.size(); ++i)
+      numbers[i] = law.value(law.results[i], asked.arguments);
+    return numbers;
+  }
+  // Axes that are as the wrong ratio of an ellipse's axes gives them follow from it, and the other
+  // results are judged by it, too.
+  void follow_by_ellipticity() {
+    constexpr std::size_t ratio = 2;
+    if (function_ != "hertz_ellipse" || !any_left()) return;
+    std::vector<Followed> all;
+    std::vector<AnsweredNumber*> met;
+    std::size_t unmet_axes = 0;
+    for (AnsweredCase& one : cases_) {
+      const auto answered =
+          std::find_if(one.numbers.begin(), one.numbers.end(),
+                       [](const AnsweredNumber& number) { return number.place == ratio; });
+      if (answered == one.numbers.end() || !answered->is_left() || !(answered->got > 0)) continue;
+      all.push_back({&one,
+                     one.question,
+                     ellipse_of_ratio(one.question, answered->got),
+                     engineering_tolerance().relative,
+                     {}});
+      for (AnsweredNumber& number : one.numbers) {
+        if (number.place == ratio || !number.is_left()) continue;
+        if (is_met(number, all.back())) met.push_back(&number);
+        unmet_axes += number.place < ratio && !is_met(number, all.back()) ? 1 : 0;
+      }
+    }
+    if (met.size() < fewest_followed || unmet_axes > 0) return;
+    as_answered_ = cases_;
+    tell_followed(met, {"its ellipticity"});
+    for (const Followed& one : all)
+      for (AnsweredNumber& number : one.of->numbers)
+        if (number.place != ratio) shift(number, one);
   }
 
   struct FollowedPoints {
@@ -411,7 +464,7 @@ class Diagnoser {
     bool has_causes = true, is_one_cause = true;
     for (const Part& part : parts) {
       if (part.place != place) continue;
-      Description description = described(part, mistakes_);
+      Description description = described(part, mistakes_, !below_.empty());
       has_causes = has_causes && description.is_cause;
       is_one_cause = is_one_cause && (told.empty() || description.cause == cause);
       last = description;
@@ -457,6 +510,14 @@ class Diagnoser {
         if (is_wrong_elsewhere(0)) describe_rest();
         return;
       }
+      // A wrong number inside is known by the result that is computed from it first.
+      std::sort(parts.begin(), parts.end(),
+                [](const Part& a, const Part& b) { return a.place < b.place; });
+      for (const Part& part : parts)
+        if (tell_insides(part)) return describe_rest();
+      std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+        return a.wrong.size() > b.wrong.size();
+      });
     }
     explain_by(describe(parts, parts.front().place).change, parts.front().place);
     // Other results of the function have a line of their own where their cause is another one.
@@ -514,18 +575,17 @@ class Diagnoser {
     Description last{};
     if (one.text.empty()) one.text = described_by_branch(one.quantity, place, parts, last);
     one.cause = last.cause;
-    if (!tell_insides(part, last)) found_.push_back(std::move(one));
+    if (last.is_cause || !tell_insides(part)) found_.push_back(std::move(one));
     return last;
   }
 
   // Numbers inside of points that are wrong, alone or beside a known mistake of the same result.
-  bool tell_insides(const Part& part, const Description& description) {
-    if (!is_operating_point(function_) || description.is_cause) return false;
+  bool tell_insides(const Part& part) {
+    if (!is_operating_point(function_)) return false;
     const std::vector<Mistake> solved = solved_insides(part);
     if (solved.empty()) return false;
     std::vector<Mistake>& all = solved_.emplace_back();
-    for (const Mistake& one : mistakes_)
-      if (changes_alone(one, part.place)) all.push_back(one);
+    for (const Mistake& one : mistakes_) all.push_back(one);
     all.insert(all.end(), solved.begin(), solved.end());
     Cause cause = find_cause(cases_, all, {});
     if (cause.explains.empty()) return false;
@@ -533,24 +593,9 @@ class Diagnoser {
     return true;
   }
 
-  // Whether the mistake changes this result of some points, and no other one.
-  bool changes_alone(const Mistake& mistake, std::size_t place) const {
-    const Mistake* const one = &mistake;
-    bool is_changed = false;
-    for (std::size_t i = 0; i < cases_.size(); i += 1 + cases_.size() / 20) {
-      const Numbers right = right_numbers(cases_[i].question);
-      const auto given = numbers_with({&one, 1}, cases_[i].question);
-      for (std::size_t k = 0; given && k < right.size(); ++k) {
-        if ((*given)[k] == right[k] || std::isnan((*given)[k])) continue;
-        if (k != place) return false;
-        is_changed = true;
-      }
-    }
-    return is_changed;
-  }
-
   std::string function_;
   std::vector<AnsweredCase> cases_;
+  std::vector<AnsweredCase> as_answered_;  // before they were judged by a wrong result of their own
   const std::vector<Mistake>& mistakes_;
   std::vector<const WrongFunction*> below_;  // that this function needs and that are wrong
   std::deque<Expected> shifted_;             // what follows from them is expected

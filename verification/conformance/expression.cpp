@@ -97,6 +97,7 @@ class Evaluation {
   double raised(std::size_t part, double exponent) {
     if (exponent == 0) return 1;
     const double x = of(part);
+    if (exponent == 0.5) return std::sqrt(std::max(x, 0.0));  // as a solver guards its root
     return exponent == 1    ? x
            : exponent == -1 ? 1 / x
            : exponent == 2  ? x * x
@@ -161,7 +162,7 @@ struct Edit {
     else if (part)
       of.parts[at].of = *part;
     else
-      (slot < 0 ? of.number : of.parts[at].number) = *number;
+      law.number_at({node, slot}) = *number;
   }
 };
 
@@ -170,6 +171,8 @@ std::string change_in_words(const Expression& law, const Expression& changed, co
   const bool is_sum = node.kind == Op::sum;
   const std::string whole = law.in_words(one.node, true);
   std::string text;
+  if (one.whole.size() == 1 && one.whole[0].kind == Op::sum && one.whole[0].parts.empty())
+    return fmt::format("{} in place of {}", number_in_words(one.whole[0].number), node.name);
   if (!one.whole.empty() || one.called || node.kind == Op::power)
     text = fmt::format("{} in place of {}", changed.in_words(one.node, true), whole);
   else if (one.slot < 0) {
@@ -341,6 +344,10 @@ class Edits {
     if (node.number != 1) set_own(place, -node.number);
     set_own(place, 2 * node.number);
     set_own(place, node.number / 2);
+    if (node.parts.size() == 1 && node.parts[0].number == 1 && std::abs(node.number) != 1)
+      put(place, {{Op::product,  // c x as x^c
+                   std::copysign(1, node.number),
+                   {{node.parts[0].of, std::abs(node.number)}}}});
     // The whole upside down, wherever it is used.
     Expression::Node inverted = node;
     inverted.number = 1 / node.number;
@@ -426,6 +433,24 @@ class Edits {
 
 }  // namespace
 
+std::vector<Expression::Place> Expression::places_of_numbers() const {
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& node = nodes[i];
+    if (node.kind != Op::product && node.kind != Op::sum) continue;
+    if (node.number != 0 && (node.kind == Op::sum || std::abs(node.number) != 1))
+      places.push_back({i, -1});
+    for (std::size_t k = 0; k < node.parts.size(); ++k)
+      if (node.parts[k].number != 0) places.push_back({i, static_cast<int>(k)});
+  }
+  return places;
+}
+
+double& Expression::number_at(const Place& place) {
+  Node& node = nodes[place.node];
+  return place.slot < 0 ? node.number : node.parts[static_cast<std::size_t>(place.slot)].number;
+}
+
 double Expression::value(std::size_t place, const catalogue::Arguments& arguments) const {
   return nodes.size() > most_nodes ? unsaid : Evaluation(*this, arguments).of(place);
 }
@@ -510,7 +535,18 @@ namespace {
 constexpr double of_one_change = 1e-4, of_two_changes = 1e-6;
 constexpr double farthest_number = 5,
                  first_step_of_number = 0.02;  // of a number, on a logarithmic scale
-constexpr std::size_t fewest_of_two = 8, most_of_two = 400, most_probed = 6, most_told = 3;
+constexpr std::size_t fewest_of_two = 8, most_of_wholes = 600, most_probed = 6, most_told = 3;
+
+bool is_changed(const Part::Number& one, double given) {
+  return !(std::abs(given - one.answered->expected->high) <= one.answered->allowed);
+}
+
+// Two other operands might make a circle.
+bool can_stand_beside(const Edit& one, const Edit& other) {
+  const bool is_same = one.node == other.node &&
+                       (one.slot == other.slot || !one.whole.empty() || !other.whole.empty());
+  return !is_same && !(one.part && other.part);
+}
 
 // Whether the answer is that of the changed law.
 bool is_of_changed_law(const Part::Number& one, double given, double closeness) {
@@ -523,28 +559,30 @@ bool is_of_changed_law(const Part::Number& one, double given, double closeness) 
 
 // Whether a source may print the number: few digits, or a fraction.
 bool is_printed(double number) {
-  const auto is_short = [](double x) {
-    return std::abs(std::stod(fmt::format("{:.1e}", x)) / x - 1) < 1e-6;
-  };
+  const auto is_short = [](double x) { return std::abs(of_digits(x, 2) / x - 1) < 1e-6; };
   const double square = number * number;
   return is_short(square) || is_short(square / std::numbers::pi) || is_of_few_digits(number) ||
          is_of_few_digits(3 * number) || is_of_few_digits(7 * number);
 }
 
 // The changes of one number each with which the law gives the answer, by numbers that are printed.
-std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
-                                 std::size_t place) {
+std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one, std::size_t place,
+                                 const std::vector<Expression::Place>& places) {
   std::vector<Edit> found;
   Expression changed = law;
   const catalogue::Arguments& arguments = one.of->question.arguments;
-  const auto solve = [&](std::size_t node, int slot, double& number) {
+  for (const Expression::Place& at_place : places) {
+    double& number = changed.number_at(at_place);
     const double right = number;
-    if (right == 0) return;
     const auto off = [&](double logarithm) {
       number = right * std::exp(logarithm);
       return changed.value(changed.results[place], arguments) - one.answered->got;
     };
     const double at_first = off(0);
+    if (!std::isfinite(at_first)) {
+      number = right;
+      continue;
+    }
     for (const double side : {1.0, -1.0}) {
       double before = 0, off_before = at_first;
       for (double step = first_step_of_number; step < 2 * farthest_number; step *= 2) {
@@ -558,7 +596,8 @@ std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
               is_up ? now : off_before, boost::math::tools::eps_tolerance<double>(46), steps);
           const double other = right * std::exp((low + high) / 2);
           if (is_printed(other))
-            found.push_back({.node = node, .slot = slot, .number = round_number(other)});
+            found.push_back(
+                {.node = at_place.node, .slot = at_place.slot, .number = round_number(other)});
           break;
         }
         before = at;
@@ -566,21 +605,34 @@ std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
       }
     }
     number = right;
-  };
+  }
+  return found;
+}
+
+// The changes by which a number with a name that the law computes is a constant: "0.6 in place of
+// z".
+std::vector<Edit> solved_constants(const Expression& law, const Part::Number& one,
+                                   std::size_t place) {
+  std::vector<Edit> found;
   for (std::size_t i = 0; i < law.nodes.size(); ++i) {
-    Expression::Node& node = changed.nodes[i];
-    const bool is_product = node.kind == Op::product;
-    if (!is_product && node.kind != Op::sum) continue;
-    if (std::abs(node.number) != 1 || !is_product) solve(i, -1, node.number);
-    for (std::size_t k = 0; k < node.parts.size(); ++k)
-      solve(i, static_cast<int>(k), node.parts[k].number);
+    const Expression::Node& node = law.nodes[i];
+    if (node.name.empty() || node.kind == Op::given) continue;
+    Expression changed = law;
+    const double own = law.value(i, one.of->question.arguments);
+    changed.nodes[i] = {Op::sum, own};
+    for (const Edit& solved : solved_numbers(changed, one, place, {{i, -1}}))
+      found.push_back({.node = i,
+                       .slot = -1,
+                       .whole = {{Op::sum, *solved.number}},
+                       .added_at = law.nodes.size()});
   }
   return found;
 }
 
 }  // namespace
 
-std::vector<ChangedExpression> changed_expressions(const Part& part) {
+std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t changes,
+                                                   bool is_one_factor) {
   std::vector<ChangedExpression> found;
   const auto law = part.function() == nullptr ? std::nullopt : law_expression(*part.function());
   if (!law || part.place >= law->results.size()) return found;
@@ -592,10 +644,12 @@ std::vector<ChangedExpression> changed_expressions(const Part& part) {
     probes[i] = probes[i * (probes.size() - 1) / (most_probed - 1)];
   const std::size_t wrong = probes.size();
   probes.resize(std::min(wrong, most_probed));
+  const auto value_of = [&](const Expression& changed, const Part::Number& one) {
+    return changed.value(changed.results[part.place], one.of->question.arguments);
+  };
   const auto gives = [&](const Expression& changed, double closeness) {
     return std::all_of(probes.begin(), probes.end(), [&](const auto& one) {
-      return is_of_changed_law(
-          one, changed.value(changed.results[part.place], one.of->question.arguments), closeness);
+      return is_of_changed_law(one, value_of(changed, one), closeness);
     });
   };
   // A change that would make right results of the same case wrong is ruled out by them, unless none
@@ -623,56 +677,101 @@ std::vector<ChangedExpression> changed_expressions(const Part& part) {
   Edits edits(*law);
   const auto alike = edits.pairs_alike();
   const std::vector<Edit> all = edits.take();
-  std::vector<Edit> singles = all;
-  const auto off = [](const Part::Number& one) {
-    return std::abs(std::log(std::abs(one.answered->got / one.answered->expected->high)));
-  };
-  const auto farthest_off = std::max_element(
-      probes.begin(), probes.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
-  for (const Part::Number& one : {*farthest_off, probes[probes.size() / 2]})
-    for (Edit& edit : solved_numbers(*law, one, part.place)) {
-      const bool is_known = std::any_of(singles.begin(), singles.end(), [&](const Edit& other) {
-        return other.node == edit.node && other.slot == edit.slot && other.number == edit.number;
-      });
-      if (!is_known) singles.push_back(std::move(edit));
+  if (changes == 1) {
+    std::vector<Edit> singles = all;
+    for (const Part::Number& one : probes)
+      for (Edit& edit : solved_numbers(*law, one, part.place, law->places_of_numbers())) {
+        const bool is_known = std::any_of(singles.begin(), singles.end(), [&](const Edit& other) {
+          return other.node == edit.node && other.slot == edit.slot && other.number == edit.number;
+        });
+        if (!is_known) singles.push_back(std::move(edit));
+      }
+    for (Edit& edit : solved_constants(*law, probes[probes.size() / 2], part.place))
+      singles.push_back(std::move(edit));
+    for (const Edit& one : singles) {
+      Expression changed = *law;
+      one.apply(changed);
+      if (gives(changed, of_one_change)) {
+        std::string text = change_in_words(*law, changed, one);
+        tell(std::move(changed), 1, std::move(text));
+      }
     }
-  for (const Edit& one : singles) {
-    Expression changed = *law;
-    one.apply(changed);
-    if (gives(changed, of_one_change)) {
-      std::string text = change_in_words(*law, changed, one);
+    for (const auto& [one, other] : alike) {
+      Expression changed = *law;
+      one.apply(changed);
+      other.apply(changed);
+      if (!gives(changed, of_one_change)) continue;
+      std::string text = change_in_words(*law, changed, one) + ", and the same of the other one";
       tell(std::move(changed), 1, std::move(text));
     }
+    if (std::find(is_left_right.begin(), is_left_right.end(), true) != is_left_right.end())
+      for (std::size_t i = found.size(); i-- > 0;)
+        if (!is_left_right[i]) found.erase(found.begin() + static_cast<std::ptrdiff_t>(i));
+    return found;
   }
-  for (const auto& [one, other] : alike) {
+  if (wrong < fewest_of_two) return found;
+  // Two changes: of those that the answers show at all, or one of these and a number.
+  std::vector<Edit> shown;
+  for (const Edit& one : all) {
     Expression changed = *law;
     one.apply(changed);
-    other.apply(changed);
-    if (!gives(changed, of_one_change)) continue;
-    std::string text = change_in_words(*law, changed, one) + ", and the same of the other one";
-    tell(std::move(changed), 1, std::move(text));
+    if (std::any_of(probes.begin(), probes.end(), [&](const Part::Number& probe) {
+          return is_changed(probe, value_of(changed, probe));
+        }))
+      shown.push_back(one);
   }
-  if (std::find(is_left_right.begin(), is_left_right.end(), true) != is_left_right.end())
-    for (std::size_t i = found.size(); i-- > 0;)
-      if (!is_left_right[i]) found.erase(found.begin() + static_cast<std::ptrdiff_t>(i));
-  if (!found.empty() || wrong < fewest_of_two || all.size() > most_of_two) return found;
-  Expression first = *law;
-  for (std::size_t i = 0; i < all.size() && found.size() < most_told; ++i) {
-    if (!all[i].whole.empty()) continue;
-    all[i].apply(first);
-    for (std::size_t k = i + 1; k < all.size(); ++k) {
-      const bool is_same = all[i].node == all[k].node && all[i].slot == all[k].slot;
-      // Two other operands might make a circle.
-      if (is_same || !all[k].whole.empty() || (all[i].part && all[k].part)) continue;
-      const Expression::Node before = first.nodes[all[k].node];
-      all[k].apply(first);
-      if (gives(first, of_two_changes))
-        tell(
-            first, 2,
-            change_in_words(*law, first, all[i]) + ", and " + change_in_words(*law, first, all[k]));
-      first.nodes[all[k].node] = before;
+  const auto tell_both = [&](const Expression& changed, const Edit& one, const Edit& other) {
+    if (gives(changed, of_two_changes) && found.size() < most_told)
+      tell(changed, 2,
+           change_in_words(*law, changed, one) + ", and " + change_in_words(*law, changed, other));
+  };
+  for (std::size_t i = 0; i < shown.size() && found.size() < most_told; ++i) {
+    Expression first = *law;
+    shown[i].apply(first);
+    const bool is_whole = !shown[i].whole.empty();
+    for (std::size_t k = is_whole ? 0 : i + 1; k < shown.size(); ++k) {
+      if (!can_stand_beside(shown[i], shown[k])) continue;
+      if (!shown[k].whole.empty()) {
+        if (!is_whole || k < i || shown.size() > most_of_wholes) continue;
+        Expression both = first;
+        shown[k].apply(both);
+        tell_both(both, shown[i], shown[k]);
+        continue;
+      }
+      const Expression::Node before = first.nodes[shown[k].node];
+      shown[k].apply(first);
+      tell_both(first, shown[i], shown[k]);
+      first.nodes[shown[k].node] = before;
     }
-    first.nodes[all[i].node] = law->nodes[all[i].node];
+  }
+  if (is_one_factor) return found;
+  for (std::size_t i = 0; i < shown.size() && found.empty(); ++i) {
+    Expression first = *law;
+    shown[i].apply(first);
+    // The answer that the first change leaves farthest off shows the number best, unless a root
+    // that is guarded is cut off there.
+    std::vector<std::pair<double, const Part::Number*>> left;
+    for (const Part::Number& one : probes) {
+      const double by = std::abs(std::log(std::abs(value_of(first, one) / one.answered->got)));
+      left.emplace_back(std::isfinite(by) ? by : 0, &one);
+    }
+    std::sort(left.begin(), left.end());
+    for (const Part::Number* const one : {left.back().second, left[left.size() / 2].second}) {
+      std::vector<Edit> numbers =
+          solved_numbers(first, *one, part.place, first.places_of_numbers());
+      for (Edit& constant : solved_constants(first, *one, part.place))
+        numbers.push_back(std::move(constant));
+      for (const Edit& number : numbers) {
+        const double value = number.whole.empty() ? *number.number : number.whole[0].number;
+        if (number.node >= law->nodes.size() || !can_stand_beside(shown[i], number) ||
+            !is_of_few_digits(value))
+          continue;
+        Expression both = first;
+        number.apply(both);
+        tell_both(both, shown[i], number);
+      }
+      if (!found.empty()) break;
+    }
   }
   return found;
 }

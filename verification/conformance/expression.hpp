@@ -55,9 +55,18 @@ class Expression {
     std::string_view unit = {};  // of an input
   };
 
+  // A number that the law has: a sum's or a product's own one, a coefficient, or an exponent.
+  struct Place {
+    std::size_t node;
+    int slot;  // of the part; −1: the node's own
+  };
+
   std::vector<Node> nodes;
   std::vector<std::size_t> results;  // places among the nodes; those beyond the end are unknown
 
+  // Those that are not 0, in the order of the nodes; a product has its own one where it is not 1.
+  std::vector<Place> places_of_numbers() const;
+  double& number_at(const Place& place);
   double value(std::size_t place, const catalogue::Arguments& arguments) const;
   // "1 − 0.61 e^(−0.73 k)"; a node with a name by this, unless it is asked for `inside`.
   std::string in_words(std::size_t place, bool is_inside = false) const;
@@ -77,8 +86,10 @@ struct ChangedExpression {
   std::string text;
   std::function<double(const Question&, std::size_t place)> answer;
 };
-// Those that give the wrong answers of the part; two changes only where no single one does. The
-// caller looks whether the right answers stay right.
-std::vector<ChangedExpression> changed_expressions(const Part& part);
+// Those of so many changes, 1 or 2, that give the wrong answers of the part; the caller looks
+// whether the right answers stay right. One of two may be a number that is solved for, but not
+// where all answers are off by one factor, as any number makes one.
+std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t changes,
+                                                   bool is_one_factor);
 
 }  // namespace tribo::conformance

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "catalogue/ways_to_ask.hpp"
 #include "conformance/follow.hpp"
 #include "conformance/mistake_entry.hpp"
 #include "conformance/variable.hpp"
 #include "scene/schema.hpp"
+#include "tribo/gaussian_moment.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::conformance {
@@ -69,7 +71,11 @@ void add_friction(std::vector<Inside>& all) {
   add("ln(η/η₀) in friction", Inner::cut_off, of_sheared_film(&ShearedFilm::log_viscosity),
       &FrictionReading::log_viscosity);
   add("the shear rate in friction", Inner::cut_off, of_sheared_film(&ShearedFilm::shear_rate),
-      &FrictionReading::shear_rate);
+      &FrictionReading::shear_rate, {},
+      {{"shear-rate-of-speed", "u/h, without the slide-roll ratio,", [](const Question& asked) {
+          const auto film = sheared_film(asked);
+          return film ? film->shear_rate / asked.scene->friction.slide_roll_ratio : unsaid;
+        }}});
   add("the gap in friction", Inner::cut_off, of_sheared_film(&ShearedFilm::gap),
       &FrictionReading::gap, {},
       {result_as("friction-of-film", Output::film),
@@ -153,6 +159,160 @@ void add_film(std::vector<Inside>& all) {
       {{"film-of-whole-load", "F", [](const Question& asked) { return asked.scene->load; }}});
 }
 
+double film_of_oil(const Question& asked) {
+  const MixedContact<double> contact(*asked.scene);
+  return contact.supply() == SupplyKind::flooded
+             ? unsaid
+             : contact.inlet_film_parameter(asked.scene->speeds[0]) * contact.summit_height_sd();
+}
+
+void add_inlet(std::vector<Inside>& all) {
+  const auto flow = [](const Question& asked) {
+    const Supply& supply = asked.scene->supply;
+    return supply.kind == SupplyKind::inlet_flow ? supply.value : unsaid;
+  };
+  const auto for_smooth_film = [](const Question& asked) {
+    const MixedContact<double> contact(*asked.scene);
+    const double speed = asked.scene->speeds[0];
+    return film_of_oil(asked) * contact.flooded(speed).shares.film_parameter /
+           contact.flooded_film_parameter(speed);
+  };
+  all.push_back({"h_oil in the inlet",
+                 Inner::factor,
+                 Output::film,
+                 film_of_oil,
+                 [](Question& asked, double value) {
+                   asked.scene->supply.value *= value / film_of_oil(asked);
+                 },
+                 {},
+                 {{"inlet-of-flow", "`supply.inlet_flow`", flow},
+                  {"inlet-ratio-of-smooth-film", "h_oil h_ff/h₀, as h₀/h_oil for r makes it,",
+                   for_smooth_film}}});
+}
+
+void add_stiffness(std::vector<Inside>& all) {
+  const auto stiffness = [](const Question& asked) {
+    return MixedContact<double>(*asked.scene).sharing().stiffness();
+  };
+  all.push_back({"K in load sharing", Inner::factor, Output::film_flooded, stiffness,
+                 [stiffness](Question& asked, double value) {
+                   asked.summit_count_times *=
+                       scale_stiffness(*asked.scene, value / stiffness(asked));
+                 },
+                 "closures.asperity"});
+}
+
+// --- Mistakes that are no other number of one kind
+
+Mistake of_points(std::string name, std::string text, std::vector<std::string> touches) {
+  return {.function = std::string(operating_point_functions[0]),
+          .name = std::move(name),
+          .text = std::move(text),
+          .touches = std::move(touches)};
+}
+
+// The shares of the load at the film that a full inlet leaves, where the inlet is starved.
+Mistake shares_of_flooded_film() {
+  Mistake mistake =
+      of_points("shares-at-flooded-film",
+                "the shares of the load at the flooded film, where it is starved", {"formula"});
+  mistake.instead = [](const Question& asked) -> std::optional<Numbers> {
+    if (!asked.scene || asked.scene->supply.kind == SupplyKind::flooded) return std::nullopt;
+    const MixedContact<double> contact(*asked.scene);
+    const FloodedFilm<double> flooded = contact.flooded(asked.scene->speeds[0]);
+    const InletState<double> inlet = contact.inlet(flooded);
+    const LoadShares<double>& shares = flooded.shares;
+    // The template takes any shares.
+    const FloodedFilm<long double> same{flooded.speed,
+                                        {shares.film_parameter, shares.asperity, shares.fluid, 0}};
+    const auto point = contact.in<long double>().complete(
+        same, {inlet.film_ratio, inlet.flooded_over_inlet, inlet.collapsed}, same.shares,
+        OutputSet::all());
+    return numbers_of(detail::in_double(point), asked);
+  };
+  return mistake;
+}
+
+// The film in place of the separation where asperities alone keep the faces apart.
+Mistake without_floor() {
+  Mistake mistake =
+      of_points("separation-without-floor",
+                "no floor: the film for the separation, where asperities carry all", {"formula"});
+  mistake.instead = [](const Question& asked) -> std::optional<Numbers> {
+    if (!asked.scene) return std::nullopt;
+    const MixedContact<double> contact(*asked.scene);
+    OperatingPoint<double> point = contact.solve(asked.scene->speeds[0]);
+    if (!(point.separation > point.film)) return std::nullopt;
+    Question closer = asked;
+    point.separation = point.film;
+    point.real_area_ratio = real_area_ratio(contact.asperities(), point.film_parameter);
+    point.summit_count = summit_count(contact.asperities(), point.film_parameter);
+    closer.friction.gap = point.film;
+    return numbers_of(point, closer);
+  };
+  return mistake;
+}
+
+// F_5/2 in the load of the asperities by Greenwood and Williamson, which have F_3/2. Nothing is
+// said of what follows from their load at a starved film, or where they carry all of it.
+Mistake sharing_by_other_moment() {
+  Mistake mistake = of_points(
+      "points-by-other-moment",
+      "F_5/2 in place of F_3/2 with Greenwood and Williamson, in the load of the asperities",
+      {"formula"});
+  mistake.instead = [](const Question& asked) -> std::optional<Numbers> {
+    if (!asked.scene || asked.scene->closures.asperity != AsperityModel::greenwood_williamson)
+      return std::nullopt;
+    const MixedContact<double> contact(*asked.scene);
+    Question other = asked;
+    other.sharing.order = 2.5;
+    other.sharing.film_exponent = contact.film().sharing_power.value;
+    Numbers numbers = right_numbers(other);
+    const double lambda = numbers[static_cast<std::size_t>(Output::film_parameter)];
+    const bool is_at_floor =
+        contact.sharing().stiffness() *
+            gaussian_moment(Order::five_halves, lambda - contact.sharing().offset()) >=
+        1;
+    const bool is_starved = asked.scene->supply.kind != SupplyKind::flooded;
+    for (const OutputInfo& one : output_infos)
+      if (const auto place = static_cast<std::size_t>(one.output);
+          place < numbers.size() && place > static_cast<std::size_t>(Output::film) &&
+          (is_at_floor || is_starved) && one.output != Output::film_parameter)
+        numbers[place] = unsaid;
+    return numbers;
+  };
+  return mistake;
+}
+
+// Hertz' peak pressure wherever friction needs the mean one.
+Mistake peak_pressure_in_friction() {
+  Mistake mistake =
+      of_points("friction-at-peak-pressure",
+                "Hertz' peak pressure in place of the mean one, everywhere in friction",
+                {"the fluid's pressure in friction", "the mean pressure under τ in friction"});
+  mistake.before = [](Question& asked) {
+    const auto film = asked.scene ? sheared_film(asked) : std::nullopt;
+    if (!film) return;
+    const double peak = of_contact(&HertzContact<double>::peak_pressure)(asked);
+    asked.friction.pressure =
+        film->pressure * peak / of_contact(&HertzContact<double>::mean_pressure)(asked);
+    asked.friction.mean_pressure = peak;
+  };
+  return mistake;
+}
+
+// The real area or the number of summits with another power of nβσ_s, by Greenwood and Tripp.
+Mistake power_of_roughness(const std::string& name, std::string text, double Question::*times,
+                           double factor) {
+  Mistake mistake = of_points(name, std::move(text), {name});
+  mistake.before = [=](Question& asked) {
+    if (!asked.scene || asked.scene->closures.asperity != AsperityModel::greenwood_tripp) return;
+    const Surface& face = asked.scene->surface;
+    asked.*times /= factor * face.summit_density * face.summit_radius * face.summit_height_sd;
+  };
+  return mistake;
+}
+
 }  // namespace
 
 const std::vector<Inside>& insides_of_points() {
@@ -160,6 +320,8 @@ const std::vector<Inside>& insides_of_points() {
     std::vector<Inside> insides;
     add_friction(insides);
     add_film(insides);
+    add_stiffness(insides);
+    add_inlet(insides);
     // The a − b of a film law, of Uᵃ and Gᵇ.
     insides.push_back({"the film's exponent in load sharing", Inner::constant, Output::film_flooded,
                        [](const Question& asked) {
@@ -197,6 +359,16 @@ std::vector<Mistake> mistakes_of_insides() {
     for (const Inside::Other& other : inside.others)
       all.push_back(mistake_of_inside(other.name, in_place_of(other.symbol, inside.symbol), inside,
                                       other.get));
+  all.push_back(shares_of_flooded_film());
+  all.push_back(without_floor());
+  all.push_back(sharing_by_other_moment());
+  all.push_back(peak_pressure_in_friction());
+  all.push_back(power_of_roughness("area-with-roughness-once",
+                                   "πnβσ_s in place of (πnβσ_s)² in the real area",
+                                   &Question::real_area_times, std::numbers::pi));
+  all.push_back(power_of_roughness("count-without-roughness",
+                                   "nA in place of nA nβσ_s in the number of summits",
+                                   &Question::summit_count_times, 1));
   const auto models = scene_fields()[*scene_detail::find_field("closures.asperity")].choices;
   for (std::size_t i = 0; i < models.size(); ++i)
     for (const auto& [symbol, member] : {std::pair{"number of summits", &Question::count_model},

@@ -338,7 +338,7 @@ Expression summits(Writer x) {
   const Term bandwidth = named(x[0] * x[2] / pow(x[1], 2), "α");
   const Term excess = bandwidth - 0.8968;
   return x.with({bandwidth, x[2] / (6 * std::numbers::sqrt3 * (x.pi() * x[1])),
-                 0.375 * sqrt(x.pi() / x[2]), sqrt(x[0] - 0.8968 * pow(x[1], 2) / x[2]),
+                 0.375 * sqrt(x.pi() / x[2]), sqrt((1 - 0.8968 / bandwidth) * x[0]),
                  4 * pow(x.pi() * excess, -0.5)});
 }
 Expression kogut(Writer x) {

@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <unsupported/Eigen/LevenbergMarquardt>
 #include <utility>
 
 #include "catalogue/ways_to_ask.hpp"
+#include "conformance/expression.hpp"
 #include "conformance/misread.hpp"
 #include "conformance/mistake_entry.hpp"
 #include "conformance/variable.hpp"
-#include "tribo/film_regimes.hpp"
 #include "tribo/starvation.hpp"
 #include "tribo/viscosity_index.hpp"
 
@@ -26,77 +27,76 @@ using Constants = std::span<const double>;
 
 // --- Laws as formulas of their numbers
 
+// "8/11", with parentheses as an exponent.
+std::string fraction_in_words(double number, bool is_exponent) {
+  int denominator = 2;
+  if (is_of_few_digits(1 / number)) return fmt::format("1/{:.6g}", 1 / number);
+  while (denominator < 100 && std::abs(std::remainder(number * denominator, 1)) > 1e-9)
+    ++denominator;
+  const std::string text = fmt::format("{:.0f}/{}", number * denominator, denominator);
+  return is_exponent ? '(' + text + ')' : text;
+}
+
 std::optional<Numbers> only(double value) {
   return std::isfinite(value) ? std::optional(Numbers{value}) : std::nullopt;
 }
 
-// Numbers: C, a, b, c, m and n of h/R = C Uᵃ Gᵇ Wᶜ (1 − m e^{−nk}), with 2E* in U, G and W.
-LawOfNumbers film_law_of_numbers(const catalogue::Function& function) {
-  const FilmLaw& law = *function.film_law;
-  const auto place = [&](std::string_view name) {
-    return catalogue::place_in(function.parameters, name);
+// A law by its terms, whose numbers are these, each of them the next one of this size. Numbers that
+// have no few digits are fractions.
+LawOfNumbers law_by_terms(Expression law, std::vector<double> right) {
+  struct Slot {
+    Expression::Place place;
+    double sign;
   };
-  // Soft bodies have no α, and lines no k.
-  const std::size_t none = function.parameters.size();
-  const std::size_t alpha = place("pressure_viscosity"), modulus = place("effective_modulus");
-  const std::size_t ellipticity = place("ellipticity");
-  const auto formula = [=, is_of_lines = law.is_of_lines](const Arguments& x, Constants n) {
-    const double twice = 2 * x[modulus], radius = x[modulus + 1], load = x[modulus - 1];
-    const double u = x[0] * x[1] / (twice * radius);
-    const double w = load / (twice * radius * (is_of_lines ? 1 : radius));
-    const double g = alpha == none ? 1 : x[alpha] * twice;
-    const double side = ellipticity == none ? 1 : 1 - n[4] * std::exp(-n[5] * x[ellipticity]);
-    return only(radius * n[0] * std::pow(u, n[1]) * std::pow(g, n[2]) * std::pow(w, n[3]) * side);
-  };
-  constexpr std::array before{"", "U^", "G^", "W^", "", ""};
-  LawOfNumbers found{formula, {}, {}};
-  for (const Fraction& number : {law.constant, law.speed_exponent, law.material_exponent,
-                                 law.load_exponent, law.side_leakage, law.side_decay}) {
-    found.right.push_back(static_cast<double>(number.p) / number.q);
-    const std::size_t last = found.right.size() - 1;
-    found.names[last] = {before[last], is_of_few_digits(found.right[last])
-                                           ? ""
-                                           : fmt::format("({}/{})", number.p, number.q)};
+  std::vector<Slot> slots;
+  LawOfNumbers found;
+  std::vector<Expression::Place> places = law.places_of_numbers();
+  for (const double number : right) {
+    const auto place = std::find_if(places.begin(), places.end(), [&](const auto& one) {
+      return std::abs(std::abs(law.number_at(one)) - std::abs(number)) <= 1e-12 * std::abs(number);
+    });
+    slots.push_back({*place, std::copysign(1.0, law.number_at(*place) * number)});
+    const Expression::Node& node = law.nodes[place->node];
+    const bool is_exponent = node.kind == Expression::Op::product && place->slot >= 0;
+    LawOfNumbers::NumberName& name = found.names[slots.size() - 1];
+    if (is_exponent) {
+      name.before = law.nodes[node.parts[static_cast<std::size_t>(place->slot)].of].name;
+      if (!name.before.empty()) name.before += '^';
+    }
+    if (!is_of_few_digits(number)) name.right = fraction_in_words(number, !name.before.empty());
+    places.erase(place);
   }
+  found.right = std::move(right);
+  // The numbers are put into one copy, as many of them are tried.
+  found.formula = [law = std::make_shared<Expression>(std::move(law)), slots](
+                      const Arguments& arguments, Constants n) -> std::optional<Numbers> {
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      law->number_at(slots[i].place) = slots[i].sign * n[i];
+    return only(law->value(law->results[0], arguments));
+  };
   return found;
 }
 
-// Numbers: 3, 2.621, 1.287 and 1.311 of RI, EI, RP and EP.
-constexpr std::array moes_numbers{3., 2.621, 1.287, 1.311};
-std::optional<Numbers> film_by_moes(const Arguments& x, Constants n) {
-  const double twice_u = x[0] * x[1] / (x[4] * x[5]), root = std::sqrt(twice_u);
-  const double m = x[3] / (2 * x[4] * x[5]) / root, l = 2 * x[2] * x[4] * std::sqrt(root);
-  const auto sum = [](double a, double b, double power) {  // (a^p + b^p)^(1/p)
-    const double first = (a > b) == (power > 0) ? a : b, other = first == a ? b : a;
-    return first * std::pow(1 + std::pow(other / first, power), 1 / power);
-  };
-  const double rigid = n[0] / m, elastic = n[1] * std::pow(m, -0.2);
-  const double isoviscous = sum(rigid, elastic, 7. / 3);
-  const double piezoviscous =
-      sum(n[2] * std::pow(l, 2. / 3), n[3] * std::pow(m, -0.125) * std::pow(l, 0.75), -3.5);
-  const double s = (7 + 8 * std::exp(-2 * elastic / rigid)) / 5;
-  return only(x[5] * root * sum(isoviscous, piezoviscous, s));
+// The numbers of a law that a source prints, and no 2 or 3/4: those with few digits, or whose
+// reciprocals have few.
+std::vector<double> printed_numbers(Expression law) {
+  std::vector<double> numbers;
+  for (const Expression::Place& place : law.places_of_numbers()) {
+    const double number = std::abs(law.number_at(place));
+    const bool is_fraction = std::remainder(12 * number, 1) == 0 && 12 * number < 100;
+    if (!is_fraction && (is_of_few_digits(number) || is_of_few_digits(1 / number)))
+      numbers.push_back(number);
+  }
+  return numbers;
 }
 
-// Numbers: of each regime in the order of FilmRegime, as film_regimes.hpp has them.
-constexpr std::array regime_numbers{128.,   0.131, 1.683, 2. / 3, 1.66, 2. / 3, 0.68, 141., 0.375,
-                                    0.0387, 8.70,  0.67,  0.85,   0.31, 3.42,   0.49, 0.17, 0.68};
-std::optional<Numbers> film_of_regime(const Arguments& a, Constants n) {
-  const double g_v = a[1], g_e = a[2], alpha = a[3], k = a[4];
-  switch (static_cast<FilmRegime>(static_cast<int>(a[0]))) {
-    case FilmRegime::isoviscous_rigid: {
-      const double root = (n[1] * std::atan(alpha / 2) + n[2]) / (1 + n[3] / alpha);
-      return only(n[0] * alpha * root * root);
-    }
-    case FilmRegime::viscous_rigid_barus:
-      return only(n[4] * std::pow(g_v, n[5]) * -std::expm1(-n[6] * k));
-    case FilmRegime::viscous_rigid_roelands:
-      return only(n[7] * std::pow(g_v, n[8]) * -std::expm1(-n[9] * alpha));
-    case FilmRegime::isoviscous_elastic:
-      return only(n[10] * std::pow(g_e, n[11]) * (1 - n[12] * std::exp(-n[13] * k)));
-    default:
-      return only(n[14] * std::pow(g_v, n[15]) * std::pow(g_e, n[16]) * -std::expm1(-n[17] * k));
-  }
+// C, a, b, c, m and n of h/R = C Uᵃ Gᵇ Wᶜ (1 − m e^{−nk}), of those that the law has.
+std::vector<double> numbers_of_film(const FilmLaw& law) {
+  std::vector<double> numbers;
+  for (const Fraction& number : {law.constant, law.speed_exponent, law.material_exponent,
+                                 law.load_exponent, law.side_leakage, law.side_decay})
+    if (number.p != 0) numbers.push_back(static_cast<double>(number.p) / number.q);
+  return numbers;
 }
 
 // Numbers: 10, 100 and 0.00715 of oils above 100, then each row of D2270's table, as it is printed.
@@ -167,7 +167,7 @@ std::optional<Numbers> summits(const Arguments& m, Constants n) {
 
 int digits_of(double number) {
   int digits = 1;
-  while (std::stod(fmt::format("{:.{}e}", number, digits - 1)) != number && digits < 17) ++digits;
+  while (of_digits(number, digits) != number && digits < 17) ++digits;
   return digits;
 }
 
@@ -175,8 +175,7 @@ int digits_of(double number) {
 bool is_printed_like(double value, double other) {
   const int digits = digits_of(other);
   return is_of_few_digits(value) ||
-         (digits <= 6 && std::abs(std::stod(fmt::format("{:.{}e}", value, digits - 1)) - value) <=
-                             1e-8 * std::abs(value));
+         (digits <= 6 && std::abs(of_digits(value, digits) - value) <= 1e-8 * std::abs(value));
 }
 
 // The digits of a number, without its exponent and zeros.
@@ -528,18 +527,14 @@ std::string LawOfNumbers::in_words(std::size_t place, double number) const {
 }
 
 std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) {
-  if (function.film_law != nullptr) return film_law_of_numbers(function);
+  const auto by_terms = [&](std::vector<double> numbers) {
+    return law_by_terms(*law_expression(function), std::move(numbers));
+  };
+  if (function.film_law != nullptr) return by_terms(numbers_of_film(*function.film_law));
   if (function.name == "regime_film")
-    return LawOfNumbers{film_of_regime,
-                        {regime_numbers.begin(), regime_numbers.end()},
-                        {{3, {"", "2/3"}},
-                         {5, {"g_V^", "(2/3)"}},
-                         {8, {"g_V^", ""}},
-                         {11, {"g_E^", ""}},
-                         {15, {"g_V^", ""}},
-                         {16, {"g_E^", ""}}}};
-  if (function.name == "moes_line")
-    return LawOfNumbers{film_by_moes, {moes_numbers.begin(), moes_numbers.end()}, {}};
+    return by_terms({128, 0.131, 1.683, 2. / 3, 1.66, 2. / 3, 0.68, 141, 0.375, 0.0387, 8.70, 0.67,
+                     0.85, 0.31, 3.42, 0.49, 0.17, 0.68});
+  if (function.name == "moes_line") return by_terms({3, 2.621, 1.287, 1.311});
   if (function.name == "viscosity_index") return index_law_of_numbers();
   if (function.name == "starvation_ratio")
     return LawOfNumbers{starved_film,
@@ -556,14 +551,13 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) 
   return LawOfNumbers{formula, {right.begin(), right.end()}, {}};
 }
 
-std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mistake>& mistakes,
-                                          bool is_one_factor) {
-  const auto law = part.function() == nullptr ? std::nullopt : law_of_numbers(*part.function());
+namespace {
+
+std::vector<FittedNumbers> fitted_to_law(const Part& part, const std::vector<Part::Number>& wrong,
+                                         const std::vector<Mistake>& mistakes, bool is_one_factor) {
+  const auto law = law_of_numbers(*part.function());
   if (!law) return {};
   const catalogue::Function& function = *part.function();
-  std::vector<Part::Number> wrong;
-  for (const Part::Number& one : part.all)
-    if (one.answered->is_left()) wrong.push_back(one);
   // The changes on which wrong answers depend.
   std::vector<Change> changes;
   for (Change& one : changes_of(function, *law)) {
@@ -596,7 +590,40 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mi
   for (FittedNumbers& one : beside_mistakes(function, *law, mistakes, wrong, part.place))
     found.push_back(std::move(one));
   if (found.empty() && wrong.size() >= fewest_of_three)
-    return three_exchanges(*law, changes, wrong, part.place);
+    found = three_exchanges(*law, changes, wrong, part.place);
+  return found;
+}
+
+}  // namespace
+
+std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mistake>& mistakes,
+                                          bool is_one_factor) {
+  return part.function() == nullptr ? std::vector<FittedNumbers>()
+                                    : fitted_to_law(part, wrong_of(part), mistakes, is_one_factor);
+}
+
+std::vector<FittedNumbers> two_of_all_numbers(const Part& part) {
+  std::vector<FittedNumbers> found;
+  if (part.function() == nullptr) return found;
+  const catalogue::Function& function = *part.function();
+  const auto terms = law_expression(function);
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  if (!terms || function.results.size() > 1 || wrong.size() < fewest_of_three ||
+      inputs_that_vary(wrong) == 0)
+    return found;
+  const LawOfNumbers law = law_by_terms(*terms, printed_numbers(*terms));
+  const std::vector<Change> changes = changes_of(function, law);
+  std::vector<Part::Number> probes;
+  constexpr std::size_t most_probes = 8;
+  for (std::size_t i = 0; i < most_probes; ++i)
+    probes.push_back(wrong[i * (wrong.size() - 1) / (most_probes - 1)]);
+  for (std::size_t i = 0; i < changes.size() && found.empty(); ++i)
+    for (std::size_t k = i + 1; k < changes.size(); ++k) {
+      if (changes[i].is_input && changes[k].is_input) continue;
+      if (!fitted(law, {changes[i], changes[k]}, probes, part.place)) continue;
+      auto pair = fitted(law, {changes[i], changes[k]}, wrong, part.place);
+      if (pair && pair->is_plausible) found.push_back(std::move(*pair));
+    }
   return found;
 }
 

@@ -49,4 +49,8 @@ struct FittedNumbers {
 std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mistake>& mistakes,
                                           bool is_one_factor);
 
+// Two numbers, or a number and a factor of an input, among all that a law by terms has; where these
+// give some wrong answers, all are looked at.
+std::vector<FittedNumbers> two_of_all_numbers(const Part& part);
+
 }  // namespace tribo::conformance

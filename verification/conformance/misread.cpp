@@ -9,6 +9,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -38,6 +39,7 @@ enum class Kind : std::uint8_t {
   group,       // a number that several inputs make together, as αp: it may be cut off
   each_times,  // the first of several inputs of one unit, which are all multiplied by one number
   each_plus,   // … to which one number is added
+  each_size,   // … of which each is taken without its sign
 };
 
 constexpr std::string_view dimensionless = "1";  // a function's inputs without a unit
@@ -109,6 +111,15 @@ void add_alike(const catalogue::Function& function, std::vector<Input>& all) {
                      for (const std::size_t place : alike) asked.arguments[place] += more;
                    },
                    Kind::each_plus});
+    all.push_back({names,
+                   {},
+                   {},
+                   first,
+                   [alike](Question& asked, double) {
+                     for (const std::size_t place : alike)
+                       asked.arguments[place] = std::abs(asked.arguments[place]);
+                   },
+                   Kind::each_size});
   }
 }
 
@@ -254,8 +265,7 @@ bool is_without(const Input& input, const Question& question) {
 
 // Whether so many digits are the number, to 1e-6 of it.
 bool is_of_digits(double value, int digits) {
-  return std::abs(std::stod(fmt::format("{:.{}e}", value, digits - 1)) - value) <=
-         1e-6 * std::abs(value);
+  return std::abs(of_digits(value, digits) - value) <= 1e-6 * std::abs(value);
 }
 
 // Adds readings of the input that give this one answer, from the value with which it is right.
@@ -294,18 +304,20 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
                     std::abs(more), input.symbol),
         [more, &input](const Question& question) { return more + input.get(question); });
   if (input.kind == Kind::single || input.kind == Kind::group) {
+    // One answer decides where the number has few digits.
+    const std::size_t fewest = is_of_digits(value, digits_of_defaults) ? 1 : fewest_cut;
     add(
         rank_of_number, is_number + " wherever it is greater: it is cut off there",
         [number, &input](const Question& question) {
           return std::min(number, input.get(question));
         },
-        fewest_cut);
+        fewest);
     add(
         rank_of_number, is_number + " wherever it is less: it is cut off there",
         [number, &input](const Question& question) {
           return std::max(number, input.get(question));
         },
-        fewest_cut);
+        fewest);
   }
   if (input.kind != Kind::single) return;
   if (is_without(input, asked))
@@ -370,18 +382,24 @@ void add_steps(const Input& input, const std::vector<Part::Number>& wrong,
     }
 }
 
-// Adds that the input is upside down, or to another power. A number that is solved for does not
-// reach so far.
-void add_powers(const Input& input, std::vector<Misreading>& found) {
-  struct Power {
-    double exponent;
+// Adds that the input is upside down, to another power, or without its sign. A number that is
+// solved for does not reach so far.
+void add_forms(const Input& input, std::vector<Misreading>& found) {
+  struct Form {
+    double (*of)(double);
     const char* text;
   };
-  constexpr std::array powers{Power{-1, "1/{}"}, Power{2, "{}²"}, Power{0.5, "√{}"},
-                              Power{3, "{}³"}, Power{1.0 / 3, "∛{}"}};
-  for (const auto& [exponent, text] : powers) {
-    const auto change = [&input, power = exponent](Question& question) {
-      const double own = input.get(question), read = std::pow(own, power);
+  constexpr std::array forms{Form{[](double x) { return 1 / x; }, "1/{}"},
+                             Form{[](double x) { return x * x; }, "{}²"},
+                             Form{[](double x) { return std::sqrt(x); }, "√{}"},
+                             Form{[](double x) { return x * x * x; }, "{}³"},
+                             Form{[](double x) { return std::cbrt(x); }, "∛{}"},
+                             Form{[](double x) { return std::abs(x); }, "|{}|"},
+                             Form{[](double x) { return -x; }, "−{}"},
+                             Form{[](double x) { return std::max(x, 0.0); }, "max({}, 0)"}};
+  for (const auto& [of, text] : forms) {
+    const auto change = [&input, form = of](Question& question) {
+      const double own = input.get(question), read = form(own);
       if (std::isfinite(read) && read != own) input.set(question, read);
     };
     found.push_back({2,
@@ -405,11 +423,21 @@ void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part
   const auto [least, greatest] = std::minmax_element(
       wrong.begin(), wrong.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
   for (const Input& input : inputs) {
+    if (input.kind == Kind::each_size) {
+      const auto change = [&input](Question& question) { input.set(question, 0); };
+      found.push_back({2, "the size of " + input.symbol + ", without its sign",
+                       [change](Question question, std::size_t of) {
+                         change(question);
+                         return right_numbers(question)[of];
+                       },
+                       fewest_wrong, false, change});
+      continue;
+    }
     if (input.kind == Kind::single) add_steps(input, wrong, found);
     for (const auto& from : {least, greatest, wrong.begin() + std::ssize(wrong) / 2})
       if (const auto value = solved(*from, input, place))
         add_misreadings(inputs, input, from->of->question, *value, found);
-    if (input.kind == Kind::single) add_powers(input, found);
+    if (input.kind == Kind::single) add_forms(input, found);
     // An answer that hardly depends on the input there tells no value of it.
     for (const Input& other : inputs)
       if (&other != &input && input.kind == Kind::single && is_of_unit(other, input))
@@ -456,13 +484,6 @@ bool vary(const Part& part) {
   return greatest - least > 1e-5;
 }
 
-std::vector<Part::Number> wrong_of(const Part& part) {
-  std::vector<Part::Number> wrong;
-  for (const Part::Number& one : part.all)
-    if (one.answered->is_left()) wrong.push_back(one);
-  return wrong;
-}
-
 bool is_same(double a, double b) { return std::abs(a - b) <= one_value * std::abs(b); }
 
 bool all_of(const std::vector<Part::Number>& numbers,
@@ -472,10 +493,14 @@ bool all_of(const std::vector<Part::Number>& numbers,
 
 }  // namespace
 
+double of_digits(double value, int digits) {
+  return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
+}
+
 // A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
 double round_number(double value) {
   for (int digits = 1; digits <= 6; ++digits) {
-    const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
+    const double rounded = of_digits(value, digits);
     if (std::abs(rounded - value) <= 1e-6 * std::abs(value)) return rounded;
   }
   return value;
@@ -519,36 +544,52 @@ std::string other_default(const Part& part) {
 
 std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake>& mistakes) {
   const std::vector<Part::Number> wrong = wrong_of(part);
-  if (wrong.size() < fewest_cut) return std::nullopt;
+  if (wrong.empty()) return std::nullopt;
   // The readings keep the address of their inputs.
   const auto inputs = std::make_shared<const std::vector<Input>>(inputs_of(part));
   std::vector<Misreading> all;
-  const bool is_one_factor = !vary(part);
-  for (FittedNumbers& one : fitted_numbers(part, mistakes, is_one_factor))
-    if (!is_one_factor || one.is_plausible)
-      all.push_back({!one.is_plausible ? 7
-                     : one.count == 1  ? 2
-                                       : 4 + static_cast<int>(one.count),
-                     std::move(one.text), std::move(one.answer)});
-  if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);
-  // Another right value, as of the other axis, is simpler than a law that gives it.
-  if (other_value(part).empty())
-    for (ChangedExpression& one : changed_expressions(part))
-      all.push_back(
-          {one.changes == 1 ? 3 : rank_of_odd - 1, std::move(one.text), std::move(one.answer)});
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
   std::vector<std::string> texts;
   const Misreading* first = nullptr;
-  // A round number that is all wrong answers is told itself, and not an odd input that gives it.
-  if (is_of_few_digits(wrong.front().answered->got) && floor_or_cap(part))
-    std::erase_if(all, [](const Misreading& one) { return one.rank >= rank_of_odd; });
-  for (const Misreading& one : all) {
-    if (!texts.empty() && (one.rank > first->rank || texts.size() == 3)) break;
-    if (std::find(texts.begin(), texts.end(), one.text) != texts.end() || !gives(one, part))
-      continue;
-    if (first == nullptr) first = &one;
-    texts.push_back(one.text);
+  const bool is_one = wrong.size() < fewest_cut, is_one_factor = !is_one && !vary(part);
+  const auto add_numbers = [&](std::vector<FittedNumbers> numbers) {
+    for (FittedNumbers& one : numbers)
+      if (!is_one_factor || one.is_plausible)
+        all.push_back({!one.is_plausible ? 7
+                       : one.count == 1  ? 2
+                                         : 4 + static_cast<int>(one.count),
+                       std::move(one.text), std::move(one.answer)});
+  };
+  const auto add_changes = [&](std::size_t changes) {
+    for (ChangedExpression& one : changed_expressions(part, changes, is_one_factor))
+      all.push_back(
+          {changes == 1 ? 3 : rank_of_odd - 1, std::move(one.text), std::move(one.answer)});
+  };
+  const auto find_simplest = [&] {
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
+    // A round number that is all wrong answers is told itself, and not an odd input that gives it.
+    if (is_of_few_digits(wrong.front().answered->got) && floor_or_cap(part))
+      std::erase_if(all, [](const Misreading& one) { return one.rank >= rank_of_odd; });
+    for (const Misreading& one : all) {
+      if (!texts.empty() && (one.rank > first->rank || texts.size() == 3)) break;
+      if (std::find(texts.begin(), texts.end(), one.text) != texts.end() || !gives(one, part))
+        continue;
+      if (first == nullptr) first = &one;
+      texts.push_back(one.text);
+    }
+  };
+  if (!is_one) add_numbers(fitted_numbers(part, mistakes, is_one_factor));
+  if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);
+  // Another right value, as of the other axis, is simpler than a law that gives it.
+  const bool is_of_law = !is_one && other_value(part).empty();
+  if (is_of_law) add_changes(1);
+  find_simplest();
+  if (is_of_law && (first == nullptr || first->rank >= rank_of_odd)) {
+    first = nullptr;
+    texts.clear();
+    add_changes(2);
+    if (!is_one_factor) add_numbers(two_of_all_numbers(part));
+    find_simplest();
   }
   if (first == nullptr) return std::nullopt;
   return Misread{fmt::format("{}", fmt::join(texts, "; or with ")),

@@ -43,6 +43,8 @@ std::vector<Mistake> solved_insides(const Part& part);
 // or less where it is a cap: the answer for a right one. Empty: they are none.
 std::function<double(double right)> floor_or_cap(const Part& part);
 
+// The number with so many digits; also one that is too small for all of a double's own digits.
+double of_digits(double value, int digits);
 // A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
 double round_number(double value);
 // Whether four digits are the number, to 1e-6 of it, as those that a source prints.

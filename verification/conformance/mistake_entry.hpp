@@ -115,6 +115,9 @@ std::optional<Mistake> for_points(const Mistake& mistake);
 void scale_film(Scene& scene, double factor);
 // Multiplies the nominal area of the contact by a factor, with the film formula left as it is.
 void scale_area(Scene& scene, double factor);
+// Multiplies the stiffness K of the asperities by a factor, with the real area left as it is.
+// Returns by what the number of summits is to be multiplied to stay as it is.
+double scale_stiffness(Scene& scene, double factor);
 
 // A mistake that several film laws have, in the film of an operating point by any of them.
 Mistake with_film(const std::vector<Mistake>& laws);

@@ -191,13 +191,16 @@ void exchange_radii(Question& question) {
 constexpr std::pair<std::string_view, void (*)(Question&)> ellipse_changes[] = {
     {"circle_of_radius_x", take_circle}, {"radii_exchanged", exchange_radii}};
 
-// K times a factor, the real area left as it is: √(σ_s/β) grows at constant nβ; the number of
-// summits grows by the factor's square. Returns what undoes that.
+}  // namespace
+
+// √(σ_s/β) grows at constant nβ; the number of summits grows by the factor's square.
 double scale_stiffness(Scene& scene, double factor) {
   scene.surface.summit_density *= factor * factor;
   scene.surface.summit_radius /= factor * factor;
   return 1 / (factor * factor);
 }
+
+namespace {
 
 bool is_gt(const Scene& scene) { return scene.closures.asperity == AsperityModel::greenwood_tripp; }
 
@@ -236,7 +239,8 @@ constexpr std::pair<std::string_view, double FrictionReading::*> friction_number
     {"roelands_pressure", &FrictionReading::roelands_pressure},
     {"roelands_logarithm", &FrictionReading::roelands_logarithm},
     {"limiting_by_minimum", &FrictionReading::limiting_by_minimum},
-    {"limiting_by_tangent", &FrictionReading::limiting_by_tangent}};
+    {"limiting_by_tangent", &FrictionReading::limiting_by_tangent},
+    {"eyring_by_line", &FrictionReading::eyring_by_line}};
 
 // The function's results with the mistake, for arguments that a point has.
 std::optional<double> value_with(const Mistake& wrong, const catalogue::Arguments& arguments) {

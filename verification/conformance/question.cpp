@@ -96,7 +96,8 @@ double friction_of(const OperatingPoint<double>& point, const Scene& scene,
   const double newtonian = shear_number * yield;
   const bool is_limiting = scene.friction.fluid == FluidShear::limiting;
   const double stress =
-      is_limiting && reading.limiting_by_minimum != 0 ? std::min(newtonian, yield)
+      !is_limiting && reading.eyring_by_line != 0       ? newtonian
+      : is_limiting && reading.limiting_by_minimum != 0 ? std::min(newtonian, yield)
       : is_limiting && reading.limiting_by_tangent != 0
           ? yield * std::tanh(newtonian / yield)
           : fluid_shear_stress(scene.friction.fluid, yield, viscosity, thickening, rate * gap, gap);

@@ -44,6 +44,7 @@ struct FrictionReading {
   double roelands_logarithm = 1;   // 1/ln 10: log₁₀ η₀ for ln η₀
   double limiting_by_minimum = 0;  // 1: min(ηγ̇, τ₀) for τ₀(1 − e^{−ηγ̇/τ₀})
   double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for it
+  double eyring_by_line = 0;       // 1: ηγ̇ for τ₀ asinh(ηγ̇/τ₀)
   // In place of the point's own: the pressure that thickens in Pa, ln(η/η₀), shear rate in 1/s, gap
   // in m, ηγ̇/τ₀; A beside μ_b, A_r/A_nom, and p̄ in Pa under τ.
   std::optional<double> pressure = {}, log_viscosity = {}, shear_rate = {}, gap = {},

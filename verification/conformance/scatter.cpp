@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/expression.hpp"
 #include "conformance/misread.hpp"
 #include "conformance/variable.hpp"
 
@@ -127,6 +128,7 @@ constexpr double of_rounding = 1e-13;  // of the condition
 constexpr double nothing = 1e-5, many_times = 1e4, in_order = 0.95;
 constexpr double beside = 2e-8;  // of the greatest error: less is noise of something else
 constexpr std::size_t fewest_in_order = 6;
+constexpr double least_power_of_numerics = 3;
 
 // The correlation as the variable falls. Errors of one size are in the order of the variable.
 double correlation_down(std::vector<Error> errors) {
@@ -146,20 +148,40 @@ double correlation_from_one(const std::vector<Error>& errors) {
   return std::min(correlation_down({errors.begin(), one}), correlation({one, errors.end()}));
 }
 
-// ", at first as its power 2": of the errors that are the smallest. Empty: they are of no power.
-std::string first_power(std::vector<Error> errors) {
-  constexpr double closeness = 0.1, greatest_power = 12;
-  if (errors.front().x <= 0) return {};
+// The power of the variable, or of its logarithm where the errors are nearly 0 near 1, as which
+// those errors grow that are the smallest. Empty: they are of no power.
+std::optional<double> first_power(std::vector<Error> errors, bool is_of_one) {
+  constexpr double closeness = 0.1, closeness_of_one = 0.5, greatest_power = 12;
+  if (errors.front().x <= 0) return std::nullopt;
   std::sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
     return std::abs(a.relative) < std::abs(b.relative);
   });
+  const auto place = [&](const Error& one) { return is_of_one ? std::log(one.x) : one.x; };
   const Error &first = errors.front(), &last = errors[errors.size() / 3];
   const auto power_to = [&](const Error& one) {
-    return std::log(one.relative / first.relative) / std::log(one.x / first.x);
+    return std::log(std::abs(one.relative / first.relative)) /
+           std::log(std::abs(place(one) / place(first)));
   };
   const double power = power_to(last), between = power_to(errors[errors.size() / 6]);
-  if (!(std::abs(power - between) < closeness && std::abs(power) < greatest_power)) return {};
-  return fmt::format(", at first as its power {:.1f}", power);
+  if (!(std::abs(power - between) < (is_of_one ? closeness_of_one : closeness) &&
+        std::abs(power) < greatest_power))
+    return std::nullopt;
+  return power;
+}
+
+// Whether the function's values come from an integral, a root or a series, as no sum of powers
+// does.
+bool has_numerics(const catalogue::Function& function) {
+  const std::optional<Expression> law = law_expression(function);
+  return !law ||
+         std::any_of(law->nodes.begin(), law->nodes.end(), [&](const Expression::Node& one) {
+           const bool is_input = std::any_of(function.parameters.begin(), function.parameters.end(),
+                                             [&](const catalogue::Parameter& input) {
+                                               return symbol_of(input.meaning) == one.name;
+                                             });
+           return (one.kind == Expression::Op::given && !is_input && one.name != "π") ||
+                  one.called == Expression::Call::error;
+         });
 }
 
 // The greatest error where that is small beside 1, though not beside small answers.
@@ -219,7 +241,7 @@ std::string halved_width(double step, double range) {
   for (const bool is_any_digit : {false, true})
     for (int halvings = first; halvings < first + 8; ++halvings) {
       const double width = std::ldexp(step, halvings);
-      const double rounded = std::stod(fmt::format("{:.0e}", width));
+      const double rounded = of_digits(width, 1);
       const bool is_power_of_ten = std::abs(std::remainder(std::log10(rounded), 1)) < 1e-9;
       if (std::abs(rounded / width - 1) > 1e-6 || !(is_power_of_ten || is_any_digit)) continue;
       return fmt::format(
@@ -299,15 +321,31 @@ Growth growth_of(const Part& part) {
     if (with <= best || from > nothing || to < many_times * from) continue;
     best = with;
     const char* const good = is_of_one ? "values near 1 of" : up > down ? "small" : "large";
+    const std::optional<double> power = first_power(errors, is_of_one);
+    found.is_numerics =
+        has_numerics(*part.function()) && (!power || std::abs(*power) >= least_power_of_numerics);
     found.cause = fmt::format("{}: numerics along {}", part.function()->name, variable.symbol);
     found.text = fmt::format(
         "The errors are nearly 0 for {} {}, and grow smoothly beyond, from {:.2g} to {:.2g} of the "
-        "value{}: as of a quadrature, a series or an iteration that stops too early, or of a term "
-        "left out that is small for {} {}.",
-        good, variable.symbol, from, to, is_of_one ? "" : first_power(errors), good,
-        variable.symbol);
+        "value{}: as of {}a term that is left out, or is another one, and is small for {} {}.",
+        good, variable.symbol, from, to,
+        power && !is_of_one ? fmt::format(", at first as its power {:.1f}", *power) : "",
+        found.is_numerics ? "a quadrature, a series or an iteration that stops too early, or of "
+                          : "",
+        good, variable.symbol);
   }
   return found;
+}
+
+// Whether digits are lost: answers at one end of the variable have all digits of a double, and
+// they are fewer, the farther from it. A root that stops early leaves errors at both ends.
+bool are_digits_lost(const Part& part, const Variable& variable) {
+  constexpr double all_digits = 1e-11;
+  const std::vector<Error> errors = errors_along(part, variable, 1e-300);
+  if (errors.size() < fewest_scattered) return true;  // the others are right to the last digit
+  const std::size_t third = errors.size() / 3;
+  return std::min(middle_size(errors, 0, third),
+                  middle_size(errors, errors.size() - third, errors.size())) < all_digits;
 }
 
 std::string scatter_of(const Part& part) {
@@ -332,8 +370,11 @@ std::string scatter_of(const Part& part) {
     best = std::abs(with);
     grows = fmt::format(
         "The errors are of both signs and in no order, and grow where {} is {}, from {:.2g} to "
-        "{:.2g} of the value: as of digits that cancel, or are rounded away.",
-        variable.symbol, with < 0 ? "small" : "large", std::min(low, high), std::max(low, high));
+        "{:.2g} of the value: as of {}.",
+        variable.symbol, with < 0 ? "small" : "large", std::min(low, high), std::max(low, high),
+        are_digits_lost(part, variable)
+            ? "digits that cancel, or are rounded away"
+            : "an iteration that stops too early, or of rounded numbers");
   }
   if (!grows.empty() || greatest == 0 || greatest > small_error) return grows;
   return fmt::format(

@@ -14,8 +14,11 @@ std::string scatter_of(const Part& part);
 
 // Errors that are nearly 0 for small values of a variable, and grow smoothly beyond, or that are
 // all small beside 1; with a cause that other results may have, too. Empty: they are neither.
+// They are of numerics only where the law has a root, an integral or a series, and where they grow
+// as a high power, as what such a method leaves out does.
 struct Growth {
   std::string text, cause;
+  bool is_numerics = true;
 };
 Growth growth_of(const Part& part);
 

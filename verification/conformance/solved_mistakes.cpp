@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "conformance/misread.hpp"
 #include "tribo/viscosity_index.hpp"
 
 namespace tribo::conformance {
@@ -74,7 +75,7 @@ std::vector<Mistake> cut_integrals(const std::vector<WrongAnswer>& wrong) {
     const std::string text = fmt::format("{}{:.3g}", is_distance ? "d + " : "", end);
     const std::string name =
         fmt::format("moment-cut-at-{}{:.3g}", is_distance ? "d-plus-" : "", end);
-    const double rounded = std::stod(fmt::format("{:.3g}", end));
+    const double rounded = of_digits(end, 3);
     constexpr double farthest = 40, round_enough = 1e-3;
     if (!(rounded > 0 && rounded < farthest && std::abs(end / rounded - 1) < round_enough) ||
         !names.insert(name).second)

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "conformance/misread.hpp"
 #include "conformance/question.hpp"
 
 namespace tribo::conformance {
@@ -54,7 +55,7 @@ double roundest_between(double low, double high) {
     const double unit =
         std::pow(10, std::floor(std::log10(std::max(std::abs(low), std::abs(high)))) - digits);
     const double found = std::ceil(low / unit) * unit;
-    if (found <= high) return std::stod(fmt::format("{:.{}g}", found, digits + 2));
+    if (found <= high) return of_digits(found, digits + 2);
   }
   return high;
 }

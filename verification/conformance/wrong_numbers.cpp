@@ -55,6 +55,13 @@ std::vector<AnsweredCase> answered_cases(const std::string& function,
   return all;
 }
 
+std::vector<Part::Number> wrong_of(const Part& part) {
+  std::vector<Part::Number> wrong;
+  for (const Part::Number& one : part.all)
+    if (one.answered->is_left()) wrong.push_back(one);
+  return wrong;
+}
+
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
   std::map<std::pair<std::size_t, std::string>, Part> parts;
   std::map<std::string, std::pair<std::size_t, std::size_t>> counts;  // explained, left

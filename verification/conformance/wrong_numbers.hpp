@@ -64,6 +64,9 @@ struct Part {
   const catalogue::Function* function() const { return all.front().of->question.function; }
 };
 
+// Those of all numbers of a part that are wrong and still to be told.
+std::vector<Part::Number> wrong_of(const Part& part);
+
 // The parts with wrong answers that are still to be told. After a named mistake a few wrong
 // answers, such as near a border, are not told.
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);

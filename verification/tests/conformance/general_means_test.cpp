@@ -8,11 +8,13 @@
 #include <map>
 #include <numbers>
 
+#include "catalogue/ways_to_ask.hpp"
 #include "conformance/diagnosis.hpp"
 #include "conformance/expression.hpp"
 #include "conformance/question.hpp"
 #include "support/judge.hpp"
 #include "tribo/gaussian_moment.hpp"
+#include "tribo/hertz_ellipse.hpp"
 #include "tribo/viscosity_index.hpp"
 
 namespace tribo::conformance {
@@ -464,6 +466,142 @@ TEST(LoadSharing, WithAnotherExponentIsToldWithIt) {
   expect_told(
       {{"load_sharing", "with the film's exponent 0.15 in place of the film's exponent 0.14",
         shared(0.15)}});
+}
+
+// An adhesive contact whose root has other numbers; a root of less than 0 is taken as 0.
+Formula jkr(double outside, double linear, double square) {
+  return [=](const In& in) -> json {
+    const double pull = pi * in("work_of_adhesion") * in("reduced_radius"), load = in("load");
+    const double root = sqrt(std::max(0.0, linear * pull * load + square * pull * pull));
+    return std::cbrt(outside * in("reduced_radius") / in("effective_modulus") *
+                     (load + 3 * pull + root));
+  };
+}
+Formula roelands_of_constant(double z, double (*logarithm)(double)) {
+  return [=](const In& in) -> json {
+    const double scale = logarithm(in("viscosity")) + 9.67;
+    return in("viscosity") * exp(scale * (pow(1 + in("pressure") / 1.96e8, z) - 1));
+  };
+}
+
+TEST(TwoChanges, OfWhichOneIsANumberAreToldTogether) {
+  expect_told({{"jkr_radius", "with no term + 9 πwR²", jkr(0.75, 6, 0)},
+               {"jkr_radius", "+ 3 πwR² in place of + 9 πwR²", jkr(0.75, 6, 3)},
+               {"roelands_viscosity", "log₁₀(η₀) in place of ln(η₀), and 0.61 in place of z",
+                roelands_of_constant(0.61, [](double x) { return std::log10(x); })},
+               {"roelands_viscosity", "with 0.62 in place of z (",
+                roelands_of_constant(0.62, [](double x) { return log(x); })},
+               {"patir_cheng_pressure_flow", "with −H^0.56 in place of −0.56 H (",
+                [](const In& in) -> json { return 1 - 0.9 * exp(-pow(in("film_ratio"), 0.56)); }}});
+  const std::string both = said_of("jkr_radius", jkr(1.5, 6, 3));
+  EXPECT_NE(both.find("3/2 in place of 3/4"), std::string::npos) << both;
+  EXPECT_NE(both.find("+ 3 πwR² in place of + 9 πwR²"), std::string::npos) << both;
+  // An odd number is none that is written.
+  const std::string odd = said_of("jkr_radius", jkr(1.5, 6, 3.0123456));
+  EXPECT_EQ(odd.find("in place of"), std::string::npos) << odd;
+}
+
+Formula moment_of(double (*read)(double d)) {
+  return [=](const In& in) -> json {
+    return gaussian_moment(static_cast<Order>(std::lround(2 * in("order"))), read(in("argument")));
+  };
+}
+
+TEST(Inputs, WithoutTheirSignAreToldAndNotAsNumerics) {
+  expect_told({{"gaussian_moment", "with |d| in place of d (",
+                moment_of([](double d) { return std::abs(d); })},
+               {"reduced_radius", "with the size of each of R₁x, R₂x, R₁y, R₂y, without its sign",
+                [](const In& in) -> json {
+                  const auto both = [&](const char* one, const char* other, auto read) {
+                    return 1 / (1 / read(in(one)) + 1 / read(in(other)));
+                  };
+                  const auto same = [](double x) { return x; };
+                  const auto size = [](double x) { return std::abs(x); };
+                  const double x = both("first_radius_x", "second_radius_x", size);
+                  const double y = both("first_radius_y", "second_radius_y", size);
+                  return {{"radius_x", both("first_radius_x", "second_radius_x", same)},
+                          {"radius_y", both("first_radius_y", "second_radius_y", same)},
+                          {"reduced_radius", 1 / (1 / x + 1 / y)}};
+                }}});
+  EXPECT_EQ(said_of("gaussian_moment", moment_of([](double d) { return std::abs(d); }))
+                .find("as of a quadrature"),
+            std::string::npos);
+}
+
+TEST(Inputs, ThatOneCaseShowsCutOffAreToldWhereTheEndHasFewDigits) {
+  const auto film = [](double end) {
+    return [=](const In& in) -> json {
+      const catalogue::Function& law = *catalogue::function_named("hamrock_dowson_minimum");
+      catalogue::Arguments arguments{};
+      for (std::size_t i = 0; i < law.parameters.size(); ++i)
+        arguments[i] = in.inputs.value(std::string(law.parameters[i].name), 1.0);
+      double& k = arguments[catalogue::place_in(law.parameters, "ellipticity")];
+      k = std::min(k, end);
+      catalogue::Results results{};
+      law.value(arguments, results);
+      return results[0];
+    };
+  };
+  const std::string words = "wherever it is greater: it is cut off there (1 of 1";
+  const std::string said = said_of("hamrock_dowson_minimum", film(8));
+  EXPECT_NE(said.find("with k = 8 " + words), std::string::npos) << said;
+  const std::string odd = said_of("hamrock_dowson_minimum", film(7.9123));
+  EXPECT_EQ(odd.find(words), std::string::npos) << odd;
+}
+
+// Axes and pressures of an ellipse whose axes have the ratio k, and the approach of the right one.
+Formula ellipse_of(double (*ratio)(double alpha), double area) {
+  return [=](const In& in) -> json {
+    const double x = in("radius_x"), y = in("radius_y"), load = in("load");
+    const double k = ratio(std::max(x, y) / std::min(x, y));
+    const auto [b, d] = detail::associated_integrals(k);
+    const double minor = std::cbrt(3 * (b + d / k / k) * load / (1 / x + 1 / y) /
+                                   (pi * k * in("effective_modulus")));
+    const double mean = load / (area * k * minor * minor);
+    return {{"semi_axis_x", y < x ? k * minor : minor},
+            {"semi_axis_y", y < x ? minor : k * minor},
+            {"ellipticity", y < x ? 1 / k : k},
+            {"mean_pressure", mean},
+            {"peak_pressure", 1.5 * mean}};
+  };
+}
+
+TEST(Axes, ThatFollowFromAWrongRatioAreToldByItAndTheRestIsJudgedByIt) {
+  const std::string follows = "This follows from its ellipticity";
+  const auto root = [](double alpha) { return sqrt(alpha); };
+  const std::string said = said_of("hertz_ellipse", ellipse_of(root, pi));
+  EXPECT_NE(said.find(follows), std::string::npos) << said;
+  EXPECT_NE(said.find("are (R_y/R_x)^(0.5)"), std::string::npos) << said;
+  EXPECT_EQ(said.find("as of a quadrature"), std::string::npos) << said;
+  EXPECT_EQ(said.find("mean_pressure"), std::string::npos) << said;
+  const std::string of_area = said_of("hertz_ellipse", ellipse_of(root, 4));
+  EXPECT_NE(
+      of_area.find("mean_pressure is 21.5 % low everywhere. It is too small by a factor of 4/π"),
+      std::string::npos)
+      << of_area;
+  // Axes that are wrong by themselves do not follow.
+  const Formula right =
+      ellipse_of([](double alpha) { return ellipse_shape(alpha).ellipticity; }, pi);
+  const std::string alone = said_of("hertz_ellipse", [&](const In& in) {
+    json given = right(in);
+    given["ellipticity"] = sqrt(in("radius_y") / in("radius_x"));
+    return given;
+  });
+  EXPECT_EQ(alone.find(follows), std::string::npos) << alone;
+}
+
+// An area with a term more, which is small for small pressures, is no area of another numerics.
+TEST(Growth, OfAFactorIsNotToldAsNumerics) {
+  for (const double times : {0.31, 0.47}) {
+    const std::string said = said_of("gupta_thermal_reduction", [=](const In& in) -> json {
+      const double l = in("temperature_viscosity") * in("viscosity") * pow(in("speed"), 2) /
+                       in("thermal_conductivity");
+      return (1 - 6.6 * in("peak_pressure") / in("effective_modulus") * pow(l, 0.42)) /
+             (1 + 0.213 * (1 + 2.23 * pow(in("slide_roll_ratio"), 0.83)) * pow(l, 0.64)) *
+             (1 + times * log(1 + l));
+    });
+    EXPECT_EQ(said.find("quadrature"), std::string::npos) << said;
+  }
 }
 
 // Answers that are right in a way of their own, or wrong in one that none of these means knows, are
