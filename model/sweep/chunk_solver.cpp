@@ -15,7 +15,7 @@ namespace {
 
 // A block of this many numbers is solved and then summed up while it is in the cache. Columns of so
 // few groups that summing up would take longer than solving get larger blocks.
-constexpr std::size_t block_numbers = 8192, few_groups = 8, most_numbers = 1 << 17;
+constexpr std::size_t block_numbers = 8192, few_groups = 8, most_block_numbers = 1 << 17;
 
 }  // namespace
 
@@ -132,7 +132,7 @@ Chunk ChunkSolver::solve(std::uint64_t number) {
   for (OfScene::Kept& one : of.kept) one.numbers.assign(sweep.chunk_cases() * one.width, 0);
   const std::size_t of_group = of.rows * (of.width + of.variables);
   const std::uint64_t block = std::max<std::uint64_t>(
-      {1, block_numbers / of_group, std::min(few_groups, most_numbers / of_group)});
+      {1, block_numbers / of_group, std::min(few_groups, most_block_numbers / of_group)});
   for (std::uint64_t first = 0; first < place.groups; first += block) {
     const auto groups = static_cast<std::size_t>(std::min(block, place.groups - first));
     of.values.resize(groups * of.rows * of.variables);
