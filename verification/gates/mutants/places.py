@@ -326,18 +326,25 @@ def sources_of(file):
     return re.findall(r'^#include "(.+)"', file.read_text(), flags=re.MULTILINE) if joined else [str(file)]
 
 
+def files_of(root, rooms=None):
+    """The texts of these rooms, or of all, sorted."""
+    return sorted(path for folder in {folder.split("/")[0] for folder in ROOMS} for path in (root / folder).glob("**/*")
+                  if path.suffix in (".cpp", ".hpp", ".py", ".md", ".gp", ".js")
+                  and (room := room_of(path.relative_to(root).as_posix())) and (rooms is None or room in rooms) and path.is_file())
+
+
 def cpp_places(root, build, workers=2, rooms=None):
     """Places of all sources of these rooms, or of all, that the build compiles, and of their headers that these include."""
     entries = json.loads((build / "compile_commands.json").read_text())
     commands = [(one["command"], file) for one in entries for file in sources_of(pathlib.Path(one["file"]))
                 if file.endswith(".cpp") and (name := file.removeprefix(f"{root}/")) != file and room_of(name)]
     if rooms is not None:
-        is_mine = lambda file: room_of(str(file).removeprefix(f"{root}/")) in rooms  # noqa: E731
-        texts = "".join(path.read_text() for path in root.glob("**/*.?pp") if is_mine(path))
+        mine = files_of(root, rooms)
+        texts = "".join(path.read_text() for path in mine if path.suffix in (".cpp", ".hpp"))
         # A header that these rooms do not include themselves is read with the first source that does.
-        lonely = [path.name for path in root.glob("**/*.hpp") if is_mine(path) and f'{path.name}"' not in texts]
+        lonely = [path.name for path in mine if path.suffix == ".hpp" and f'{path.name}"' not in texts]
         readers = {next((file for _, file in commands if f'/{name}"' in pathlib.Path(file).read_text()), None) for name in lonely}
-        commands = [row for row in commands if is_mine(row[1]) or row[1] in readers]
+        commands = [row for row in commands if pathlib.Path(row[1]) in mine or row[1] in readers]
     random.Random(1).shuffle(commands)
     with concurrent.futures.ProcessPoolExecutor(workers) as pool:
         parts = list(pool.map(cpp_part, [root] * workers, [commands[i::workers] for i in range(workers)], [rooms] * workers))
@@ -485,8 +492,7 @@ def planted_places(root):
 
 def all_places(root, build, rooms=None):
     """All places, or those of some rooms; they are cached in the build folder for one state of the files."""
-    files = sorted(path for path in root.glob("**/*") if path.suffix in (".cpp", ".hpp", ".py", ".md", ".gp", ".js")
-                   and (room := room_of(path.relative_to(root).as_posix())) and (rooms is None or room in rooms) and path.is_file())
+    files = files_of(root, rooms)
     state = hashlib.sha256(pathlib.Path(__file__).read_bytes() + b"".join(str(path).encode() + path.read_bytes() for path in files)).hexdigest()
     cache = build / "mutant_places.json"
     if cache.is_file() and (kept := json.loads(cache.read_text()))["state"] == state:

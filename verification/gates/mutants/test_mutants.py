@@ -121,6 +121,21 @@ class Cpp(Folder):
         self.assertEqual(set(found), {"model/src/film.cpp", "model/src/other.cpp"})
         self.assertEqual(found["model/src/film.cpp"], len(self.places))
 
+    def test_rooms_that_are_read_alone_have_the_places_that_they_have_among_all(self):
+        header = self.folder / "model/ehl/thin.hpp"  # included by another room's source alone
+        header.parent.mkdir()
+        header.write_text("inline int next(int x) { return x + 1; }\n")
+        other = self.folder / "model/ehl/film.cpp"
+        other.write_text(SOURCE)
+        self.source.write_text('#include "ehl/thin.hpp"\n' + SOURCE)
+        (self.folder / "compile_commands.json").write_text(json.dumps(
+            [{"command": f"c++ -std=c++20 -I{self.folder / 'model'} -c {file}", "file": str(file)} for file in (self.source, other)]))
+        found = lambda **rooms: {json.dumps(one) for one in places.cpp_places(self.folder, self.folder, 1, **rooms)}  # noqa: E731
+        film, engine = (found(rooms=[room]) for room in ("film", "engine"))
+        self.assertEqual({json.loads(one)["file"] for one in film}, {"model/ehl/thin.hpp", "model/ehl/film.cpp"})
+        self.assertEqual({json.loads(one)["file"] for one in engine}, {"model/src/film.cpp"})
+        self.assertEqual(film | engine, found())
+
     def test_room_that_is_reserved_changes_nothing(self):
         self.source.write_text("struct List { void reserve(int); void resize(int); };\nvoid f(List& a, int n) {\n  a.reserve(n + 1);\n  a.resize(n + 2);\n}\n")
         found = [one for one in places.cpp_part(self.folder, [(f"c++ -std=c++20 -c {self.source}", str(self.source))])]
