@@ -151,6 +151,7 @@ class Prepared:
             write(folder / "places.json", found)
             kept = {"seed": seed, "commit": plant.commit(), "numbers": {}, "dropped": [], "built": False, "coverage": {}}
         self.kept = kept
+        self.save()  # so that a run that is stopped while it builds goes on with the same texts
         if not kept["built"]:
             found = json.loads((folder / "places.json").read_text())
             kept["population"] = {room: sum(one["room"] == room for one in found) for room in sizes}
