@@ -236,8 +236,8 @@ void append_answer(Text& to, std::string_view line, std::size_t number,
 
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(std::size_t, const std::vector<Validity>&)>& warn) {
-  // More threads would take longer to start than they save.
-  constexpr std::size_t most_together = 1024, lines_of_part = 32;
+  // More threads, or threads for fewer parts, would take longer to start than they save.
+  constexpr std::size_t most_together = 1024, lines_of_part = 32, least_parts = 8;
   const int threads = std::min(8, thread_count(0));
   std::vector<Line> waiting;
   std::vector<Part> parts(most_together / lines_of_part);
@@ -247,7 +247,7 @@ void answer_lines(LineReader& lines, OutputStream& output,
     while (waiting.size() < most_together && lines.line_waiting()) waiting.push_back(lines.next());
     if (waiting[0].kind == Line::Kind::end_of_input) return;
     const std::size_t count = (waiting.size() + lines_of_part - 1) / lines_of_part;
-    each_on_threads(threads, count, [&](std::size_t i) {
+    each_on_threads(count < least_parts ? 1 : threads, count, [&](std::size_t i) {
       const std::size_t first = i * lines_of_part;
       const std::size_t some = std::min(lines_of_part, waiting.size() - first);
       parts[i].answer(std::span(waiting).subspan(first, some), number + first);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "protocol/text_streams.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -23,7 +24,7 @@ bool try_again(int descriptor, short event) {
   return true;
 }
 
-constexpr std::size_t block_bytes = std::size_t{1} << 16;
+constexpr std::size_t block_bytes = std::size_t{1} << 16, most_of_pipe = std::size_t{1} << 20;
 
 // Written without a branch, because it is called for each block.
 bool is_plain(const Text& text) {
@@ -58,7 +59,10 @@ std::string system_message(int code) { return std::generic_category().message(co
 
 // The buffer has room for the longest line with its "\r\n", and for one more block.
 LineReader::LineReader(int descriptor, std::size_t longest)
-    : descriptor_(descriptor), longest_(longest), buffer_(longest + 2 + block_bytes) {}
+    : descriptor_(descriptor), longest_(longest), buffer_(longest + 2 + block_bytes) {
+  // A pipe holds as much as the buffer, if the system lets it, so that many lines come together.
+  ::fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(most_of_pipe));
+}
 
 bool LineReader::line_waiting() {
   const void* found = std::memchr(buffer_.data() + searched_, '\n', end_ - searched_);
