@@ -614,9 +614,9 @@ std::vector<FittedNumbers> two_of_all_numbers(const Part& part) {
   const LawOfNumbers law = law_by_terms(*terms, printed_numbers(*terms));
   const std::vector<Change> changes = changes_of(function, law);
   std::vector<Part::Number> probes;
-  constexpr std::size_t most_probes = 8;
-  for (std::size_t i = 0; i < most_probes; ++i)
-    probes.push_back(wrong[i * (wrong.size() - 1) / (most_probes - 1)]);
+  constexpr std::size_t most_screened = 8;
+  for (std::size_t i = 0; i < most_screened; ++i)
+    probes.push_back(wrong[i * (wrong.size() - 1) / (most_screened - 1)]);
   for (std::size_t i = 0; i < changes.size() && found.empty(); ++i)
     for (std::size_t k = i + 1; k < changes.size(); ++k) {
       if (changes[i].is_input && changes[k].is_input) continue;

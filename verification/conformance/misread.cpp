@@ -385,19 +385,20 @@ void add_steps(const Input& input, const std::vector<Part::Number>& wrong,
 // Adds that the input is upside down, to another power, or without its sign. A number that is
 // solved for does not reach so far.
 void add_forms(const Input& input, std::vector<Misreading>& found) {
-  struct Form {
+  struct InputForm {
     double (*of)(double);
     const char* text;
   };
-  constexpr std::array forms{Form{[](double x) { return 1 / x; }, "1/{}"},
-                             Form{[](double x) { return x * x; }, "{}²"},
-                             Form{[](double x) { return std::sqrt(x); }, "√{}"},
-                             Form{[](double x) { return x * x * x; }, "{}³"},
-                             Form{[](double x) { return std::cbrt(x); }, "∛{}"},
-                             Form{[](double x) { return std::abs(x); }, "|{}|"},
-                             Form{[](double x) { return -x; }, "−{}"},
-                             Form{[](double x) { return std::max(x, 0.0); }, "max({}, 0)"}};
-  for (const auto& [of, text] : forms) {
+  constexpr std::array input_forms{
+      InputForm{[](double x) { return 1 / x; }, "1/{}"},
+      InputForm{[](double x) { return x * x; }, "{}²"},
+      InputForm{[](double x) { return std::sqrt(x); }, "√{}"},
+      InputForm{[](double x) { return x * x * x; }, "{}³"},
+      InputForm{[](double x) { return std::cbrt(x); }, "∛{}"},
+      InputForm{[](double x) { return std::abs(x); }, "|{}|"},
+      InputForm{[](double x) { return -x; }, "−{}"},
+      InputForm{[](double x) { return std::max(x, 0.0); }, "max({}, 0)"}};
+  for (const auto& [of, text] : input_forms) {
     const auto change = [&input, form = of](Question& question) {
       const double own = input.get(question), read = form(own);
       if (std::isfinite(read) && read != own) input.set(question, read);
