@@ -94,6 +94,11 @@ HWY_INLINE hn::Vec<D> compressed([[maybe_unused]] D d, hn::Vec<D> value, hn::Mas
 #endif
 }
 
+// The place of a point, which travels as the bits of a double.
+HWY_INLINE std::size_t place_in(double bits) {
+  return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(bits));
+}
+
 // Up to sharing_block points on their way to the root. Points that have reached their root leave,
 // and the others move together, so that no lane waits for another.
 template <class D, bool one_surface>
@@ -162,9 +167,7 @@ class Travellers {
     return {hn::Load(d_, share_ + i), hn::Load(d_, hazard_ + i), hn::Load(d_, slope_ + i),
             hn::Load(d_, bend_ + i)};
   }
-  HWY_INLINE std::size_t place_of(std::size_t i) const {
-    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(place_[i]));
-  }
+  HWY_INLINE std::size_t place_of(std::size_t i) const { return place_in(place_[i]); }
   HWY_INLINE void put(hn::Mask<D> mask, V value, double* to) const {
     hn::StoreU(compressed(d_, value, mask), d_, to + count_);
   }
@@ -237,8 +240,7 @@ class Travellers {
       hn::StoreU(compressed(d_, at.film_parameter, hn::And(is_last, present)), d_, root_);
       hn::StoreU(compressed(d_, place, hn::And(is_last, present)), d_, root_place_);
       const std::size_t there = hn::CountTrue(d_, hn::And(is_last, present));
-      for (std::size_t j = 0; j < there; ++j)
-        result[static_cast<std::size_t>(std::bit_cast<std::uint64_t>(root_place_[j]))] = root_[j];
+      for (std::size_t j = 0; j < there; ++j) result[place_in(root_place_[j])] = root_[j];
       add(hn::AndNot(is_last, present), in, at, place);
     }
   }
@@ -374,13 +376,13 @@ HWY_INLINE std::size_t roots_of_surfaces(D d, Order order, const FilmLaw& law,
     HWY_ALIGN double films[hn::MaxLanes(D())];
     hn::Store(start.at.film_parameter, d, films);
     for (std::size_t j = 0; j < hn::Lanes(d) && i + j < low_count; ++j)
-      result[std::bit_cast<std::size_t>(lows[i + j])] = films[j];
+      result[place_in(lows[i + j])] = films[j];
     travellers.add(hn::And(start.is_open, present), {surface.stiffness, surface.offset, film},
                    start.at, places);
   }
   const std::size_t steps = travellers.travel(order, result);
   for (std::size_t i = 0; i < low_count; ++i) {
-    double& root = result[std::bit_cast<std::size_t>(lows[i])];
+    double& root = result[place_in(lows[i])];
     if (root < floors[i]) root = floors[i];
   }
   return steps;
