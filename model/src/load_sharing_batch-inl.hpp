@@ -248,12 +248,13 @@ class Travellers {
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t room = sharing_block + lanes;
   static constexpr std::size_t surface_room = one_surface ? 1 : room;
+  HWY_ALIGN std::uint8_t is_last_[room];  // within a step
   D d_;
   std::size_t count_ = 0;
   std::size_t known_ = 0;  // so many points have their A
+  double film_power_;
   HWY_ALIGN double stiffness_[surface_room];
   HWY_ALIGN double offset_[surface_room];
-  double film_power_;
   HWY_ALIGN double flooded_[room];
   HWY_ALIGN double film_parameter_[room];
   HWY_ALIGN double log_rise_[room];
@@ -269,7 +270,6 @@ class Travellers {
   HWY_ALIGN double shift_[room];
   HWY_ALIGN double root_[lanes];
   HWY_ALIGN double root_place_[lanes];
-  HWY_ALIGN std::uint8_t is_last_[room];
 };
 
 // The roots of a vector of points, or where the search for them starts.
