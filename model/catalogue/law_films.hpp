@@ -24,7 +24,9 @@ struct LawFilm {
   std::string_view source;
 };
 
-// Of all laws of points or of lines but the tables of solved films, at a speed above 0 in m/s.
+// The films of all laws of the contact's shape, points or lines, but for the tables of solved
+// films, at a speed above 0 in m/s. Errors are within the contract of each law's function; NaN
+// where the law is undefined at these numbers.
 std::vector<LawFilm> law_films(const MixedContact<double>& contact, double speed);
 
 }  // namespace tribo::catalogue

@@ -97,7 +97,7 @@ std::string_view cut(std::string_view& text, char separator) {
 
 double number_of(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
 
-// What a row asks, kept for the rows after it that give no arguments.
+// The question of a row, kept for the rows after it that give no arguments.
 struct Asked {
   catalogue::Arguments arguments{};
   std::optional<OperatingPoint<double>> point;

@@ -26,7 +26,7 @@ async function unpacked(bytes) {
   return new Response(stream).arrayBuffer();
 }
 
-// What live.cpp exports, with texts as strings and lines as lists of cells.
+// The calls that live.cpp exports, with texts as strings and lines as lists of cells.
 class Model {
   // The functions of the system that the C library could call say that there is no such file.
   static async from(bytes) {
@@ -242,7 +242,7 @@ function quantitiesOf(model, at) {
   });
 }
 
-// What gives the number, which is known to half of the last digit that is written: "" the function itself, else the texts of mistakes
+// The causes of a number, which is known to half of the last digit that is written: "" the function itself, else the texts of mistakes
 // and of other laws. `right` is the function's own number.
 function causesOf(model, mistakes, quantity, number, doubt, at) {
   const {name, result, given, isFilm} = quantity;

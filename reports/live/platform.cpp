@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the engine takes from the libraries SLEEF and Highway, for WebAssembly, where neither is:
+// The functions that the engine takes from SLEEF and Highway, for WebAssembly, where neither is:
 // the elementary functions are those of its C library (musl's: below 1 ulp, as SLEEF's), and the
 // instruction set is the one that it was compiled for.
 #include <hwy/targets.h>
@@ -52,7 +52,7 @@ to_chars_result to_chars(char* first, char* last, double x) {
   const string_view plain = fixed.data();
   return put(first, last, plain.size() <= short_one.size() ? plain : short_one);
 }
-// Of the formats, the model asks for `general` alone.
+// The model asks for the format `general` alone.
 to_chars_result to_chars(char* first, char* last, double x, chars_format, int digits) {
   array<char, 400> text{};
   snprintf(text.data(), text.size(), "%.*g", digits, x);

@@ -5,14 +5,12 @@ with the keyboard, and where it cannot run."""
 import json
 import statistics
 import sys
-import tempfile
 import time
 import unittest
 
 from program import run
-from report_files import WrittenReport
 from selenium.webdriver.common.keys import Keys
-from test_page import CLIPPED, CONTRAST, SCHEMES, UNNAMED_REGIONS, WIDTHS, browser
+from test_page import CLIPPED, CONTRAST, SCHEMES, UNNAMED_REGIONS, WIDTHS, Browsed
 
 STARTED = "return Boolean(globalThis.tribocheckLive?.page?.drawn)"
 # The numbers of the table, in SI units, by their names.
@@ -29,16 +27,12 @@ return performance.now() - before;
 """
 
 
-class LivePage(WrittenReport):
+class LivePage(Browsed):
     sections = ("live",)
 
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        cls.addClassCleanup(cls.profile.cleanup)
-        cls.driver = browser(cls.profile.name)
-        cls.addClassCleanup(cls.driver.quit)
         cls.address = (cls.out / "index.html").as_uri()
 
     def script(self, text, *arguments):
@@ -54,10 +48,7 @@ class LivePage(WrittenReport):
         self.fail(condition)
 
     def show(self, width=1400, scheme="light", media="", fragment="#live"):
-        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-            "media": media, "features": [{"name": "prefers-color-scheme", "value": scheme}]})
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False})
+        self.look_at(width, scheme, media)
         self.driver.get("about:blank")
         self.driver.get(self.address + fragment)
         self.wait(STARTED)

@@ -115,7 +115,9 @@ def browser(profile):
     return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
 
 
-class Page(WrittenReport):
+class Browsed(WrittenReport):
+    """A report in a headless Chromium of its own."""
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
@@ -124,12 +126,17 @@ class Page(WrittenReport):
         cls.driver = browser(cls.profile.name)
         cls.addClassCleanup(cls.driver.quit)
 
-    def show(self, width=1400, scheme="light", media="", is_open=True):
-        """The page, with its closed sections opened."""
+    def look_at(self, width, scheme, media):
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
             "media": media, "features": [{"name": "prefers-color-scheme", "value": scheme}]})
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+
+
+class Page(Browsed):
+    def show(self, width=1400, scheme="light", media="", is_open=True):
+        """The page, with its closed sections opened."""
+        self.look_at(width, scheme, media)
         self.driver.get((self.out / "index.html").as_uri())
         if is_open:
             self.run_script("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
