@@ -12,6 +12,7 @@ const [, , page, modules] = process.argv, here = path.dirname(fileURLToPath(impo
 const require = createRequire(path.join(path.resolve(modules), "x.js"));
 const puppeteer = await import(pathToFileURL(require.resolve("puppeteer-core")));
 
+globalThis.tribocheckForm = JSON.parse(fs.readFileSync(path.join(here, "form.json"), "utf8"));
 vm.runInThisContext(fs.readFileSync(path.join(here, "live.js"), "utf8"));
 const model = await globalThis.tribocheckLive.Model.from(fs.readFileSync(path.join(here, "tribocheck.wasm")));
 

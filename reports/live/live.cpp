@@ -287,12 +287,15 @@ TRIBOCHECK_CALL(live_onsets) const char* live_onsets() {
   return answer.c_str();
 }
 
-// The table "is the model valid here?": word, assumption, value, least, greatest, unit, whether it
-// holds, what it touches, advice, field, unit that was perhaps meant.
-TRIBOCHECK_CALL(live_limits) const char* live_limits() {
+// The table "is the model valid here?" at a speed: word, assumption, value, least, greatest, unit,
+// whether it holds, what it touches, advice, field, unit that was perhaps meant.
+TRIBOCHECK_CALL(live_limits) const char* live_limits(double speed) {
   answer.clear();
   if (!held) return answer.c_str();
-  for (const Validity& one : validity_of(held->scene))
+  Scene here = held->scene;
+  here.speeds = {};
+  here.speeds.list = {speed};
+  for (const Validity& one : validity_of(here))
     line(one.word, one.assumption, one.value, one.least, one.greatest, one.unit, one.holds(),
          one.touches, one.advice, one.field, one.likely_unit);
   return answer.c_str();

@@ -114,39 +114,19 @@ function usual(number, unit) {
 
 // --- The form: a table of path, label, unit, power of ten of the unit, and for which shapes
 
-const SUPPLIES = {flooded: ["", 0, "as much as the contact can take"], inlet_film: ["nm", -9, "oil layer h_oil of both faces"],
-                  inlet_film_ratio: ["", 0, "oil layer over σ_s"], inlet_flow: ["mm²/s", -6, "oil flow per metre of width"]};
-const FORM = [
-  ["Contact", [
-    ["load", "load F on this contact", "N", 0], ["bodies.effective_modulus", "modulus E* of both bodies", "GPa", 9],
-    ["bodies.reduced_radius", "radius R of both bodies", "mm", -3, "circle"], ["bodies.ellipticity", "ellipticity k of the film's constant", "", 0, "circle"],
-    ["bodies.radius_x", "radius R_x along the motion", "mm", -3, "ellipse line"], ["bodies.radius_y", "radius R_y across it", "mm", -3, "ellipse"],
-    ["bodies.length", "length L of the line", "mm", -3, "line"]]],
-  ["Speed", [["speed.from", "the curve's slowest speed", "m/s", 0], ["speed.to", "its fastest speed", "m/s", 0], ["at", "speed u that is read", "m/s", 0]]],
-  ["Oil", [
-    ["lubricant.viscosity", "viscosity η₀", "mPa·s", -3], ["lubricant.pressure_viscosity", "pressure–viscosity coefficient α", "1/GPa", -9],
-    ["lubricant.eyring_stress", "Eyring's stress τ₀, for friction", "MPa", 6], ["lubricant.thermal", "heated inlet"],
-    ["lubricant.conductivity", "its thermal conductivity k_f", "W/(m·K)", 0], ["lubricant.temperature_coefficient", "its coefficient β", "1/K", 0]]],
-  ["Roughness (empty: smooth)", [
-    ["surface.summit_height_sd", "summit heights σ_s", "µm", -6], ["surface.summit_density", "summit density n", "1/mm²", 6],
-    ["surface.summit_radius", "summit radius β", "µm", -6], ["surface.summit_plane_offset", "plane offset D_d/σ_s", "", 0],
-    ["surface.offset_planes", "faces with the offset, m", "", 0], ["surface.rms_roughness", "roughness Rq of both faces, for Λ", "µm", -6]]],
-  ["Supply of oil", [["kind", "what is known"], ["supply", "its number", "", 0]]],
-  ["Friction", [
-    ["friction.boundary_coefficient", "coefficient μ_b where summits touch", "", 0], ["friction.slide_roll_ratio", "slide–roll ratio S", "", 0],
-    ["friction.fluid", "shear of the film"], ["friction.viscosity", "viscosity in the film"]]],
-  ["Laws", [
-    ["closures.film", "film"], ["closures.asperity", "rough contact"], ["closures.starvation", "inlet with little oil"],
-    ["closures.damiens_exponent", "Damiens' exponent γ", "", 0]]],
-];
+// reports/live/form.json: SUPPLIES by kind, what may be known in two WAYS with the fields of each, and the FORM's groups of rows. The page has it
+// among its data; for others it stands as a global.
+const {SUPPLIES, WAYS, FORM} = globalThis.tribocheckForm ?? JSON.parse(document.getElementById("live-data").textContent).form;
 const ROWS = FORM.flatMap(([, rows]) => rows);
 const ROW = new Map(ROWS.map((row) => [row[0], row]));
-const SLIDERS = ["load", "at", "lubricant.viscosity", "surface.summit_height_sd", "supply"];
+const SLIDERS = ["load", "at", "lubricant.viscosity", "surface.summit_height_sd", "surface.m0", "supply"];
 const SLIDER_RANGE = 30;  // times and parts of the number that a scene starts with
 const POINTS = 200;
 
 // Fields that another one leaves without a use are not shown, and do not go into the scene.
 function isIdle(state, path) {
+  for (const [name, ways] of Object.entries(WAYS))
+    for (const [way, paths] of Object.entries(ways)) if (paths.includes(path) && way !== state.values[name]) return true;
   if (path === "supply") return state.kind === "flooded";
   if (path === "closures.damiens_exponent") return state.values["closures.starvation"] !== "damiens";
   if (path === "lubricant.conductivity" || path === "lubricant.temperature_coefficient")
@@ -168,7 +148,8 @@ function tomlOf(state) {
   };
   for (const [path, , unit, power, shapes] of ROWS) {
     const text = (state.values[path] ?? "").trim();
-    if (text === "" || isIdle(state, path) || path === "kind" || path === "at" || path.startsWith("speed.") || (shapes && !shapes.split(" ").includes(state.shape))) continue;
+    if (text === "" || isIdle(state, path) || path === "kind" || path === "at" || path in WAYS || path.startsWith("speed.") || (shapes && !shapes.split(" ").includes(state.shape))) continue;
+    if (path === "lubricant.thermal" && text === "none") continue;
     if (path === "supply") {
       put(`supply.${state.kind}`, number(text, ...SUPPLIES[state.kind]), SUPPLIES[state.kind]);
     } else if (power === undefined) {
@@ -179,7 +160,7 @@ function tomlOf(state) {
   }
   const speed = ["from", "to"].map((end) => [end, (state.values[`speed.${end}`] ?? "").trim()]).filter(([, text]) => text !== "")
     .map(([end, text]) => `${end} = ${number(text, "m/s", 0)}`);
-  told[""].push(`speed = { ${[...speed, `count = ${POINTS}`].join(", ")} }  # m/s`);
+  told[""].push(`speed = { ${[...speed, `count = ${POINTS}`].join(", ")} }  # m/s${Number(state.values.at) > 0 ? `; read at ${state.values.at} m/s` : ""}`);
   return Object.entries(told).map(([section, lines]) => (section ? `\n[${section}]\n` : "") + lines.join("\n") + "\n").join("");
 }
 
@@ -196,6 +177,8 @@ function stateOf(model) {
   const unitOf = (text, power) => shifted(String(text).length > 10 ? rounded(Number(text)) : text, -power);
   for (const [path, , , power] of ROWS)
     if (path in told) state.values[path] = power === undefined ? told[path] : unitOf(told[path], power);
+  for (const [name, ways] of Object.entries(WAYS))
+    state.values[name] = (Object.entries(ways).findLast(([, paths]) => paths[0] in told) ?? Object.entries(ways)[0])[0];
   for (const kind in SUPPLIES)
     if (`supply.${kind}` in told) {
       state.kind = kind;
@@ -217,63 +200,126 @@ function fragmentOf(state) {
 function stateOfFragment(fragment) {
   if (!fragment.startsWith("#live?")) return null;
   const {id, shape, kind, ...values} = Object.fromEntries(new URLSearchParams(fragment.slice("#live?".length)));
-  const known = ["circle", "ellipse", "line"].includes(shape) ? shape : "circle";
-  return {id: id ?? "my contact", shape: known, kind: kind in SUPPLIES ? kind : "flooded",
-          values: Object.fromEntries(Object.entries(values).filter(([path]) => ROW.has(path)))};
+  const isShape = ["circle", "ellipse", "line"].includes(shape), unknown = Object.keys(values).filter((path) => !ROW.has(path));
+  if (!isShape) unknown.push(`shape=${shape}`);
+  if (!(kind in SUPPLIES)) unknown.push(`kind=${kind}`);
+  const state = {id: id ?? "my contact", shape: isShape ? shape : "circle", kind: kind in SUPPLIES ? kind : "flooded",
+                 values: Object.fromEntries(Object.entries(values).filter(([path]) => ROW.has(path)))};
+  for (const [name, ways] of Object.entries(WAYS)) state.values[name] ??= Object.keys(ways)[0];
+  return unknown.length > 0 ? {...state, unknown} : state;
 }
 
 // --- A number of one's own
 
-// The functions of the held contact that a number may be of, with its arguments at a speed.
-function quantitiesOf(model, at) {
+// The fields of a function's arguments.
+const PLACES = {viscosity: "lubricant.viscosity", pressure_viscosity: "lubricant.pressure_viscosity", load: "load",
+                effective_modulus: "bodies.effective_modulus", reduced_radius: "bodies.reduced_radius", radius_x: "bodies.radius_x", radius_y: "bodies.radius_y"};
+const givenOf = (told, at) => ({speed: at, ...Object.fromEntries(Object.entries(PLACES).filter(([, path]) => path in told).map(([argument, path]) => [argument, Number(told[path])]))});
+
+// What a number may be of: results of the whole contact at a speed, where its state is given, films of smooth faces and Hertz' contact.
+function quantitiesOf(model, at, state = null) {
   const told = Object.fromEntries(model.lines("live_values")), contact = Object.fromEntries(model.lines("live_contact").map((one) => [one[0], Number(one[3])]));
   const radius = told["bodies.reduced_radius"] ?? told["bodies.radius_x"];
-  const numbers = {speed: at, viscosity: told["lubricant.viscosity"], pressure_viscosity: told["lubricant.pressure_viscosity"], load: told.load,
-                   effective_modulus: told["bodies.effective_modulus"], reduced_radius: radius, radius_x: radius, radius_y: told["bodies.radius_y"] ?? radius,
-                   load_per_length: told.load / told["bodies.length"], ellipticity: told["bodies.ellipticity"] ?? contact.semi_axis_y / contact.semi_axis_x};
+  const numbers = {reduced_radius: radius, radius_x: radius, radius_y: radius, ...givenOf(told, at), load_per_length: told.load / told["bodies.length"], ellipticity: told["bodies.ellipticity"] ?? contact.semi_axis_y / contact.semi_axis_x};
   const laws = model.lines("live_films", at).filter(([law]) => law !== "solved");
   laws.sort((a, b) => b[4] - a[4]);  // the scene's law first
   const hertz = {circle: "hertz_point", ellipse: "hertz_ellipse", line: "hertz_line"}[told.shape];
-  return [...laws.map(([law]) => law), hertz].flatMap((name) => {
+  const whole = state ? model.outputs.filter((one) => one.words[0] === "") : [];
+  return [...whole.map(({name, unit, meaning}) => ({name: "this contact", result: name, unit, meaning, state, law: told["closures.film"]})),
+          ...[...laws.map(([law]) => law), hertz].flatMap((name) => {
     const known = model.function(name);
     if (!known || known.arguments.some(([argument]) => !(argument in numbers))) return [];
     const given = Object.fromEntries(known.arguments.map(([argument]) => [argument, Number(numbers[argument])]));
     return known.results.map(([result, unit, meaning]) => ({name, result, unit, meaning, given, isFilm: name !== hertz}));
-  });
+  })];
 }
 
-// The causes of a number, which is known to half of the last digit that is written: "" the function itself, else the texts of mistakes
-// and of other laws. `right` is the function's own number.
-function causesOf(model, mistakes, quantity, number, doubt, at) {
-  const {name, result, given, isFilm} = quantity;
-  const isNear = (one) => Math.abs(one - number) <= doubt + 1e-9 * Math.abs(number);
-  const right = model.value(name, result, given);
-  if (isNear(right)) return {right, texts: [""]};
-  const texts = [];
+// The arguments of a function with a known mistake made; null: the function has not these arguments.
+function misread(given, input) {
+  if (Object.keys(input).some((argument) => !(argument in given))) return null;
+  const changed = {...given};
+  for (const [argument, {times = 1, is, inverted}] of Object.entries(input))
+    changed[argument] = is ?? (inverted ? 1 / given[argument] : given[argument] * times);
+  return changed;
+}
+
+// The numbers that a function gives with each known mistake, and those of other film laws: [text, number].
+function madeOfFunction(model, mistakes, {name, result, given, isFilm}, at) {
+  const made = [];
   for (const one of mistakes) {
     if (!one.functions.includes(name) && !(isFilm && one.functions.includes("film_laws"))) continue;
-    if (Object.keys(one.input).some((argument) => !(argument in given)) || (Object.keys(one.input).length === 0 && !(result in one.result))) continue;
-    const misread = {...given};
-    for (const [argument, {times = 1, is, inverted}] of Object.entries(one.input))
-      misread[argument] = is ?? (inverted ? 1 / given[argument] : given[argument] * times);
-    const {times = 1, over} = one.result[result] ?? {};
-    const made = model.value(name, result, misread) * times / (over ? given[over] : 1);
-    if (isNear(made) && made !== right) texts.push(`${one.text} (${one.name})`);
+    const changed = misread(given, one.input), {times = 1, over} = one.result[result] ?? {};
+    if (changed && (Object.keys(one.input).length > 0 || result in one.result))
+      made.push([`${one.text} (${one.name})`, model.value(name, result, changed) * times / (over ? given[over] : 1)]);
   }
   if (isFilm)
-    for (const [law, , film] of model.lines("live_films", at))
-      if (law !== name && isNear(Number(film))) texts.push(`the film of ${law} in place of that of ${name}`);
-  return {right, texts};
+    for (const [law, , film] of model.lines("live_films", at)) if (law !== name) made.push([`the film of ${law} in place of that of ${name}`, Number(film)]);
+  return made;
 }
 
-// A typed number with a unit in SI units, and half of its last digit; null: it is no number in a unit that fits.
+// The numbers of a whole contact with each known mistake of an input, with each other law, smooth, and flooded: [text, number].
+function madeOfContact(model, mistakes, {result, state, law}, at) {
+  const told = Object.fromEntries(model.lines("live_values")), given = givenOf(told, at), made = [];
+  const solve = (text, values, kind = state.kind, speed = at) => {
+    const changed = {...state, kind, values: {...state.values, ...values}};
+    if (model.read(tomlOf(changed)).every(([what]) => what !== "error")) made.push([text, model.points(speed, speed, 1)[result][0]]);
+  };
+  const direct = Object.fromEntries(Object.entries(WAYS).map(([name, ways]) => [name, Object.keys(ways)[0]]));
+  for (const one of mistakes) {
+    if (Object.keys(one.input).length === 0 || !(one.functions.includes(law) || one.functions.includes("film_laws"))) continue;
+    const changed = misread(given, one.input);
+    if (!changed) continue;
+    const values = {};
+    for (const argument of Object.keys(one.input).filter((name) => name in PLACES))
+      values[PLACES[argument]] = shifted(String(changed[argument]), -ROW.get(PLACES[argument])[3]);
+    if ("viscosity" in one.input) values.oil = direct.oil;
+    if ("effective_modulus" in one.input) values.modulus = direct.modulus;
+    solve(`${one.text} (${one.name})`, values, state.kind, changed.speed);
+  }
+  for (const [path, {type, words}] of model.fields)
+    if (type === "choice" && path in told && /^(closures|friction)\./.test(path))
+      for (const word of words) if (word !== told[path]) solve(`${path} = ${word} in place of ${told[path]}`, {[path]: word});
+  solve("smooth faces in place of rough ones", Object.fromEntries([...ROW.keys()].filter((path) => path.startsWith("surface.")).map((path) => [path, ""])));
+  solve("as much oil as the contact can take in place of this supply", {}, "flooded");
+  model.read(tomlOf(state));
+  return made;
+}
+
+// Factors between units, and those that are lost.
+const FACTORS = [[1e3, "1000, as between m and mm, or Pa and kPa"], [1e6, "10⁶, as between m and µm, or Pa and MPa"], [1e9, "10⁹, as between m and nm, or Pa and GPa"],
+                 [100, "100, as with per cent"], [10, "10"], [2, "2"], [Math.PI, "π"]];
+
+// The causes of a number, which is known to half of the last digit that is written: "" the number itself, else the texts of mistakes
+// and of other laws; and the nearest one where none gives it. `right` is the model's own number.
+function causesOf(model, mistakes, quantity, number, doubt, at) {
+  const isNear = (one) => Math.abs(one - number) <= doubt + 1e-9 * Math.abs(number);
+  const right = quantity.state ? model.points(at, at, 1)[quantity.result][0] : model.value(quantity.name, quantity.result, quantity.given);
+  if (isNear(right)) return {right, texts: [""]};
+  const made = (quantity.state ? madeOfContact : madeOfFunction)(model, mistakes, quantity, at).filter(([, one]) => one !== right && Number.isFinite(one));
+  const texts = [...new Set(made.filter(([, one]) => isNear(one)).map(([text]) => text))];
+  if (texts.length === 0)
+    for (const [factor, name] of FACTORS)
+      for (const [one, word] of [[right * factor, "large"], [right / factor, "small"]]) if (isNear(one)) texts.push(`a number that is too ${word} by a factor of ${name}`);
+  const away = ([, one]) => Math.abs(one / number - 1), [nearest] = made.sort((a, b) => away(a) - away(b));
+  return {right, texts, nearest: texts.length === 0 && nearest && away(nearest) < 0.02 && away(nearest) < Math.abs(right / number - 1) ? nearest : null};
+}
+
+// A typed number in SI units, and half of its last digit; null: it is no number with a unit that fits.
 function typedNumber(text, unit) {
-  const scales = {m: {m: 1, mm: 1e-3, "µm": 1e-6, um: 1e-6, nm: 1e-9}, Pa: {Pa: 1, MPa: 1e6, GPa: 1e9}}[unit] ?? {"": 1};
+  const scales = {m: {m: 1, mm: 1e-3, "µm": 1e-6, um: 1e-6, nm: 1e-9}, Pa: {Pa: 1, kPa: 1e3, MPa: 1e6, GPa: 1e9}}[unit] ?? {"": 1, "%": 0.01};
   const parts = /^\s*(-?\d*\.?\d*(?:e[+-]?\d+)?)\s*(\S*)\s*$/i.exec(text.replace("μ", "µ"));
-  if (!parts || parts[1] === "" || !(Number(parts[1]) > 0) || !((parts[2] || unit) in scales)) return null;
-  const scale = scales[parts[2] || unit], [mantissa, power = "0"] = parts[1].toLowerCase().split("e");
+  const isPlain = {m: Number(parts?.[1]) < 0.01, Pa: Number(parts?.[1]) >= 1e5}[unit] ?? true;  // a number without a unit that can be one in SI units
+  const scale = parts && (parts[2] === "" && isPlain ? 1 : scales[parts[2]]);
+  if (!scale || !(Number(parts[1]) > 0 && Number(parts[1]) < Infinity)) return null;
+  const [mantissa, power = "0"] = parts[1].toLowerCase().split("e");
   const decimals = (mantissa.split(".")[1] ?? "").length;
   return {number: Number(parts[1]) * scale, doubt: 0.5 * 10 ** (Number(power) - decimals) * scale};
+}
+
+// A speed in m/s as text; what is none stays as it is.
+function speedText(text) {
+  const parts = /^\s*([\d.e+-]+)\s*(m\/s|mm\/s)\s*$/i.exec(text);
+  return parts ? shifted(parts[1], parts[2] === "mm/s" ? -3 : 0) ?? text : text.trim();
 }
 
 globalThis.tribocheckLive = {quantitiesOf, causesOf, typedNumber, Model, bytesOf, unpacked, shifted, tomlOf, pythonOf, stateOf, fragmentOf, stateOfFragment};
@@ -373,11 +419,12 @@ class Page {
     const {scenes, mistakes} = JSON.parse(document.getElementById("live-data").textContent);
     Object.assign(this, {scenes, mistakes});
     this.drawn = 0;  // how often all was drawn, for those who measure
-    home.insertAdjacentHTML("beforeend", this.frame());
+    this.fill();
     home.querySelector(".live-missing").hidden = true;
     home.addEventListener("input", (event) => this.typed(event.target));
     home.addEventListener("click", (event) => this.clicked(event.target.closest("button")));
     home.querySelector("form").addEventListener("submit", (event) => event.preventDefault());
+    find("own").addEventListener("keydown", ({key}) => { if (key === "Enter") this.test(); });
     find("start").addEventListener("change", ({target}) => { if (target.value) this.begin(this.scenes[target.value]); });
     const given = stateOfFragment(location.hash);
     if (given) this.show(given);
@@ -388,44 +435,35 @@ class Page {
     });
   }
 
-  frame() {
+  // The frame of the page's template, with sliders and fields.
+  fill() {
     const options = (words) => words.map((word) => `<option>${escaped(word)}</option>`).join("");
     const field = ([path, label, unit, power, shapes]) => {
       const id = `live-${path.replaceAll(".", "-")}`, info = this.model.fields.get(path);
-      const entry = path === "kind" ? `<select id="${id}" data-path="kind">${options(Object.keys(SUPPLIES))}</select>`
+      const entry = path === "kind" || path in WAYS ? `<select id="${id}" data-path="${path}">${options(Object.keys(WAYS[path] ?? SUPPLIES))}</select>`
         : power === undefined ? `<select id="${id}" data-path="${path}">${options(info.words)}</select>`
         : `<input type="text" id="${id}" data-path="${path}" inputmode="decimal" autocomplete="off" spellcheck="false" aria-describedby="${id}-told ${id}-fault">`;
       return `<div class="field" data-shapes="${shapes ?? ""}"><label for="${id}">${escaped(label)}</label><span class="entry">${entry}` +
-        `<span data-unit="${path}">${unit ?? ""}</span></span><span class="told" id="${id}-told"></span><span class="fault" id="${id}-fault" role="alert"></span></div>`;
+        `<span data-unit="${path}">${unit ?? ""}</span></span>${info?.meaning.length > 30 ? `<span class="told">${escaped(info.meaning)}</span>` : ""}` +
+        `<span class="told" id="${id}-told"></span><span class="fault" id="${id}-fault" role="alert"></span></div>`;
     };
     const slider = (path) => `<div><label for="live-drag-${path.replaceAll(".", "-")}">${escaped(path === "at" ? "speed u" : path === "supply" ? "supply" : ROW.get(path)[1])}` +
       ` <b></b></label><input type="range" id="live-drag-${path.replaceAll(".", "-")}" data-drag="${path}" min="-100" max="100" step="1" value="0"></div>`;
-    const chartPart = (name) => `<div data-part="${name}"></div>`;
-    const tables = ["numbers", "onsets", "films", "limits"].map((name) => `<div data-part="${name}"></div>`).join("");
-    return `<div class="live"><p>Film, load shares, friction and the onsets of starvation of a contact of your own, by the same C++ model, compiled to ` +
-      `WebAssembly: each number lies within the error bound of its function. Shown are the scene's numbers in the units that people use, which may be ` +
-      `typed with another unit, as 4.75 cm.</p><div class="row"><label for="live-start">Start from</label><select id="live-start" data-part="start"><option value="">a scene …</option>${options(Object.keys(this.scenes))}</select>` +
-      `<label for="live-shape">Shape</label><select id="live-shape" data-path="shape">${options(["circle", "ellipse", "line"])}</select></div>` +
-      `<form novalidate aria-label="the contact"><fieldset class="drags"><legend>Drag</legend><div class="sliders">${SLIDERS.map(slider).join("")}</div></fieldset>` +
-      `<div class="shown"><p role="status" data-part="said"></p><p class="fault" role="alert" data-part="faults"></p>` +
-      `<div class="charts" data-part="charts">${["friction", "film", "shares", "map"].map(chartPart).join("")}</div></div>` +
-      `${FORM.map(([name, rows]) => `<fieldset><legend>${name}</legend>${rows.map(field).join("")}</fieldset>`).join("")}</form>` +
-      `<div class="row"><button type="button" data-do="link">Copy a link to this contact</button><button type="button" data-do="toml">Copy as TOML</button>` +
-      `<button type="button" data-do="python">Copy as Python</button><button type="button" data-do="verify">Verify here</button><span role="status" data-part="done"></span></div>` +
-      `<div data-part="verdict"></div>` +
-      `<fieldset class="own"><legend>Test a number of your own</legend><p class="told">A number of your own code for this contact, as 152 nm or 1.08 GPa: which convention gives it?</p>` +
-      `<div class="row"><label for="live-quantity">It is</label><select id="live-quantity" data-part="quantity"></select><label for="live-own">of</label>` +
-      `<input type="text" id="live-own" data-part="own" autocomplete="off" spellcheck="false"><button type="button" data-do="test">Test it</button></div>` +
-      `<p role="status" data-part="cause"></p></fieldset>${tables}` +
-      `<details class="more"><summary>The scene's text</summary><label for="live-text">A scene of tribocheck, in TOML; a text from elsewhere can be put here.</label>` +
-      `<textarea id="live-text" data-part="text" spellcheck="false"></textarea><div class="row"><button type="button" data-do="read">Take this text</button></div></details></div>`;
+    home.append(document.getElementById("live-frame").content);
+    find("start").insertAdjacentHTML("beforeend", options(Object.keys(this.scenes)));
+    find("text-place").innerHTML = '<textarea id="live-text" data-part="text" spellcheck="false"></textarea>';  // Markdown takes no such element
+    find("sliders").innerHTML = SLIDERS.map(slider).join("");
+    home.querySelector("form").insertAdjacentHTML("beforeend", FORM.map(([name, rows]) => `<fieldset><legend>${name}</legend>${rows.map(field).join("")}</fieldset>`).join(""));
   }
 
   // A shipped scene, or a text from elsewhere.
   begin(toml) {
     const told = this.model.read(toml).filter(([kind]) => kind === "error");
+    find("unread").textContent = told.map(([, path, sentence]) => (path ? `${path}: ${sentence}` : sentence)).join(" ");
     if (told.length > 0) return this.tell(told);
-    this.show(stateOf(this.model));
+    const state = stateOf(this.model), at = /^speed = .*; read at (\S+) m\/s$/m.exec(toml)?.[1];
+    if (Number(at) > 0) state.values.at = at;
+    this.show(state);
   }
 
   show(state) {
@@ -437,29 +475,61 @@ class Page {
       entry.value = path === "shape" || path === "kind" ? state[path] : state.values[path] ?? (entry.tagName === "SELECT" ? usual : "");
       if (entry.tagName === "SELECT" && entry.value === "") entry.selectedIndex = 0;
     }
+    find("done").textContent = state.unknown ? `The link has ${state.unknown.join(", ")}, which this page does not know: the rest of it is shown.` : "";
     this.centres = Object.fromEntries(SLIDERS.map((path) => [path, Number(state.values[path])]));
+    this.texts = Object.fromEntries(SLIDERS.map((path) => [path, state.values[path]]));
     for (const one of home.querySelectorAll("[data-drag]")) one.value = 0;
     this.update();
   }
 
   typed(entry) {
+    const {values} = this.state, path = entry.dataset.path ?? entry.dataset.drag;
+    if (!path) return;
+    find("start").value = "";  // so that the scene can be chosen again
     if (entry.dataset.drag) {
-      const path = entry.dataset.drag, number = this.centres[path] * SLIDER_RANGE ** (entry.value / 100);
-      this.state.values[path] = rounded(number, 3);
-      home.querySelector(`[data-path="${path}"]`).value = this.state.values[path];
-    } else if (entry.dataset.path === "shape" || entry.dataset.path === "kind") {
-      this.state[entry.dataset.path] = entry.value;
-    } else if (entry.dataset.path) {
-      this.state.values[entry.dataset.path] = entry.value;
-      const drag = home.querySelector(`[data-drag="${entry.dataset.path}"]`);
-      if (drag && Number(entry.value) > 0) {
-        if (!(this.centres[entry.dataset.path] > 0)) this.centres[entry.dataset.path] = Number(entry.value);
-        drag.value = 100 * Math.log(entry.value / this.centres[entry.dataset.path]) / Math.log(SLIDER_RANGE);
-      }
+      const factor = SLIDER_RANGE ** (entry.value / 100), before = values[path];
+      values[path] = entry.value === "0" ? this.texts[path] : rounded(this.centres[path] * factor, 3);
+      if (path === "surface.summit_height_sd" && Number(values["surface.rms_roughness"]) > 0)  // a face that is rougher has both
+        this.put("surface.rms_roughness", rounded(values["surface.rms_roughness"] * values[path] / before, 4));
+      this.put(path, values[path]);
+    } else if (path === "shape") {
+      this.changeShape(entry.value);
+    } else if (path === "kind") {
+      this.changeSupply(entry.value);
     } else {
-      return;
+      values[path] = path === "at" || path.startsWith("speed.") ? speedText(entry.value) : entry.value;
+      const drag = home.querySelector(`[data-drag="${path}"]`);
+      if (drag && Number(values[path]) > 0) {
+        if (!(this.centres[path] > 0)) this.centres[path] = Number(values[path]);
+        drag.value = 100 * Math.log(values[path] / this.centres[path]) / Math.log(SLIDER_RANGE);
+      }
     }
     this.update();
+  }
+
+  put(path, text) {
+    home.querySelector(`[data-path="${path}"]`).value = this.state.values[path] = text;
+  }
+
+  // The new shape begins with the radius of the old one, and with a film law of its kind.
+  changeShape(shape) {
+    const {values} = this.state, radius = values["bodies.reduced_radius"] || values["bodies.radius_x"] || "";
+    for (const path of shape === "circle" ? ["bodies.reduced_radius"] : shape === "ellipse" ? ["bodies.radius_x", "bodies.radius_y"] : ["bodies.radius_x"])
+      if (!values[path]) this.put(path, radius);
+    if (shape === "line" && !values["bodies.length"]) this.put("bodies.length", "10");
+    if ((shape === "line") !== (this.state.shape === "line")) this.put("closures.film", shape === "line" ? "moes_line" : "hamrock_dowson_central");
+    this.state.shape = shape;
+  }
+
+  // The new way to tell the supply begins with what the old one gives at the speed of the numbers.
+  changeSupply(kind) {
+    const {values} = this.state, sd = Number(Object.fromEntries(this.model.lines("live_values"))["surface.summit_height_sd"]), at = Number(values.at);
+    const factors = {inlet_film: 1e-9, inlet_film_ratio: sd, inlet_flow: 1e-6 / at}, layer = values.supply * factors[this.state.kind];
+    if (kind !== "flooded") this.put("supply", rounded((layer > 0 ? layer : 1e-7) / (factors[kind] || 2.5e-8), 3));
+    this.state.kind = kind;
+    this.centres.supply = Number(values.supply);
+    this.texts.supply = values.supply;
+    home.querySelector('[data-drag="supply"]').value = 0;
   }
 
   // The state's contact read, and all that is shown of it drawn anew; where it cannot be read, its faults.
@@ -474,10 +544,12 @@ class Page {
     this.showFields();
     const low = Number(state.values["speed.from"]), high = Number(state.values["speed.to"]), at = Number(state.values.at);
     const errors = told.filter(([kind]) => kind === "error");
+    if (state.kind !== "flooded" && (state.values.supply ?? "").trim() === "") errors.push(["error", `supply.${state.kind}`, "missing; allowed: a number above 0"]);
     if (errors.length === 0 && !(at >= low && at <= high))
       errors.push(["error", "at", `${state.values.at || "this"} is not allowed; allowed: a number from ${low} to ${high}, the curve's speeds, in m/s`]);
-    this.tell(errors);
-    if (errors.length === 0) this.draw(low, high, at, told.filter(([kind]) => kind === "warning"));
+    const warnings = told.filter(([kind]) => kind === "warning");
+    this.tell(errors, warnings);
+    if (errors.length === 0) this.draw(low, high, at, warnings);
     ++this.drawn;
   }
 
@@ -485,7 +557,7 @@ class Page {
   showFields() {
     const {state, model} = this;
     for (const one of home.querySelectorAll("[data-drag]")) {
-      const path = one.dataset.drag, text = `${state.values[path]} ${path === "supply" ? SUPPLIES[state.kind][0] : ROW.get(path)[2]}`.trim();
+      const path = one.dataset.drag, own = state.values[path] ?? "", text = Number(own) > 0 ? `${own} ${path === "supply" ? SUPPLIES[state.kind][0] : ROW.get(path)[2]}`.trim() : own;
       one.parentElement.hidden = !(this.centres[path] > 0) || isIdle(state, path);
       one.setAttribute("aria-valuetext", text);
       one.parentElement.querySelector("b").textContent = text;
@@ -503,28 +575,36 @@ class Page {
       if (info && power !== undefined) {
         const si = power !== 0 && entry.value !== "" ? shifted(entry.value, power) : null;
         const bound = (number) => shifted(String(number), -power);
-        const range = Number.isFinite(info.greatest) ? `physical: ${bound(info.least)} to ${bound(info.greatest)}` : "";
+        const range = Number.isFinite(info.greatest) ? `physical: ${bound(info.least)} to ${bound(info.greatest)} ${unit}`.trim() : "";
         text = [si === null ? "" : `${si} ${info.unit}`, range].filter((part) => part !== "").join("; ");
       }
-      box.querySelector(".told").textContent = text;
+      box.querySelector("[id$=-told]").textContent = text;
     }
   }
 
-  tell(errors) {
-    const rest = [];
+  // Puts a sentence beside the field, which comes back; null: this contact has no such field.
+  tellBeside(path, sentence) {
+    const box = home.querySelector(`.field:not([hidden]) [data-path="${path.startsWith("supply.") ? "supply" : path}"]`)?.closest(".field") ?? null, place = box?.querySelector(".fault");
+    if (place) place.textContent += `${place.textContent && " "}${sentence}`;
+    return box;
+  }
+
+  // Faults and warnings beside their fields, and by the names of these above all.
+  tell(errors, warnings = []) {
+    const rest = [], names = [];
     for (const one of home.querySelectorAll(".field .fault")) one.textContent = "";
     for (const one of home.querySelectorAll("[data-path]")) one.removeAttribute("aria-invalid");
-    for (const [, path, sentence] of errors) {
-      const box = home.querySelector(`.field:not([hidden]) [data-path="${path.startsWith("supply.") ? "supply" : path}"]`);
-      if (box) box.setAttribute("aria-invalid", "true");
-      const place = box && box.closest(".field").querySelector(".fault");
-      if (place) place.textContent = sentence;
+    for (const [kind, path, sentence] of [...errors, ...warnings]) {
+      const box = this.tellBeside(path, sentence);
+      if (kind === "warning") continue;
+      box?.querySelector("[data-path]").setAttribute("aria-invalid", "true");
+      if (box) names.push(box.querySelector("label").textContent);
       else rest.push(path ? `${path}: ${sentence}` : sentence);
     }
-    find("faults").textContent = rest.join(" ");
+    find("faults").textContent = (names.length ? `Mend below: ${[...new Set(names)].join("; ")}. ` : "") + rest.join(" ");
     const isStale = errors.length > 0;
     for (const name of ["charts", "numbers", "onsets", "films", "limits", "said"]) find(name).classList.toggle("stale", isStale);
-    if (isStale) find("said").textContent = "The numbers below are of the last contact that could be read.";
+    if (isStale) find("said").textContent = this.drawn > 0 ? "The numbers below are of the last contact that could be read." : "This contact cannot be read yet.";
   }
 
   draw(low, high, at, warnings) {
@@ -534,9 +614,14 @@ class Page {
     const x = {name: "speed [m/s]", ends: [low, high], isLog: true}, more = {marks: onsets.filter((one) => one.x > 0), now: at};
     const value = (name) => here[name][0];
     const word = (name) => model.outputs.find((one) => one.name === name).words[value(name)] ?? "undefined";
-    const isSmooth = !(value("film_parameter") < Infinity) || !this.state.values["surface.summit_height_sd"];
-    const said = `At ${rounded(at, 4)} m/s: film ${usual(value("film"), "m")}, summits carry ${isSmooth ? "nothing (smooth)" : usual(100 * value("asperity_load_share"), "%")}, ` +
-      `friction ${Number.isNaN(value("friction")) ? "undefined" : rounded(value("friction"), 4)}, regime ${word("regime")}, inlet ${word("inlet")}.`;
+    const told = Object.fromEntries(model.lines("live_values")), isSmooth = !("surface.summit_height_sd" in told), share = 100 * value("asperity_load_share");
+    const why = Object.fromEntries(model.lines("live_undefined", at)), limits = model.lines("live_limits", at).filter((one) => one[6] === "0");
+    for (const one of limits) this.tellBeside(one[9], `It is not in the physical range.${one[10] ? ` Perhaps ${one[10]} was meant.` : ""}`);
+    const beyond = limits.length === 0 ? "" : ` Beyond limits of the model (last table): ${limits.map(([name]) => name).join(", ")}.`;
+    const said = why.film ? `At ${rounded(at, 4)} m/s there is no number: ${why.film}.`
+      : `At ${rounded(at, 4)} m/s: film h* ${usual(value("film"), "m")}${isSmooth ? "" : `, λ* = h*/σ_s ${rounded(value("film_parameter"), 4)}`}, ` +
+      `summits carry ${isSmooth ? "nothing (smooth)" : share < 1e-6 ? "less than 1e-6 %" : usual(share, "%")}, ` +
+      `friction ${Number.isNaN(value("friction")) ? "undefined" : rounded(value("friction"), 4)}, regime ${word("regime")}, inlet ${word("inlet")}.${beyond}`;
     find("said").textContent = said;
     const friction = ends([curve.friction], 1e4);
     find("friction").innerHTML = chart("live-friction", "Stribeck curve", said, x, {ends: friction, isLog: friction[1] > 5 * friction[0]},
@@ -544,39 +629,36 @@ class Page {
     const nanometers = (column) => column.map((one) => one * 1e9);
     const films = [nanometers(curve.film), nanometers(curve.film_flooded)];
     find("film").innerHTML = chart("live-film", "Film [nm]", said, x, {ends: ends(films, 1e4), isLog: true},
-                                   [{name: "film h*", x: curve.speed, y: films[0]}, {name: "with plenty of oil", x: curve.speed, y: films[1]}], more);
+                                   [{name: "film h*", x: curve.speed, y: films[0]}, ...(this.state.kind === "flooded" ? [] : [{name: "with plenty of oil", x: curve.speed, y: films[1]}])], more);
     find("shares").innerHTML = chart("live-shares", "Shares of the load", said, x, {ends: [0, 1], isLog: false},
                                      [{name: "summits A", x: curve.speed, y: curve.asperity_load_share}, {name: "film 1 − A", x: curve.speed, y: curve.fluid_load_share}], more);
     this.drawMap(at);
-    this.drawNumbers(at, here);
-    find("onsets").innerHTML = table("Onsets of starvation: dashed lines in the charts", ["criterion", "speed, m/s", "film", "λ", "meaning, or why there is none"],
+    this.drawNumbers(at, here, told, why);
+    find("onsets").innerHTML = table("Onsets of starvation, and the least friction: dashed lines in the charts", ["criterion", "speed, m/s", "film", "λ", "meaning, or why there is none"],
       onsets.map((one) => [one.name, [one.why ? "none" : rounded(one.x, 5), "number"], [one.why ? "" : usual(one.film, "m"), "number"],
                            [one.why || isSmooth ? "" : rounded(Number(one.parameter), 4), "number"], [escaped(one.why || one.meaning), "prose"]]));
     this.drawFilms(at);
     this.listQuantities(at);
-    const limits = model.lines("live_limits").filter((one) => one[6] === "0");
     find("limits").innerHTML = (warnings.length ? `<p>${warnings.map(([, path, sentence]) => escaped(`${path}: ${sentence}`)).join("<br>")}</p>` : "") +
-      (limits.length === 0 ? "<p>The contact is within all limits of the model that are known.</p>"
-        : table("Limits of the model that this contact goes beyond", ["limit", "assumption", "here", "allowed", "touches"],
+      (limits.length === 0 ? "<p>At this speed the contact is within all limits of the model that are known.</p>"
+        : table(`Limits of the model that this contact goes beyond at ${rounded(at, 4)} m/s`, ["limit", "assumption", "here", "allowed", "touches"],
                 limits.map(([name, assumption, number, least, greatest, unit, , touches, advice, , likely]) => [name,
                   [escaped(assumption + (likely ? ` Perhaps ${likely} was meant.` : "") + (advice ? ` (${advice})` : "")), "prose"], [usual(Number(number), unit), "number"],
                   [greatest === "inf" ? `from ${usual(Number(least), unit)}` : Number(least) === 0 ? `to ${usual(Number(greatest), unit)}`
                     : `${usual(Number(least), unit)} to ${usual(Number(greatest), unit)}`, "number"], [escaped(touches), "word"]])));
   }
 
-  drawNumbers(at, here) {
-    const why = Object.fromEntries(this.model.lines("live_undefined", at));
-    if (!this.state.values["surface.rms_roughness"] && !this.state.values["surface.summit_height_sd"]) why.lambda_ratio = "no roughness is given";
-    const isMissing = Number.isNaN(here.friction[0]) && !why.friction;
-    if (isMissing) why.friction = "it needs Eyring's stress and the coefficient μ_b";
+  drawNumbers(at, here, told, why) {
+    if (!("surface.rms_roughness" in told)) why.lambda_ratio = "no roughness Rq is given";
+    if (Number.isNaN(here.friction[0])) why.friction ??= "it needs Eyring's stress and the coefficient μ_b";
     const rows = this.model.outputs.map(({name, unit, meaning, words}) => {
       const number = here[name][0], isWord = words[0] !== "";
       const text = why[name] || Number.isNaN(number) ? "undefined" : isWord ? words[number] : usual(number, unit);
-      return [name, [text, isWord ? "word" : "number"], [why[name] || isWord || !unit ? "" : `${rounded(number)} ${unit}`, "number"],
+      return [name, [text, isWord ? "word" : "number"], [why[name] || isWord || Number.isNaN(number) ? "" : `${rounded(number)} ${unit}`.trim(), "number"],
               [escaped(why[name] ? `undefined: ${why[name]}` : meaning), "prose"]];
     });
     const contact = this.model.lines("live_contact").map(([name, symbol, meaning, number, unit]) =>
-      [name, [usual(Number(number), unit), "number"], [unit ? `${rounded(Number(number))} ${unit}` : "", "number"], [escaped(`${symbol}, ${meaning}`), "prose"]]);
+      [name, [usual(Number(number), unit), "number"], [`${rounded(Number(number))} ${unit}`.trim(), "number"], [escaped(`${symbol}, ${meaning}`), "prose"]]);
     find("numbers").innerHTML = table(`The numbers at ${rounded(at, 4)} m/s`, ["number", "value", "in SI units", "meaning"], [...rows, ...contact]);
   }
 
@@ -613,6 +695,8 @@ class Page {
 
   drawFilms(at) {
     const rows = this.model.lines("live_films", at), solved = rows.find(([law]) => law === "solved"), film = Number(solved[2]);
+    const laws = new Set(rows.map(([law]) => law));  // those of this shape
+    for (const option of home.querySelector('[data-path="closures.film"]').options) option.disabled = !laws.has(option.value);
     const bar = (part) => `<span aria-hidden="true" style="display:inline-block;height:.7em;width:${Math.min(6, Math.abs(part) * 12).toFixed(2)}rem;background:var(--${part < 0 ? "one" : "four"})"></span>`;
     find("films").innerHTML = table(`Films of smooth faces in plenty of oil at ${rounded(at, 4)} m/s, and how far each is from the solved one`,
       ["law", "film", "from the solved film", "remark"],
@@ -624,26 +708,34 @@ class Page {
   }
 
   listQuantities(at) {
-    this.quantities = quantitiesOf(this.model, at);
-    const names = this.quantities.map(({name, result, unit}) => `${result === "value" ? "film" : result} by ${name}${unit ? `, in ${unit}` : ""}`), list = find("quantity");
+    this.quantities = quantitiesOf(this.model, at, this.state);
+    const names = this.quantities.map(({name, result, state, isFilm}) => (state ? `${result} of this contact` : isFilm ? `film of smooth faces by ${name}` : `${result} by ${name}`));
+    const list = find("quantity");
     find("cause").textContent = "";
     if (names.join() === [...list.options].map((one) => one.text).join()) return;
     const chosen = list.selectedIndex;
     list.innerHTML = names.map((one) => `<option>${escaped(one)}</option>`).join("");
-    list.selectedIndex = chosen >= 0 && chosen < names.length ? chosen : 0;
+    list.selectedIndex = chosen >= 0 && chosen < names.length ? chosen : names.indexOf("film of this contact");
   }
 
   test() {
-    const quantity = this.quantities[find("quantity").selectedIndex], own = typedNumber(find("own").value, quantity.unit);
+    const quantity = this.quantities[find("quantity").selectedIndex], {unit} = quantity, own = typedNumber(find("own").value, unit);
     if (!own) {
-      find("cause").textContent = `"${find("own").value}" is not allowed; allowed: a number above 0${quantity.unit ? `, in ${quantity.unit}, or with its unit, as ${quantity.unit === "m" ? "152 nm" : "1.08 GPa"}` : ""}`;
+      find("cause").textContent = `"${find("own").value}" is not allowed; allowed: a number above 0${unit ? ` with its unit, as ${unit === "m" ? "152 nm" : "1.08 GPa"}` : ""}`;
       return;
     }
-    const {right, texts} = causesOf(this.model, this.mistakes, quantity, own.number, own.doubt, Number(this.state.values.at));
-    const here = `${quantity.name} gives ${usual(right, quantity.unit)}`;
-    find("cause").textContent = texts[0] === "" ? `Right: ${here}.`
-      : texts.length > 0 ? `${here}. Your number comes of ${texts.length > 1 ? "one of these: " : ""}${texts.join("; or ")}.`
-      : `${here}; your number is ${rounded(own.number / right, 4)} times that, and no single convention that is known gives it. tribocheck verify asks your code at many inputs, and finds more.`;
+    const off = (one) => {
+      const ratio = one / own.number;
+      return ratio > 0.5 && ratio < 2 ? `${rounded(100 * Math.abs(1 / ratio - 1), 3)} % ${ratio < 1 ? "more" : "less"} than that` : `${rounded(1 / ratio, 4)} times that`;
+    };
+    const {right, texts, nearest} = causesOf(this.model, this.mistakes, quantity, own.number, own.doubt, Number(this.state.values.at));
+    const here = `${quantity.state ? `${quantity.result} is` : `${quantity.name} gives`} ${usual(right, unit)}`;
+    find("cause").textContent = !(Number.isFinite(right)) ? `There is no right number: ${quantity.result} is undefined here.`
+      : texts[0] === "" ? `Right, to all digits that you typed: ${here}.`
+      : texts.length > 0 ? `Not right: ${here}, and your number is ${off(right)}. It is the number of ${texts.length > 1 ? "each of these: " : ""}${texts.join("; ")}.`
+      : `Not right: ${here}, and your number is ${off(right)}. No single mistake or law that this page knows gives it` +
+        `${nearest ? `; the nearest is ${nearest[0]}, which gives ${usual(nearest[1], unit)}: yours is ${off(nearest[1])}` : ""}. ` +
+        `The program asks your code at many inputs and finds more, also two mistakes at once: tribocheck verify --subject "your command"; its README begins with how to install it.`;
   }
 
   async clicked(button) {
@@ -662,7 +754,8 @@ class Page {
       find("text").closest("details").open = true;
       find("text").select();
     }
-    find("done").textContent = isCopied ? "Copied." : "The browser does not let this page copy: the text is selected below.";
+    const isFaulty = home.querySelector('.live [aria-invalid="true"]') ? " It has the faults that are told at its fields." : "";
+    find("done").textContent = (isCopied ? "Copied." : "The browser does not let this page copy: the text is selected below.") + isFaulty;
   }
 
   verify() {
@@ -671,9 +764,9 @@ class Page {
     const isKept = rows.every((one) => Number(one[3]) <= 1);
     find("verdict").innerHTML = `<p class="verdict">${isKept ? "Verified in this browser" : "NOT verified in this browser"}: ${count} certified rows of ${new Set(rows.map((one) => one[0])).size} ` +
       `functions, the worst conditioned among them, in ${rounded(took, 2)} ms. The greatest error takes ${rounded(100 * worst[3], 2)} % of its bound ` +
-      `(${escaped(worst[0])}, row ${escaped(worst[4])}).</p>` +
-      table("Certified rows in this browser", ["function", "result", "rows", "greatest error, of its bound", "row"],
-            rows.map(([name, output, number, part, row]) => [name, [escaped(output), "word"], [number, "number"], [`${rounded(100 * part, 2)} %`, "number"], [escaped(row), "word"]]));
+      `(${escaped(worst[0])}, row ${escaped(worst[4])}). This proves that the formulas are computed here as they are in the program, at inputs chosen for it; your contact is not among them.</p>` +
+      `<details class="more"><summary>The certified rows: numbers known to more digits than these have</summary>` + table("Certified rows in this browser", ["function", "result", "rows", "greatest error, of its bound", "row"],
+            rows.map(([name, output, number, part, row]) => [name, [escaped(output), "word"], [number, "number"], [`${rounded(100 * part, 2)} %`, "number"], [escaped(row), "word"]])) + "</details>";
   }
 }
 

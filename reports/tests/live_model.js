@@ -4,6 +4,7 @@
 const fs = require("fs"), path = require("path"), readline = require("readline"), vm = require("vm");
 
 const folder = path.join(process.env.TRIBOCHECK_ROOT, "reports/live");
+globalThis.tribocheckForm = JSON.parse(fs.readFileSync(path.join(folder, "form.json"), "utf8"));
 vm.runInThisContext(fs.readFileSync(path.join(folder, "live.js"), "utf8"));
 const live = globalThis.tribocheckLive;
 

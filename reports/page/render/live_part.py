@@ -32,7 +32,7 @@ def parts(out):
         return "", ""
     # Base 85 takes a sixteenth less room than base 64. None of its signs ends a script.
     model = base64.b85encode(gzip.compress((HERE / "tribocheck.wasm").read_bytes(), 9, mtime=0)).decode()
-    told = json.dumps({"scenes": scenes(out), "mistakes": mistakes()}, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/").replace("<!--", "<\\!--")
+    told = json.dumps({"scenes": scenes(out), "mistakes": mistakes(), "form": json.loads((HERE / "form.json").read_text(encoding="utf-8"))}, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/").replace("<!--", "<\\!--")
     script = (HERE / "live.js").read_text(encoding="utf-8")
     return ((HERE / "live.css").read_text(encoding="utf-8"),
             f'<script type="text/plain" id="live-wasm">{model}</script>\n'

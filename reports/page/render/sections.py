@@ -118,6 +118,7 @@ class Page:
         text = self.first
         for part in self.parts:
             text += f'\n<a id="{part.id}"></a>\n\n## {part.title}\n\n{part.text}'
+        text = re.sub(r"<template\b.*?</template>\n?", "", text, flags=re.DOTALL)
         text = text.replace("</summary>\n", "</summary>\n\n")
         text = re.sub(r"</?(?:figure|figcaption|details|summary|div|span)\b[^>]*>\n?", "", text)
         return re.sub(r"\n{3,}", "\n\n", text)
