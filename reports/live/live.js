@@ -297,11 +297,10 @@ function causesOf(model, mistakes, quantity, number, doubt, at) {
   if (isNear(right)) return {right, texts: [""]};
   const made = (quantity.state ? madeOfContact : madeOfFunction)(model, mistakes, quantity, at).filter(([, one]) => one !== right && Number.isFinite(one));
   const texts = [...new Set(made.filter(([, one]) => isNear(one)).map(([text]) => text))];
-  if (texts.length === 0)
-    for (const [factor, name] of FACTORS)
-      for (const [one, word] of [[right * factor, "large"], [right / factor, "small"]]) if (isNear(one)) texts.push(`a number that is too ${word} by a factor of ${name}`);
+  const isOff = ([by]) => isNear(right * by) || isNear(right / by), known = FACTORS.find(isOff);
+  const factor = known && `too ${number > right ? "large" : "small"} by a factor of ${known[1]}`;
   const away = ([, one]) => Math.abs(one / number - 1), [nearest] = made.sort((a, b) => away(a) - away(b));
-  return {right, texts, nearest: texts.length === 0 && nearest && away(nearest) < 0.02 && away(nearest) < Math.abs(right / number - 1) ? nearest : null};
+  return {right, texts, factor, nearest: texts.length === 0 && nearest && away(nearest) < 0.02 && away(nearest) < Math.abs(right / number - 1) ? nearest : null};
 }
 
 // A typed number in SI units, and half of its last digit; null: it is no number with a unit that fits.
@@ -463,12 +462,12 @@ class Page {
     if (told.length > 0) return this.tell(told);
     const state = stateOf(this.model), at = /^speed = .*; read at (\S+) m\/s$/m.exec(toml)?.[1];
     if (Number(at) > 0) state.values.at = at;
-    this.show(state);
+    this.show(state, true);
   }
 
-  show(state) {
+  show(state, isScene = false) {
     this.state = state;
-    find("start").value = state.id in this.scenes ? state.id : "";
+    find("start").value = isScene && state.id in this.scenes ? state.id : "";
     for (const entry of home.querySelectorAll("[data-path]")) {
       const path = entry.dataset.path;
       const usual = this.model.fields.get(path)?.usual?.replaceAll('"', "") ?? "";
@@ -603,7 +602,7 @@ class Page {
     }
     find("faults").textContent = (names.length ? `Mend below: ${[...new Set(names)].join("; ")}. ` : "") + rest.join(" ");
     const isStale = errors.length > 0;
-    for (const name of ["charts", "numbers", "onsets", "films", "limits", "said"]) find(name).classList.toggle("stale", isStale);
+    for (const name of ["charts", "numbers", "onsets", "films", "limits"]) find(name).classList.toggle("stale", isStale);
     if (isStale) find("said").textContent = this.drawn > 0 ? "The numbers below are of the last contact that could be read." : "This contact cannot be read yet.";
   }
 
@@ -641,7 +640,7 @@ class Page {
     this.listQuantities(at);
     find("limits").innerHTML = (warnings.length ? `<p>${warnings.map(([, path, sentence]) => escaped(`${path}: ${sentence}`)).join("<br>")}</p>` : "") +
       (limits.length === 0 ? "<p>At this speed the contact is within all limits of the model that are known.</p>"
-        : table(`Limits of the model that this contact goes beyond at ${rounded(at, 4)} m/s`, ["limit", "assumption", "here", "allowed", "touches"],
+        : table(`Limits of the model that this contact goes beyond at ${rounded(at, 4)} m/s`, ["limit", "assumption that is not met", "here", "allowed", "touches"],
                 limits.map(([name, assumption, number, least, greatest, unit, , touches, advice, , likely]) => [name,
                   [escaped(assumption + (likely ? ` Perhaps ${likely} was meant.` : "") + (advice ? ` (${advice})` : "")), "prose"], [usual(Number(number), unit), "number"],
                   [greatest === "inf" ? `from ${usual(Number(least), unit)}` : Number(least) === 0 ? `to ${usual(Number(greatest), unit)}`
@@ -657,7 +656,9 @@ class Page {
       return [name, [text, isWord ? "word" : "number"], [why[name] || isWord || Number.isNaN(number) ? "" : `${rounded(number)} ${unit}`.trim(), "number"],
               [escaped(why[name] ? `undefined: ${why[name]}` : meaning), "prose"]];
     });
-    const contact = this.model.lines("live_contact").map(([name, symbol, meaning, number, unit]) =>
+    const faces = [["σ_s", "surface.summit_height_sd"], ["Rq", "surface.rms_roughness"]].filter(([, path]) => path in told)
+      .map(([symbol, path]) => [path.slice("surface.".length), symbol, "of the faces, given or from what is given", told[path], "m"]);
+    const contact = [...this.model.lines("live_contact"), ...faces].map(([name, symbol, meaning, number, unit]) =>
       [name, [usual(Number(number), unit), "number"], [`${rounded(Number(number))} ${unit}`.trim(), "number"], [escaped(`${symbol}, ${meaning}`), "prose"]]);
     find("numbers").innerHTML = table(`The numbers at ${rounded(at, 4)} m/s`, ["number", "value", "in SI units", "meaning"], [...rows, ...contact]);
   }
@@ -728,12 +729,13 @@ class Page {
       const ratio = one / own.number;
       return ratio > 0.5 && ratio < 2 ? `${rounded(100 * Math.abs(1 / ratio - 1), 3)} % ${ratio < 1 ? "more" : "less"} than that` : `${rounded(1 / ratio, 4)} times that`;
     };
-    const {right, texts, nearest} = causesOf(this.model, this.mistakes, quantity, own.number, own.doubt, Number(this.state.values.at));
+    const {right, texts, factor, nearest} = causesOf(this.model, this.mistakes, quantity, own.number, own.doubt, Number(this.state.values.at));
     const here = `${quantity.state ? `${quantity.result} is` : `${quantity.name} gives`} ${usual(right, unit)}`;
     find("cause").textContent = !(Number.isFinite(right)) ? `There is no right number: ${quantity.result} is undefined here.`
       : texts[0] === "" ? `Right, to all digits that you typed: ${here}.`
       : texts.length > 0 ? `Not right: ${here}, and your number is ${off(right)}. It is the number of ${texts.length > 1 ? "each of these: " : ""}${texts.join("; ")}.`
-      : `Not right: ${here}, and your number is ${off(right)}. No single mistake or law that this page knows gives it` +
+      : factor ? `Not right: ${here}, and your number is ${factor}.`
+      : `Not right: ${here}, and your number is ${off(right)}. None of the single mistakes and laws that this page knows gives all its digits` +
         `${nearest ? `; the nearest is ${nearest[0]}, which gives ${usual(nearest[1], unit)}: yours is ${off(nearest[1])}` : ""}. ` +
         `The program asks your code at many inputs and finds more, also two mistakes at once: tribocheck verify --subject "your command"; its README begins with how to install it.`;
   }

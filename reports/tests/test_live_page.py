@@ -225,7 +225,7 @@ class Use(LivePage):
         speed = float(self.script("return tribocheckLive.page.state.values.at"))
         film = {"function": "hamrock_dowson_central", "viscosity": 0.0202, "pressure_viscosity": 2e-8, "load": 50, "effective_modulus": 107.9e9,
                 "reduced_radius": 9.5e-3}
-        for at, words in ((speed, "Right"), (2 * speed, "film-speed-sum"), (3.21 * speed, "No single mistake")):
+        for at, words in ((speed, "Right"), (2 * speed, "film-speed-sum"), (3.21 * speed, "None of the single mistakes")):
             number = run("stream", stdin=json.dumps({"id": "1", "speed": at} | film)).json_lines()[0]["value"]
             self.assertIn(words, self.said_of("film of smooth faces by hamrock_dowson_central", f"{1e9 * number:.5g} nm"))
 
@@ -245,7 +245,7 @@ class Use(LivePage):
         laws = toml.replace('film = "hamrock_dowson_central"', 'film = "nijenbanning_venner_moes"')
         self.assertNotEqual(laws, toml)
         for number, words in ((film, "Right, to all digits"), (solved(twice)["film"], "Not right: film is"), (solved(laws)["film"], "closures.film = nijenbanning_venner_moes"),
-                              (1000 * film, "too large by a factor of 1000"), (film / 2, "too small by a factor of 2"), (3.217 * film, "No single mistake or law")):
+                              (1000 * film, "too large by a factor of 1000"), (film / 2, "too small by a factor of 2"), (3.217 * film, "None of the single mistakes and laws")):
             with self.subTest(words):
                 self.assertIn(words, self.said_of("film of this contact", f"{1e9 * number:.5g} nm"))
         self.assertIn("film-speed-sum", self.said_of("film of this contact", f"{1e9 * solved(toml, 2 * float(speed))['film']:.5g} nm"))
