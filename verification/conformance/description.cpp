@@ -173,38 +173,13 @@ std::string in_words(double ratio) {
   return fmt::format("{:.3g} % {}", 100 * std::abs(ratio - 1), ratio < 1 ? "low" : "high");
 }
 
-// A factor that people lose or gain.
+// "It is too small by a factor of 2π.": a factor that people lose or gain. Empty: it is none.
 std::string known_factor(double ratio) {
-  struct Factor {
-    double value;
-    const char* name;
-  };
-  constexpr Factor factors[] = {{2, "2"},
-                                {3.14159265358979, "π"},
-                                {1.4142135623731, "√2"},
-                                {1.7320508075688772, "√3"},
-                                {3, "3"},
-                                {8, "8"},
-                                {1.5, "3/2"},
-                                {1.33333333333333, "4/3"},
-                                {2.506628274631, "√(2π)"},
-                                {1.772453850905516, "√π"},
-                                {1e3, "1000, as between m and mm, or Pa and kPa"},
-                                {1e6, "10⁶, as between m and µm, or Pa and MPa"},
-                                {1e9, "10⁹, as between m and nm, or Pa and GPa"},
-                                {100, "100, as with percent"},
-                                {4, "4"},
-                                {6.283185307179586, "2π"},
-                                {12.566370614359172, "4π"},
-                                {1.2732395447351628, "4/π"}};
   if (std::abs(ratio + 1) < 1e-6) return "It has another sign convention.";
-  for (const Factor& one : factors) {
-    if (std::abs(ratio / one.value - 1) < 1e-6)
-      return fmt::format("It is too large by a factor of {}.", one.name);
-    if (std::abs(ratio * one.value - 1) < 1e-6)
-      return fmt::format("It is too small by a factor of {}.", one.name);
-  }
-  return {};
+  const FamiliarFactor* const factor = familiar_factor(ratio, 1e-6);
+  if (factor == nullptr) return {};
+  return fmt::format("It is too {} by a factor of {}{}.", ratio > 1 ? "large" : "small",
+                     factor->name, factor->origin);
 }
 
 // " It is h/R = 1.9 U^+0.67 …" of a film that is a law in U, G and W with E′ = 2E*.

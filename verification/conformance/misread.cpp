@@ -219,37 +219,15 @@ struct Misreading {
   std::function<void(Question&)> change = {};
 };
 
-// The factors that people lose or gain, and their names.
-struct FamiliarFactor {
-  double value;
-  const char* name;
-};
-constexpr std::array familiar_factors{FamiliarFactor{2, "2"},
-                                      FamiliarFactor{3.141592653589793, "π"},
-                                      FamiliarFactor{1.4142135623730951, "√2"},
-                                      FamiliarFactor{1e3, "1000"},
-                                      FamiliarFactor{1e6, "10⁶"},
-                                      FamiliarFactor{1e9, "10⁹"},
-                                      FamiliarFactor{4, "4"},
-                                      FamiliarFactor{6.283185307179586, "2π"},
-                                      FamiliarFactor{3, "3"},
-                                      FamiliarFactor{1.772453850905516, "√π"},
-                                      FamiliarFactor{2.5066282746310002, "√(2π)"},
-                                      FamiliarFactor{1.7320508075688772, "√3"},
-                                      FamiliarFactor{8, "8"},
-                                      FamiliarFactor{100, "100"},
-                                      FamiliarFactor{1.5, "(3/2)"},
-                                      FamiliarFactor{1.3333333333333333, "(4/3)"}};
-
 std::optional<std::string> familiar_times(double factor, const std::string& symbol) {
-  const auto is = [](double a, double b) { return std::abs(a / b - 1) < 1e-5; };
-  if (is(factor, 1)) return symbol;
-  if (is(factor, -1)) return "−" + symbol;
-  for (const auto& [value, name] : familiar_factors) {
-    if (is(factor, value)) return fmt::format("{} {}", name, symbol);
-    if (is(factor, 1 / value)) return fmt::format("{}/{}", symbol, name);
-  }
-  return std::nullopt;
+  constexpr double closeness = 1e-5;
+  if (std::abs(factor - 1) < closeness) return symbol;
+  if (std::abs(factor + 1) < closeness) return "−" + symbol;
+  const FamiliarFactor* const familiar = familiar_factor(factor, closeness);
+  if (familiar == nullptr) return std::nullopt;
+  std::string name = familiar->name;
+  if (name.find('/') != std::string::npos) name = '(' + name + ')';
+  return factor > 1 ? fmt::format("{} {}", name, symbol) : fmt::format("{}/{}", symbol, name);
 }
 
 // Inputs of one unit may be taken for each other.
@@ -508,6 +486,33 @@ double round_number(double value) {
 }
 
 bool is_of_few_digits(double value) { return is_of_digits(value, 4); }
+
+const FamiliarFactor* familiar_factor(double factor, double closeness) {
+  static constexpr std::array factors{
+      FamiliarFactor{2, "2"},
+      FamiliarFactor{3.141592653589793, "π"},
+      FamiliarFactor{1.4142135623730951, "√2"},
+      FamiliarFactor{1.7320508075688772, "√3"},
+      FamiliarFactor{3, "3"},
+      FamiliarFactor{4, "4"},
+      FamiliarFactor{8, "8"},
+      FamiliarFactor{1.5, "3/2"},
+      FamiliarFactor{1.3333333333333333, "4/3"},
+      FamiliarFactor{2.5066282746310002, "√(2π)"},
+      FamiliarFactor{1.772453850905516, "√π"},
+      FamiliarFactor{6.283185307179586, "2π"},
+      FamiliarFactor{12.566370614359172, "4π"},
+      FamiliarFactor{1.2732395447351628, "4/π"},
+      FamiliarFactor{100, "100", ", as with percent"},
+      FamiliarFactor{1e3, "1000", ", as between m and mm, or Pa and kPa"},
+      FamiliarFactor{1e6, "10⁶", ", as between m and µm, or Pa and MPa"},
+      FamiliarFactor{1e9, "10⁹", ", as between m and nm, or Pa and GPa"}};
+  const auto* const found = std::find_if(factors.begin(), factors.end(), [&](const auto& one) {
+    return std::abs(factor / one.value - 1) < closeness ||
+           std::abs(factor * one.value - 1) < closeness;
+  });
+  return found == factors.end() ? nullptr : found;
+}
 
 bool is_familiar(double factor) { return familiar_times(factor, {}).has_value(); }
 

@@ -49,6 +49,14 @@ double of_digits(double value, int digits);
 double round_number(double value);
 // Whether four digits are the number, to 1e-6 of it, as those that a source prints.
 bool is_of_few_digits(double value);
+// A factor that people lose or gain, with the units between which it is, where it is of units.
+struct FamiliarFactor {
+  double value;
+  const char* name;
+  const char* origin = "";
+};
+// The one that this factor, or one over it, is so closely; null: it is none.
+const FamiliarFactor* familiar_factor(double factor, double closeness);
 // Whether people know the factor, or one over it: 2, π, 1000 …; 1 and −1 are among them.
 bool is_familiar(double factor);
 // "2 u", "u/2", "1.23 u": a symbol times a factor, by the name of the factor where people know it.
