@@ -129,7 +129,7 @@ std::string number_in_words(double number) {
                              Known{4 / std::numbers::pi, "4/π"},
                              Known{6 * std::numbers::pi, "6π"}};
   for (const auto& [value, name] : known)
-    if (std::abs(number / value - 1) < 1e-12) return name;
+    if (std::abs(number / value - 1) < 1e-10) return name;
   return fmt::format("{}{:.6g}", number < 0 ? "−" : "", std::abs(number));
 }
 
@@ -548,6 +548,10 @@ bool can_stand_beside(const Edit& one, const Edit& other) {
   return !is_same && !(one.part && other.part);
 }
 
+// How closely a number is one that a source prints. Where all answers are off by one factor, nearly
+// each number of the law gives it, and one in a hundred has four digits to 1e-6 by chance.
+constexpr double closeness_of_numbers = 1e-6, closeness_of_factors = 1e-10;
+
 // Whether the answer is that of the changed law.
 bool is_of_changed_law(const Part::Number& one, double given, double closeness) {
   const AnsweredNumber& answered = *one.answered;
@@ -557,17 +561,21 @@ bool is_of_changed_law(const Part::Number& one, double given, double closeness) 
          std::abs(answered.got - given) <= std::max(closeness * own, answered.allowed_of(given));
 }
 
-// Whether a source may print the number: few digits, or a fraction.
-bool is_printed(double number) {
-  const auto is_short = [](double x) { return std::abs(of_digits(x, 2) / x - 1) < 1e-6; };
+// Whether a source may print the number: few digits, or a fraction. `closeness`: how sure it is.
+bool is_printed(double number, double closeness) {
+  const auto is_of = [&](double x, int digits) {
+    return std::abs(of_digits(x, digits) / x - 1) < closeness;
+  };
   const double square = number * number;
-  return is_short(square) || is_short(square / std::numbers::pi) || is_of_few_digits(number) ||
-         is_of_few_digits(3 * number) || is_of_few_digits(7 * number);
+  return is_of(square, 2) || is_of(square / std::numbers::pi, 2) ||
+         is_of(number * std::numbers::pi, 2) || is_of(number / std::numbers::pi, 2) ||
+         is_of(number, 4) || is_of(3 * number, 4) || is_of(7 * number, 4);
 }
 
 // The changes of one number each with which the law gives the answer, by numbers that are printed.
 std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one, std::size_t place,
-                                 const std::vector<Expression::Place>& places) {
+                                 const std::vector<Expression::Place>& places,
+                                 double closeness = closeness_of_numbers) {
   std::vector<Edit> found;
   Expression changed = law;
   const catalogue::Arguments& arguments = one.of->question.arguments;
@@ -595,9 +603,10 @@ std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
               off, is_up ? before : at, is_up ? at : before, is_up ? off_before : now,
               is_up ? now : off_before, boost::math::tools::eps_tolerance<double>(46), steps);
           const double other = right * std::exp((low + high) / 2);
-          if (is_printed(other))
-            found.push_back(
-                {.node = at_place.node, .slot = at_place.slot, .number = round_number(other)});
+          if (is_printed(other, closeness))
+            found.push_back({.node = at_place.node,
+                             .slot = at_place.slot,
+                             .number = is_of_few_digits(other) ? round_number(other) : other});
           break;
         }
         before = at;
@@ -674,13 +683,20 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
                                   : unsaid;
                      }});
   };
+  const auto drop_those_that_spoil = [&] {
+    if (std::find(is_left_right.begin(), is_left_right.end(), true) == is_left_right.end()) return;
+    for (std::size_t i = found.size(); i-- > 0;)
+      if (!is_left_right[i]) found.erase(found.begin() + static_cast<std::ptrdiff_t>(i));
+  };
   Edits edits(*law);
   const auto alike = edits.pairs_alike();
   const std::vector<Edit> all = edits.take();
   if (changes == 1) {
     std::vector<Edit> singles = all;
     for (const Part::Number& one : probes)
-      for (Edit& edit : solved_numbers(*law, one, part.place, law->places_of_numbers())) {
+      for (Edit& edit :
+           solved_numbers(*law, one, part.place, law->places_of_numbers(),
+                          is_one_factor ? closeness_of_factors : closeness_of_numbers)) {
         const bool is_known = std::any_of(singles.begin(), singles.end(), [&](const Edit& other) {
           return other.node == edit.node && other.slot == edit.slot && other.number == edit.number;
         });
@@ -704,9 +720,7 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
       std::string text = change_in_words(*law, changed, one) + ", and the same of the other one";
       tell(std::move(changed), 1, std::move(text));
     }
-    if (std::find(is_left_right.begin(), is_left_right.end(), true) != is_left_right.end())
-      for (std::size_t i = found.size(); i-- > 0;)
-        if (!is_left_right[i]) found.erase(found.begin() + static_cast<std::ptrdiff_t>(i));
+    drop_those_that_spoil();
     return found;
   }
   if (wrong < fewest_of_two) return found;
@@ -744,8 +758,7 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
       first.nodes[shown[k].node] = before;
     }
   }
-  if (is_one_factor) return found;
-  for (std::size_t i = 0; i < shown.size() && found.empty(); ++i) {
+  for (std::size_t i = 0; i < shown.size() && found.empty() && !is_one_factor; ++i) {
     Expression first = *law;
     shown[i].apply(first);
     // The answer that the first change leaves farthest off shows the number best, unless a root
@@ -773,6 +786,7 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
       if (!found.empty()) break;
     }
   }
+  drop_those_that_spoil();
   return found;
 }
 

@@ -209,7 +209,7 @@ std::optional<double> solved(const Part::Number& number, const Input& input, std
 
 // --- Misreadings
 
-constexpr int rank_of_odd = 7;
+constexpr int rank_of_familiar = 1, rank_of_familiar_factor = 4, rank_of_odd = 7;
 struct Misreading {
   int rank;  // the simplest is the least
   std::string text;
@@ -270,7 +270,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
     const double factor = value / own;
     const std::string text = times_in_words(factor, input.symbol);
     if (text != input.symbol)  // a change that is told with more digits
-      add(familiar_times(factor, input.symbol) ? 1
+      add(familiar_times(factor, input.symbol) ? rank_of_familiar
           : is_of_few_digits(factor)           ? 5
                                                : 8,
           fmt::format("{} in place of {}", text, input.symbol),
@@ -585,7 +585,15 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
     }
   };
   if (!is_one) add_numbers(fitted_numbers(part, mistakes, is_one_factor));
-  if (!is_one_factor) add_misreadings_of(*inputs, wrong, part.place, all);
+  add_misreadings_of(*inputs, wrong, part.place, all);
+  // One factor is that of each input: those alone are told that people know, behind what the law
+  // itself gives.
+  if (is_one_factor) {
+    std::erase_if(all,
+                  [](const Misreading& one) { return one.rank > rank_of_familiar && one.change; });
+    for (Misreading& one : all)
+      if (one.change) one.rank = rank_of_familiar_factor;
+  }
   // Another right value, as of the other axis, is simpler than a law that gives it.
   const bool is_of_law = !is_one && other_value(part).empty();
   if (is_of_law) add_changes(1);
@@ -632,7 +640,9 @@ std::vector<Mistake> solved_insides(const Part& part) {
       const Question& asked = wrong[i].of->question;
       const auto value = solved(wrong[i], input_of(inside), part.place);
       const double number = value ? *value / (is_constant ? 1 : inside.get(asked)) : unsaid;
-      if (!(is_of_few_digits(number) || is_familiar(number)) || is_same(number, 1)) continue;
+      // A factor of nearly 1, as of a rounded π, is none.
+      if (!(is_of_few_digits(number) || is_familiar(number)) || std::abs(number - 1) < 1e-5)
+        continue;
       count_one(inside, round_number(number), std::nullopt);
       if (const auto field = scene_detail::find_field(inside.choice))
         count_one(inside, round_number(number), scene_detail::value_in(*asked.scene, *field));

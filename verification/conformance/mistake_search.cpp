@@ -49,9 +49,14 @@ class Search {
     // Neighbours are alike: probes lie far from each other.
     const std::size_t count = std::min(most_probes, wrong.size());
     for (std::size_t i = 0; i < count; ++i) probes_.push_back(wrong[i * wrong.size() / count]);
+    is_one_number_ = is_one_number(wrong);
   }
 
   bool has_wrong() const { return !probes_.empty(); }
+
+  // Whether all wrong answers are one number, which says too little for several mistakes: a guard
+  // gives it.
+  bool is_one_number() const { return is_one_number_; }
 
   // Whether the probes, but for one, are as the mistakes give them: few evaluations rule out
   // nearly all causes.
@@ -106,6 +111,16 @@ class Search {
   }
 
  private:
+  static bool is_one_number(const std::vector<AnsweredCase*>& wrong) {
+    std::optional<double> first;
+    for (const AnsweredCase* const one : wrong)
+      for (const AnsweredNumber& number : one->numbers) {
+        if (!number.is_left()) continue;
+        if (!first) first = number.got;
+        if (number.got != *first) return false;
+      }
+    return true;
+  }
   static double change(const AnsweredNumber& number, double given) {
     return std::abs((given - number.expected->high) - number.expected->low);
   }
@@ -123,6 +138,7 @@ class Search {
   std::optional<std::size_t> left_out_;
   std::vector<AnsweredCase*> cases_;
   std::vector<const AnsweredCase*> probes_;
+  bool is_one_number_ = false;
 };
 
 // All sets of `count` mistakes that can be made together, in the order of the file.
@@ -151,6 +167,7 @@ void sort_by_what_they_explain(std::vector<Fit>& fits) {
 std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mistakes,
                            std::size_t most, bool is_quick = false) {
   std::vector<Fit> best;
+  if (search.is_one_number()) most = 1;
   for (std::size_t count = 1; count <= most; ++count) {
     std::vector<Fit> fits;
     Mistakes set;
