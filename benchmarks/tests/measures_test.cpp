@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <stdexcept>
@@ -203,6 +204,16 @@ TEST(LineFilmErrors, AreThoseOfTheNumbersThatAWayGives) {
   const Row expected{row(ways[0], 3.5, 0.05, 0.035, 0, 4), row(ways[1], 1., 0., 0., 2, 4),
                      row(ways[2], nullptr, 0.1, 0.1, 0, 1)};
   EXPECT_EQ(Row(without_time).dump(1), expected.dump(1));
+}
+
+TEST(CpuSeconds, AreThatOfTheOtherClockOfTheProcess) {
+  const std::clock_t begin = std::clock();
+  const double start = cpu_seconds();
+  while (std::clock() - begin < CLOCKS_PER_SEC / 4) {
+  }
+  const double passed = cpu_seconds() - start;
+  const double told = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  EXPECT_TRUE(verification::is_within(passed, told, 0.02 * told));
 }
 
 TEST(MedianSeconds, AreOfACallHoweverManyAreTimed) {
