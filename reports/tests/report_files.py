@@ -91,7 +91,7 @@ def table(path):
 
 class PageReader(html.parser.HTMLParser):
     """Checks that all elements are closed in order, and collects figures, identifiers and links."""
-    VOID = {"meta", "img", "br", "link", "wbr"}
+    VOID = {"meta", "img", "br", "link", "wbr", "input"}
 
     def __init__(self, text):
         super().__init__()
