@@ -7,10 +7,13 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <thread>
 
 #include "contenders/textbook_point_film.hpp"
 #include "ehl/film_features.hpp"
+#include "support/judge.hpp"
 #include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
@@ -55,6 +58,24 @@ TEST(PointFilmWays, OfRelaxationFindOurFilmAndSayWhenTheyDoNot) {
   EXPECT_EQ(found.outcome, ehl::Outcome::solved);
   EXPECT_GT(found.steps, 50);
   EXPECT_LT(greatest_part(found, all.ours), 1e-3) << found.steps << " sweeps";
+}
+
+// The two coarsest of each series: their errors are those of the grid.
+TEST(PointFilmWays, OfEachSeriesAnswerTheContactsFilm) {
+  const ehl::PointContact contact = ehl::barus_point(20, 5);
+  const FilmAnswer fine =
+      film_numbers(contact, ehl::solve_point_film(contact, {.tolerance = 3e-3}));
+  std::map<std::string, int> asked;
+  for (const FilmWay<ehl::PointContact>& way : point_film_ways(contact)) {
+    if (++asked[way.series] > 2) continue;
+    SCOPED_TRACE(way.name);
+    const FilmAnswer got = way.run(contact);
+    EXPECT_GT(got.steps, 0);
+    for (const auto number :
+         {&FilmAnswer::central, &FilmAnswer::minimum, &FilmAnswer::at_greatest_pressure})
+      EXPECT_TRUE(verification::is_within(got.*number, fine.*number, 0.15 * fine.*number));
+  }
+  EXPECT_EQ(asked.size(), 4U);
 }
 
 TEST(PointFilmWays, AreJudgedByTheTableOfPointFilms) {
