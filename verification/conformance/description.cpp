@@ -448,8 +448,6 @@ std::string kept_answers(const Part& part) {
     return fmt::format(
         "{}; or the solver keeps answers, as a cache does, and looks for them without {} ({}).",
         cut, input, example);
-  const auto is_left = [](const Part::Number& one) { return one.answered->is_left(); };
-  if (std::count_if(part.all.begin(), part.all.end(), is_left) < 2) return {};  // by chance
   return fmt::format(
       "This is the answer to a case that differs in {} alone ({}): the solver keeps answers, as a "
       "cache does, and looks for them without {}.",

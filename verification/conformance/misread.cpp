@@ -238,7 +238,8 @@ bool is_of_unit(const Input& one, const Input& other) {
 
 // Whether the question leaves the input out, which has a default then.
 bool is_without(const Input& input, const Question& question) {
-  return !input.name.empty() && is_left_out(question.asked->inputs, input.name);
+  return !input.name.empty() && question.asked != nullptr &&
+         is_left_out(question.asked->inputs, input.name);
 }
 
 // Whether so many digits are the number, to 1e-6 of it.
@@ -589,8 +590,9 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
   // One factor is that of each input: those alone are told that people know, behind what the law
   // itself gives.
   if (is_one_factor) {
-    std::erase_if(all,
-                  [](const Misreading& one) { return one.rank > rank_of_familiar && one.change; });
+    std::erase_if(all, [](const Misreading& one) {
+      return one.change && (one.rank > rank_of_familiar || one.is_default);
+    });
     for (Misreading& one : all)
       if (one.change) one.rank = rank_of_familiar_factor;
   }
