@@ -61,6 +61,7 @@ class CellPermutations {
   CellPermutations(const RandomWords& words, std::size_t dimensions, std::uint64_t points)
       : points_(points), keys_(dimensions) {
     columns_ = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(points)));
+    columns_ = std::max<std::uint64_t>(columns_, 1);
     rows_ = (points + columns_ - 1) / columns_;
     for (std::size_t d = 0; d < dimensions; ++d)
       for (std::size_t round = 0; round < rounds; round += 2)

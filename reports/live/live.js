@@ -211,7 +211,6 @@ function stateOfFragment(fragment) {
 
 // --- A number of one's own
 
-// The fields of a function's arguments.
 const PLACES = {viscosity: "lubricant.viscosity", pressure_viscosity: "lubricant.pressure_viscosity", load: "load",
                 effective_modulus: "bodies.effective_modulus", reduced_radius: "bodies.reduced_radius", radius_x: "bodies.radius_x", radius_y: "bodies.radius_y"};
 const givenOf = (told, at) => ({speed: at, ...Object.fromEntries(Object.entries(PLACES).filter(([, path]) => path in told).map(([argument, path]) => [argument, Number(told[path])]))});
@@ -220,18 +219,20 @@ const givenOf = (told, at) => ({speed: at, ...Object.fromEntries(Object.entries(
 function quantitiesOf(model, at, state = null) {
   const told = Object.fromEntries(model.lines("live_values")), contact = Object.fromEntries(model.lines("live_contact").map((one) => [one[0], Number(one[3])]));
   const radius = told["bodies.reduced_radius"] ?? told["bodies.radius_x"];
-  const numbers = {reduced_radius: radius, radius_x: radius, radius_y: radius, ...givenOf(told, at), load_per_length: told.load / told["bodies.length"], ellipticity: told["bodies.ellipticity"] ?? contact.semi_axis_y / contact.semi_axis_x};
+  const numbers = {reduced_radius: radius, radius_x: radius, radius_y: radius, ...givenOf(told, at), load_per_length: told.load / told["bodies.length"],
+                   ellipticity: told["bodies.ellipticity"] ?? contact.semi_axis_y / contact.semi_axis_x};
   const laws = model.lines("live_films", at).filter(([law]) => law !== "solved");
   laws.sort((a, b) => b[4] - a[4]);  // the scene's law first
   const hertz = {circle: "hertz_point", ellipse: "hertz_ellipse", line: "hertz_line"}[told.shape];
-  const whole = state ? model.outputs.filter((one) => one.words[0] === "") : [];
-  return [...whole.map(({name, unit, meaning}) => ({name: "this contact", result: name, unit, meaning, state, law: told["closures.film"]})),
-          ...[...laws.map(([law]) => law), hertz].flatMap((name) => {
+  const whole = (state ? model.outputs : []).filter((one) => one.words[0] === "")
+    .map(({name, unit, meaning}) => ({name: "this contact", result: name, unit, meaning, state, law: told["closures.film"]}));
+  const functions = [...laws.map(([law]) => law), hertz].flatMap((name) => {
     const known = model.function(name);
     if (!known || known.arguments.some(([argument]) => !(argument in numbers))) return [];
     const given = Object.fromEntries(known.arguments.map(([argument]) => [argument, Number(numbers[argument])]));
     return known.results.map(([result, unit, meaning]) => ({name, result, unit, meaning, given, isFilm: name !== hertz}));
-  })];
+  });
+  return [...whole, ...functions];
 }
 
 // The arguments of a function with a known mistake made; null: the function has not these arguments.
@@ -285,7 +286,6 @@ function madeOfContact(model, mistakes, {result, state, law}, at) {
   return made;
 }
 
-// Factors between units, and those that are lost.
 const FACTORS = [[1e3, "1000, as between m and mm, or Pa and kPa"], [1e6, "10⁶, as between m and µm, or Pa and MPa"], [1e9, "10⁹, as between m and nm, or Pa and GPa"],
                  [100, "100, as with per cent"], [10, "10"], [2, "2"], [Math.PI, "π"]];
 
@@ -766,7 +766,7 @@ class Page {
     const isKept = rows.every((one) => Number(one[3]) <= 1);
     find("verdict").innerHTML = `<p class="verdict">${isKept ? "Verified in this browser" : "NOT verified in this browser"}: ${count} certified rows of ${new Set(rows.map((one) => one[0])).size} ` +
       `functions, the worst conditioned among them, in ${rounded(took, 2)} ms. The greatest error takes ${rounded(100 * worst[3], 2)} % of its bound ` +
-      `(${escaped(worst[0])}, row ${escaped(worst[4])}). This proves that the formulas are computed here as they are in the program, at inputs chosen for it; your contact is not among them.</p>` +
+      `(${escaped(worst[0])}, row ${escaped(worst[4])}). So this browser computes the formulas within the program's bounds at these inputs; your contact is not among them.</p>` +
       `<details class="more"><summary>The certified rows: numbers known to more digits than these have</summary>` + table("Certified rows in this browser", ["function", "result", "rows", "greatest error, of its bound", "row"],
             rows.map(([name, output, number, part, row]) => [name, [escaped(output), "word"], [number, "number"], [`${rounded(100 * part, 2)} %`, "number"], [escaped(row), "word"]])) + "</details>";
   }

@@ -604,6 +604,71 @@ TEST(Growth, OfAFactorIsNotToldAsNumerics) {
   }
 }
 
+// The right results of a function, of arguments that a slip changes.
+catalogue::Results results_of(const char* name, const In& in,
+                              const std::function<void(json& inputs)>& slip) {
+  const catalogue::Function& function = *catalogue::function_named(name);
+  json inputs = in.inputs;
+  slip(inputs);
+  catalogue::Arguments arguments{};
+  for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    arguments[i] = inputs.value(std::string(function.parameters[i].name), 1.0);
+  catalogue::Results results{};
+  function.value(arguments, results);
+  return results;
+}
+
+Formula film_times(const char* name, const char* input, double times, double factor) {
+  return [=](const In& in) -> json {
+    return factor * results_of(name, in, [&](json& inputs) {
+             inputs[input] = times * inputs[input].get<double>();
+           })[0];
+  };
+}
+
+TEST(OneFactor, IsToldByPrintedNumbersAndFactorsOfInputsThatPeopleKnow) {
+  expect_told({{"hamrock_dowson_central", "2.96 in place of 2.69, and R/2 in place of R",
+                film_times("hamrock_dowson_central", "reduced_radius", 0.5, 2.96 / 2.69)},
+               {"pan_hamrock_minimum", "with 1000 F/L in place of F/L (",
+                film_times("pan_hamrock_minimum", "load_per_length", 1000, 1)}});
+  // Nearly each number of a law gives each factor: only one that a source prints is told.
+  for (int i = 0; i < 8; ++i) {
+    const double factor = 0.7123456789 + 0.0312345678 * i;
+    const std::string said =
+        said_of("hamrock_dowson_central", film_times("hamrock_dowson_central", "speed", 1, factor));
+    EXPECT_EQ(said.find("in place of"), std::string::npos) << factor << ": " << said;
+  }
+}
+
+TEST(TwoChanges, ThatSpoilRightResultsAreNotTold) {
+  const std::string said = said_of("hertz_line", [](const In& in) -> json {
+    const catalogue::Results right = results_of("hertz_line", in, [](json&) {});
+    return {{"half_width", right[0]},
+            {"mean_pressure", right[1] * 2 / pi},
+            {"peak_pressure", right[2]},
+            {"peak_shear", right[3]}};
+  });
+  EXPECT_NE(said.find("1/π in place of 0.5, in 0.5 F/L/b"), std::string::npos) << said;
+  EXPECT_EQ(said.find("4 F/L"), std::string::npos) << said;  // half_width would be wrong, too
+}
+
+TEST(Mistakes, AreNoSetWhereAllAnswersAreOneNumber) {
+  const std::string said = said_of("starvation_ratio", [](const In& in) -> json {
+    if (in.inputs.at("closure") == "flooded_inlet" && in("flooded_over_inlet") >= 1) return 1;
+    catalogue::Arguments arguments{};
+    const catalogue::Function& function = *catalogue::function_named("starvation_ratio");
+    arguments[0] =
+        *catalogue::place_of(in.inputs.at("closure").get<std::string>(), function.parameters[0]);
+    arguments[1] = in("flooded_over_inlet");
+    arguments[2] = in.inputs.value("damiens_exponent", 3.0);
+    catalogue::Results results{};
+    function.value(arguments, results);
+    return results[0];
+  });
+  EXPECT_NE(said.find("wrong answers are 1: a floor, a cap, a guard"), std::string::npos) << said;
+  EXPECT_EQ(said.find("mistakes give together"), std::string::npos) << said;
+}
+
 // Answers that are right in a way of their own, or wrong in one that none of these means knows, are
 // not told as one of them.
 TEST(GeneralMeans, SayNothingOfNoise) {

@@ -87,6 +87,12 @@ TEST(UnitPoints, PointsThatTheDesignDoesNotHaveAreRefused) {
       return error_of([&] { unit_points.points(first, three); });
     };
     EXPECT_EQ(fault_from(7), "none") << name(design);
+    EXPECT_EQ(error_of([&] {
+                std::vector<double> one(2);
+                UnitPoints(design, 2, 0, 1).points(0, one);
+              }),
+              "the design has no such point")
+        << name(design);
     EXPECT_EQ(fault_from(8), "the design has no such point") << name(design);
     EXPECT_EQ(fault_from(std::numeric_limits<std::uint64_t>::max()), "the design has no such point")
         << name(design);
