@@ -12,6 +12,7 @@ namespace {
 
 constexpr int leaf_size = 64;
 constexpr double tolerance = 1e-12;
+constexpr double rough_tolerance = 1e-8;
 
 }  // namespace
 
@@ -40,6 +41,7 @@ ThinProduct FilmKernel::thin_product(int row, int row_end, int column, int colum
   std::vector<char> used(static_cast<std::size_t>(m), 0);
   // The rows and columns where the halves meet vary most.
   int pivot = row < column ? m - 1 : 0;
+  Eigen::Index rough_rank = 0;
   double square = 0;  // the square of the block's norm, so far
   for (int rank = 0; rank < most; ++rank) {
     used[static_cast<std::size_t>(pivot)] = 1;
@@ -65,10 +67,11 @@ ThinProduct FilmKernel::thin_product(int row, int row_end, int column, int colum
       }
     left.push_back(std::move(down));
     right.push_back(std::move(across));
+    if (size > rough_tolerance * std::sqrt(std::fabs(square))) rough_rank = rank + 1;
     if (size <= tolerance * std::sqrt(std::fabs(square))) break;
   }
   ThinProduct product{Eigen::MatrixXd(m, static_cast<Eigen::Index>(left.size())),
-                      Eigen::MatrixXd(n, static_cast<Eigen::Index>(left.size()))};
+                      Eigen::MatrixXd(n, static_cast<Eigen::Index>(left.size())), rough_rank};
   for (std::size_t k = 0; k < left.size(); ++k) {
     product.left.col(static_cast<Eigen::Index>(k)) = left[k];
     product.right.col(static_cast<Eigen::Index>(k)) = right[k];

@@ -14,6 +14,8 @@ namespace tribo::ehl {
 // A block of K as the product left · rightᵀ.
 struct ThinProduct {
   Eigen::MatrixXd left, right;
+  // So many first columns give the block to 1e-8 of its norm, which is enough for a Newton step.
+  Eigen::Index rough_rank = 0;
 };
 
 // The nodes from begin to end. A leaf keeps its block of K; the others keep the two blocks between

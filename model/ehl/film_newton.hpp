@@ -63,14 +63,15 @@ class FilmNewton {
   // Newton's method; where a whole step leads too far, a part of it is made.
   void converge(const NewtonLimits& limits, const Watch& watch) {
     outcome_ = Outcome::not_converged;
+    const double most_left = limits.change * problem_.pressure();
     for (int step = 0; step < limits.steps && goes_on(watch); ++step) {
       const double before = last_change_;
-      const double part = make_step();
+      const double part = make_step(most_left);
       if (part == 0) return;
       // Steps that no longer shrink are rounding.
       const bool is_rounding = last_change_ < rounding_change * problem_.pressure() && step > 0 &&
                                last_change_ > before / 2;
-      if (part == 1 && (change_left_ < limits.change * problem_.pressure() || is_rounding)) {
+      if (part == 1 && (greatest_of(left_) < most_left || is_rounding)) {
         outcome_ = Outcome::solved;
         return;
       }
@@ -114,6 +115,8 @@ class FilmNewton {
   static constexpr double greatest_change = 0.5;   // of P in one step, as a share of the greatest P
   static constexpr double least_part = 1e-3;       // the least part of a step that is worth making
   static constexpr double rounding_change = 1e-7;  // of P, at most
+  // A step by old equations has to leave less than this share of what the step before it left.
+  static constexpr double most_left_by_old_equations = 0.25;
   // For a film that is followed in time: 1/ΔT of its steps, for a contact of half-width 1.
   static constexpr double first_rate = 100, last_rate = 0.05, greatest_rate = 1e9;
   static constexpr double greatest_change_in_time = 0.3;
@@ -136,7 +139,7 @@ class FilmNewton {
   // part. Returns the part; 0: no part will do. The test is P. Deuflhard's: Newton methods for
   // nonlinear problems (2004), section 3.3: it does not depend on the scale of an equation. After
   // a whole step, the change that is asked for is the one still left, to second order.
-  double make_step() {
+  double make_step(double most_left) {
     ++steps_;
     const auto linear = problem_.linear_at(now_, 0);
     const FilmChange change = problem_.change_for(linear, now_, 0);
@@ -147,7 +150,25 @@ class FilmNewton {
     const double most = greatest_change * std::fmax(problem_.pressure(), now_.pressure.maxCoeff());
     double part = std::fmin(1, most / change.pressure.cwiseAbs().maxCoeff());
     while (part > least_part && !makes_part(part, linear, change, size)) part /= 2;
+    if (part == 1 && problem_.must_lead_nearer()) go_on_by(linear, most_left);
     return part > least_part ? part : 0;
+  }
+
+  // Makes what is left after a whole step by its equations too, which takes no new factors, until
+  // at most `most_left` is left, or as long as each time much less is left.
+  template <class Linear>
+  void go_on_by(const Linear& linear, double most_left) {
+    double size = problem_.size_of(left_);
+    while (!(greatest_of(left_) < most_left)) {
+      std::optional<FilmState> next = state_after(1, left_);
+      if (!next) return;
+      FilmChange left = problem_.change_left(linear, *next);
+      const double size_left = problem_.size_of(left);
+      if (!(size_left < most_left_by_old_equations * size)) return;
+      size = size_left;
+      left_ = std::move(left);
+      now_ = std::move(*next);
+    }
   }
 
   // Makes a part of a step if it leads nearer.
@@ -155,11 +176,11 @@ class FilmNewton {
   bool makes_part(double part, const Linear& linear, const FilmChange& change, double size) {
     std::optional<FilmState> next = state_after(part, change);
     if (!next) return false;
-    const FilmChange left = problem_.change_left(linear, *next);
+    FilmChange left = problem_.change_left(linear, *next);
     if (problem_.must_lead_nearer() && last_change_ > rounding_change * problem_.pressure() &&
         !(problem_.size_of(left) <= (1 - part / 4) * size))
       return false;
-    change_left_ = greatest_of(left);
+    left_ = std::move(left);
     now_ = std::move(*next);
     return true;
   }
@@ -182,7 +203,7 @@ class FilmNewton {
   Outcome outcome_ = Outcome::not_converged;
   int steps_ = 0;
   double last_change_ = 0;
-  double change_left_ = 0;  // asked for after the last Newton step, by its equations
+  FilmChange left_;  // asked for after the last step, by the equations of the last Newton step
 };
 
 }  // namespace tribo::ehl

@@ -127,7 +127,7 @@ NodeDensity density_of(std::span<const double> x, std::span<const double> pressu
 }
 
 Numbers interpolated(std::span<const double> x, std::span<const double> values,
-                     std::span<const double> to) {
+                     std::span<const double> to, double greatest_bend) {
   Numbers result(to.size());
   std::size_t k = 0;
   for (std::size_t i = 0; i < to.size(); ++i) {
@@ -141,6 +141,8 @@ Numbers interpolated(std::span<const double> x, std::span<const double> values,
       sum += factor;
     }
     const auto [low, high] = std::minmax(values[k], values[k + 1]);
+    const double straight = std::lerp(values[k], values[k + 1], (to[i] - x[k]) / (x[k + 1] - x[k]));
+    if (std::fabs(sum - straight) > greatest_bend * (high - low)) sum = straight;
     result[i] = low == 0 ? std::clamp(sum, low, high) : std::fmax(sum, 0);
   }
   return result;

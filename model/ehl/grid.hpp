@@ -4,6 +4,7 @@
 // their films differ by the error of discretisation alone.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -49,8 +50,10 @@ NodeDensity density_of(std::span<const double> x, std::span<const double> pressu
                        std::span<const double> film, double at_edge);
 
 // The values at other places, by cubics through four neighbours; between a value of 0 and its
-// neighbour they stay within these two, so that no pressure falls below 0.
+// neighbour they stay within these two, so that no pressure falls below 0. Where a cubic leaves the
+// straight line between two nodes by more than `greatest_bend` of its rise, the line is taken.
 Numbers interpolated(std::span<const double> x, std::span<const double> values,
-                     std::span<const double> to);
+                     std::span<const double> to,
+                     double greatest_bend = std::numeric_limits<double>::infinity());
 
 }  // namespace tribo::ehl

@@ -43,11 +43,11 @@ ThinProduct Jacobian::between(const KernelPart& part, bool is_upper) const {
   const int column_end = is_upper ? part.end : part.middle;
   const ThinProduct& thin = is_upper ? part.upper : part.lower;
   const Eigen::MatrixXd& outside = is_upper ? part.upper_rows : part.lower_rows;
-  const int rank = static_cast<int>(thin.left.cols());
+  const int rank = static_cast<int>(thin.rough_rank);
   const int pressures = is_upper ? 1 : 2;  // nodes of the other half whose pressures rows take
   ThinProduct product{Eigen::MatrixXd::Zero(row_end - row, rank + 3 + pressures),
                       Eigen::MatrixXd::Zero(column_end - column, rank + 3 + pressures)};
-  product.right.leftCols(rank) = thin.right;
+  product.right.leftCols(rank) = thin.right.leftCols(rank);
   product.right.middleCols(rank, 3) = outside.transpose();
   const int first_pressure = is_upper ? part.middle : part.middle - 2;
   for (int p = 0; p < pressures; ++p) product.right(first_pressure + p - column, rank + 3 + p) = 1;
@@ -59,7 +59,7 @@ ThinProduct Jacobian::between(const KernelPart& part, bool is_upper) const {
       const int at = i - 2 + k;
       const double by_film = slopes_[node].by_film[static_cast<std::size_t>(k)];
       if (at >= row && at < row_end)
-        product.left.row(i - row).head(rank) += by_film * thin.left.row(at - row);
+        product.left.row(i - row).head(rank) += by_film * thin.left.row(at - row).head(rank);
       else
         product.left(i - row, rank + (at < row ? at - row + 2 : 2)) += by_film;
       const int p = at - first_pressure;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "ehl/text.hpp"
 
@@ -88,11 +89,17 @@ FilmCautions cautions_of(bool is_compressible, std::size_t grids) {
           {0.6, 0.25, 0.09 * less_by_grids, 5.5, least_order, greatest_order}};
 }
 
+// The grid beside the finest one, as far as it is known. `awaited`: it is not solved yet, and the
+// errors are the least that they can be with it.
+enum class BesideFinest : std::uint8_t { solved, awaited, failed };
+
 void estimate_all(SolvedFilm& solved, const LineContact& contact,
-                  const std::vector<FilmFeatures>& grids, const FilmFeatures& beside,
-                  double cells_ratio) {
+                  const std::vector<FilmFeatures>& grids, BesideFinest is_beside,
+                  const FilmFeatures& beside, double cells_ratio) {
   const FilmCautions cautions = cautions_of(contact.fluid.density_pressure > 0, grids.size());
-  const auto estimate = [&](Feature feature, const Caution& caution) {
+  const auto estimate = [&](Feature feature, Caution caution) {
+    if (is_beside == BesideFinest::awaited) caution.of_waver = 0;
+    if (is_beside == BesideFinest::failed) caution.greatest_order = 0;  // no order is trusted
     Estimate e = estimate_of(over_grids(grids, feature), caution, {beside.*feature, cells_ratio});
     e.error += solved.domain_error * std::fabs(e.value);
     return e;
@@ -201,18 +208,32 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
   LineFilm film;
   std::vector<FilmFeatures> grids;
   double worst = 0;  // relative error of the three films
+  BesideFinest is_beside = BesideFinest::failed;
+  double cells_ratio = 1;
+  const auto judge = [&](const FilmFeatures& beside) {
+    estimate_all(solved, contact, grids, is_beside, beside, cells_ratio);
+    worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
+                      solved.at_greatest_pressure.relative_error()});
+  };
+  // A grid beside the finest one, with an eighth fewer cells, shows how much its values waver.
+  const auto judge_by_grid_beside = [&] {
+    const int finest = static_cast<int>(film.x.size()) - 1, fewer = finest - finest / 8;
+    const LineFilm other = solve_on(contact, coarse.density.nodes(fewer), film, noting);
+    is_beside = failed(other) ? BesideFinest::failed : BesideFinest::solved;
+    cells_ratio = static_cast<double>(finest) / fewer;
+    judge(is_beside == BesideFinest::solved ? features_of(contact, other, options.integrand)
+                                            : FilmFeatures{});
+  };
+  const auto is_met = [&] {
+    const bool is_of_domain = worst < 1.25 * solved.domain_error;  // a finer grid does not help
+    // Without a spike this holds at once.
+    const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);
+    return (worst <= options.tolerance || is_of_domain) && is_spike_met;
+  };
   for (; cells <= options.greatest_cells; cells *= 2) {
     LineFilm finer = grids.empty() ? std::move(coarse.film)
                                    : solve_on(contact, coarse.density.nodes(cells), film, noting);
     if (failed(finer)) break;
-    // A grid beside the finest one, with an eighth fewer cells, shows how much its values waver.
-    const int cells_beside = cells - cells / 8;
-    FilmFeatures beside;
-    if (grids.size() >= 2) {
-      const LineFilm other = solve_on(contact, coarse.density.nodes(cells_beside), finer, noting);
-      if (failed(other)) break;
-      beside = features_of(contact, other, options.integrand);
-    }
     solved.steps = finer.steps;
     film = std::move(finer);
     grids.push_back(features_of(contact, film, options.integrand));
@@ -227,14 +248,14 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
                                       std::fabs(there.minimum / grids[0].minimum - 1));
     }
     if (grids.size() < 3) continue;
-    estimate_all(solved, contact, grids, beside, static_cast<double>(cells) / cells_beside);
-    worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
-                      solved.at_greatest_pressure.relative_error()});
-    const bool is_of_domain = worst < 1.25 * solved.domain_error;  // a finer grid does not help
-    // Without a spike this holds at once.
-    const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);
-    if ((worst <= options.tolerance || is_of_domain) && is_spike_met) break;
+    // Where the errors are too great without the grid beside, they are with it.
+    is_beside = BesideFinest::awaited;
+    judge({});
+    if (!is_met()) continue;
+    judge_by_grid_beside();
+    if (is_met()) break;
   }
+  if (is_beside == BesideFinest::awaited) judge_by_grid_beside();
   solved.grids = static_cast<int>(grids.size());
   solved.film = std::move(film);
   if (grids.size() < 3) {

@@ -88,8 +88,10 @@ TEST(Jacobian, SolvesTheFullMatrixWithSomeNodesHeld) {
     const MatrixXd full = full_jacobian(kernel, slopes, is_free);
     const MatrixXd got = ehl::Jacobian(kernel, slopes, is_free).solve(full * expected);
     const MatrixXd by_full = full.partialPivLu().solve(full * expected);
-    EXPECT_TRUE(is_within((got - by_full).cwiseAbs().maxCoeff(), 0, 1e-9)) << count << " nodes";
-    EXPECT_TRUE(is_within((got - expected).cwiseAbs().maxCoeff(), 0, 1e-9)) << count << " nodes";
+    // Blocks between halves are met to 1e-8 of their norm (film_kernel.hpp); a leaf alone is exact.
+    const double bound = count <= 64 ? 1e-9 : 1e-7;
+    EXPECT_TRUE(is_within((got - by_full).cwiseAbs().maxCoeff(), 0, bound)) << count << " nodes";
+    EXPECT_TRUE(is_within((got - expected).cwiseAbs().maxCoeff(), 0, bound)) << count << " nodes";
   }
 }
 
