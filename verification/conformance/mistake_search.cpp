@@ -53,6 +53,14 @@ class Search {
   }
 
   bool has_wrong() const { return !probes_.empty(); }
+  bool is_wrong_at(std::size_t place) const {
+    return std::any_of(cases_.begin(), cases_.end(), [place](const AnsweredCase* const one) {
+      return std::any_of(one->numbers.begin(), one->numbers.end(),
+                         [place](const AnsweredNumber& number) {
+                           return number.place == place && number.is_left();
+                         });
+    });
+  }
 
   // Whether all wrong answers are one number, which says too little for several mistakes: a guard
   // gives it.
@@ -74,6 +82,22 @@ class Search {
       if (unmet > 1) return false;
     }
     return met > 0;
+  }
+
+  // Whether one of the mistakes alone would make right numbers of the probes wrong: others then
+  // take its effect back there, and some factor in one result says the same more simply.
+  bool is_taken_back(const Mistakes& mistakes) const {
+    return std::any_of(mistakes.begin(), mistakes.end(), [&](const Mistake* const mistake) {
+      return std::any_of(probes_.begin(), probes_.end(), [&](const AnsweredCase* const probe) {
+        const std::optional<Numbers> given = numbers_with(std::span(&mistake, 1), probe->question);
+        return given && std::any_of(probe->numbers.begin(), probe->numbers.end(),
+                                    [&](const AnsweredNumber& one) {
+                                      const double value = (*given)[one.place];
+                                      return !one.is_wrong && std::isfinite(value) &&
+                                             change(one, value) > 5 * one.allowed;
+                                    });
+      });
+    });
   }
 
   // Does it explain a tenth of the wrong answers of some result? A mistake that fits only beyond a
@@ -173,6 +197,7 @@ std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mis
     Mistakes set;
     for_each_set(mistakes, count, set, 0, [&](const Mistakes& one) {
       if ((count > 1 || is_quick) && !search.is_likely(one)) return;
+      if (count > 2 && search.is_taken_back(one)) return;
       Fit made = search.fit(one);
       if (made.is_consistent() && search.is_worth_telling(made)) fits.push_back(std::move(made));
     });
@@ -197,14 +222,15 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
   // Three at once of an operating point's many mistakes would take seconds.
   std::vector<Fit> best = best_fits(search, mistakes, function == nullptr ? 2 : 3);
   // One of several results may be wrong in a way that nobody knows, which would hide the mistakes
-  // in all others.
+  // in all others. One that is right has a formula of its own at most: it does not speak against
+  // one mistake elsewhere, but against two.
   const bool is_point = function == nullptr;
   const std::size_t results = !is_point      ? function->results.size()
                               : best.empty() ? number_count
                                              : 0;
   for (std::size_t place = 0; results > 1 && place < results; ++place) {
-    std::vector<Fit> fits =
-        best_fits(Search(cases, branch, place), mistakes, is_point ? 1 : 2, is_point);
+    std::vector<Fit> fits = best_fits(Search(cases, branch, place), mistakes,
+                                      is_point || !search.is_wrong_at(place) ? 1 : 2, is_point);
     // They may explain the result that was left out, too.
     for (Fit& one : fits)
       if (Fit whole = search.fit(one.mistakes); whole.is_consistent()) one = std::move(whole);

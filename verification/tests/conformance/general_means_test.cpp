@@ -432,6 +432,27 @@ TEST(Results, ThatAreRightAreNotToldBesideAWrongOne) {
   EXPECT_EQ(said.find("composite_roughness"), std::string::npos) << said;
 }
 
+// A factor of some results is told as that, and not as mistakes of which one takes back what the
+// other does to a result that is right.
+TEST(Results, ThatAreRightSpeakAgainstMistakesThatTakeEachOtherBack) {
+  const std::string said = said_of("hertz_line", [](const In& in) -> json {
+    const catalogue::Function& function = *catalogue::function_named("hertz_line");
+    catalogue::Results results{};
+    catalogue::Arguments arguments{};
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+      arguments[i] = in(std::string(function.parameters[i].name).c_str());
+    function.value(arguments, results);
+    return {{"half_width", results[0]},
+            {"mean_pressure", results[1]},
+            {"peak_pressure", results[2] / 2},
+            {"peak_shear", results[3] / 2}};
+  });
+  EXPECT_NE(said.find("peak_pressure is 50 % low everywhere. It is too small by a factor of 2."),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("mistakes give together"), std::string::npos) << said;
+}
+
 // A change of the law is not told where another cause says it more simply.
 TEST(Axes, OfAnEllipseThatAreNotExchangedAreToldAsTheRightValueOfTheOtherOne) {
   const std::string said = said_of("hertz_ellipse", [](const In& in) -> json {
