@@ -53,10 +53,7 @@ class Model {
     return new Float64Array(this.calls.memory.buffer, start, count);
   }
   // Reads a scene's text, and holds the scene. Returns [kind, field, sentence] of each error and warning.
-  read(toml) {
-    this.put(toml);
-    return this.lines("live_read");
-  }
+  read(toml) { this.put(toml); return this.lines("live_read"); }
   // Puts a text into the room, for a call that takes one.
   put(text) {
     const bytes = new TextEncoder().encode(text), start = this.calls.live_room(bytes.length);
@@ -101,6 +98,7 @@ function shifted(text, power) {
   return `${sign}${short[0]}${short.length > 1 ? "." + short.slice(1) : ""}e${point - 1}`;
 }
 
+const valuesOf = (model) => Object.fromEntries(model.lines("live_values"));  // of the held scene, by path
 const rounded = (number, digits = 6) => shifted(String(Number(number.toPrecision(digits))), 0) ?? String(number);
 
 // The number in the unit that people use for it.
@@ -114,9 +112,10 @@ function usual(number, unit) {
 
 // --- The form: a table of path, label, unit, power of ten of the unit, and for which shapes
 
-// reports/live/form.json: SUPPLIES by kind, what may be known in two WAYS with the fields of each, and the FORM's groups of rows. The page has it
+// reports/live/form.json: SUPPLIES by kind, what may be known in two WAYS with the fields of each, the FORM's groups of rows, the PLACES
+// in a scene of arguments of functions, MISTAKES with numbers of a scene, and familiar FACTORS. The page has it
 // among its data; for others it stands as a global.
-const {SUPPLIES, WAYS, FORM} = globalThis.tribocheckForm ?? JSON.parse(document.getElementById("live-data").textContent).form;
+const {SUPPLIES, WAYS, FORM, PLACES, MISTAKES, FACTORS} = globalThis.tribocheckForm ?? JSON.parse(document.getElementById("live-data").textContent).form;
 const ROWS = FORM.flatMap(([, rows]) => rows);
 const ROW = new Map(ROWS.map((row) => [row[0], row]));
 const SLIDERS = ["load", "at", "lubricant.viscosity", "surface.summit_height_sd", "surface.m0", "supply"];
@@ -134,9 +133,16 @@ function isIdle(state, path) {
   return false;
 }
 
+// The square in m² of a length, as m₀ of a roughness Rq; any other text as it is.
+function squared(text) {
+  const [, length, unit] = /^\s*([\d.]+)\s*(mm|µm|um|nm)\s*$/.exec(text.replace("μ", "µ")) ?? [];
+  return unit ? String(Number(((length * {mm: 1e-3, nm: 1e-9}[unit] || length * 1e-6) ** 2).toPrecision(12))) : text;
+}
+
 // The scene of a contact {shape, kind, values by path} as TOML. A number with a unit stands as people write it; the reader converts it.
 function tomlOf(state) {
   const number = (text, unit, power) => {
+    if (unit === "m²") text = squared(text);
     if (power === 0 && /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text))
       return /^[+-]?(0|[1-9]\d*)(\.\d+)?(e[+-]?\d+)?$/i.test(text) ? text : String(Number(text));
     return JSON.stringify(/^[-+.\deE]+$/.test(text) && unit !== "" ? `${text} ${unit}` : text);
@@ -172,7 +178,7 @@ function pythonOf(state) {
 
 // The held scene as a contact for the form.
 function stateOf(model) {
-  const told = Object.fromEntries(model.lines("live_values"));
+  const told = valuesOf(model);
   const state = {id: told.id || "my contact", shape: told.shape, kind: "flooded", values: {}};
   const unitOf = (text, power) => shifted(String(text).length > 10 ? rounded(Number(text)) : text, -power);
   for (const [path, , , power] of ROWS)
@@ -211,13 +217,11 @@ function stateOfFragment(fragment) {
 
 // --- A number of one's own
 
-const PLACES = {viscosity: "lubricant.viscosity", pressure_viscosity: "lubricant.pressure_viscosity", load: "load",
-                effective_modulus: "bodies.effective_modulus", reduced_radius: "bodies.reduced_radius", radius_x: "bodies.radius_x", radius_y: "bodies.radius_y"};
 const givenOf = (told, at) => ({speed: at, ...Object.fromEntries(Object.entries(PLACES).filter(([, path]) => path in told).map(([argument, path]) => [argument, Number(told[path])]))});
 
 // What a number may be of: results of the whole contact at a speed, where its state is given, films of smooth faces and Hertz' contact.
 function quantitiesOf(model, at, state = null) {
-  const told = Object.fromEntries(model.lines("live_values")), contact = Object.fromEntries(model.lines("live_contact").map((one) => [one[0], Number(one[3])]));
+  const told = valuesOf(model), contact = Object.fromEntries(model.lines("live_contact").map((one) => [one[0], Number(one[3])]));
   const radius = told["bodies.reduced_radius"] ?? told["bodies.radius_x"];
   const numbers = {reduced_radius: radius, radius_x: radius, radius_y: radius, ...givenOf(told, at), load_per_length: told.load / told["bodies.length"],
                    ellipticity: told["bodies.ellipticity"] ?? contact.semi_axis_y / contact.semi_axis_x};
@@ -235,21 +239,20 @@ function quantitiesOf(model, at, state = null) {
   return [...whole, ...functions];
 }
 
-// The arguments of a function with a known mistake made; null: the function has not these arguments.
-function misread(given, input) {
-  if (Object.keys(input).some((argument) => !(argument in given))) return null;
+// The arguments of a function with a known mistake made; null: the function or the held scene has not what it takes.
+function misread(given, input, told) {
   const changed = {...given};
-  for (const [argument, {times = 1, is, inverted}] of Object.entries(input))
-    changed[argument] = is ?? (inverted ? 1 / given[argument] : given[argument] * times);
-  return changed;
+  for (const [argument, {times = 1, is, inverted, of, and, over}] of Object.entries(input))
+    changed[argument] = of ? times * told[of] * (and ? told[and] : 1) / (over ? told[over] : 1) : is ?? (inverted ? 1 / given[argument] : given[argument] * times);
+  return Object.keys(input).every((argument) => argument in given && !Number.isNaN(changed[argument])) ? changed : null;
 }
 
 // The numbers that a function gives with each known mistake, and those of other film laws: [text, number].
 function madeOfFunction(model, mistakes, {name, result, given, isFilm}, at) {
-  const made = [];
+  const made = [], told = valuesOf(model);
   for (const one of mistakes) {
     if (!one.functions.includes(name) && !(isFilm && one.functions.includes("film_laws"))) continue;
-    const changed = misread(given, one.input), {times = 1, over} = one.result[result] ?? {};
+    const changed = misread(given, one.input, told), {times = 1, over} = one.result[result] ?? {};
     if (changed && (Object.keys(one.input).length > 0 || result in one.result))
       made.push([`${one.text} (${one.name})`, model.value(name, result, changed) * times / (over ? given[over] : 1)]);
   }
@@ -260,7 +263,7 @@ function madeOfFunction(model, mistakes, {name, result, given, isFilm}, at) {
 
 // The numbers of a whole contact with each known mistake of an input, with each other law, smooth, and flooded: [text, number].
 function madeOfContact(model, mistakes, {result, state, law}, at) {
-  const told = Object.fromEntries(model.lines("live_values")), given = givenOf(told, at), made = [];
+  const told = valuesOf(model), given = givenOf(told, at), made = [];
   const solve = (text, values, kind = state.kind, speed = at) => {
     const changed = {...state, kind, values: {...state.values, ...values}};
     if (model.read(tomlOf(changed)).every(([what]) => what !== "error")) made.push([text, model.points(speed, speed, 1)[result][0]]);
@@ -268,7 +271,7 @@ function madeOfContact(model, mistakes, {result, state, law}, at) {
   const direct = Object.fromEntries(Object.entries(WAYS).map(([name, ways]) => [name, Object.keys(ways)[0]]));
   for (const one of mistakes) {
     if (Object.keys(one.input).length === 0 || !(one.functions.includes(law) || one.functions.includes("film_laws"))) continue;
-    const changed = misread(given, one.input);
+    const changed = misread(given, one.input, told);
     if (!changed) continue;
     const values = {};
     for (const argument of Object.keys(one.input).filter((name) => name in PLACES))
@@ -286,21 +289,18 @@ function madeOfContact(model, mistakes, {result, state, law}, at) {
   return made;
 }
 
-const FACTORS = [[1e3, "1000, as between m and mm, or Pa and kPa"], [1e6, "10⁶, as between m and µm, or Pa and MPa"], [1e9, "10⁹, as between m and nm, or Pa and GPa"],
-                 [100, "100, as with per cent"], [10, "10"], [2, "2"], [Math.PI, "π"]];
-
 // The causes of a number, which is known to half of the last digit that is written: "" the number itself, else the texts of mistakes
 // and of other laws; and the nearest one where none gives it. `right` is the model's own number.
 function causesOf(model, mistakes, quantity, number, doubt, at) {
   const isNear = (one) => Math.abs(one - number) <= doubt + 1e-9 * Math.abs(number);
   const right = quantity.state ? model.points(at, at, 1)[quantity.result][0] : model.value(quantity.name, quantity.result, quantity.given);
   if (isNear(right)) return {right, texts: [""]};
-  const made = (quantity.state ? madeOfContact : madeOfFunction)(model, mistakes, quantity, at).filter(([, one]) => one !== right && Number.isFinite(one));
+  const made = (quantity.state ? madeOfContact : madeOfFunction)(model, [...mistakes, ...MISTAKES], quantity, at).filter(([, one]) => one !== right && Number.isFinite(one));
   const texts = [...new Set(made.filter(([, one]) => isNear(one)).map(([text]) => text))];
   const isOff = ([by]) => isNear(right * by) || isNear(right / by), known = FACTORS.find(isOff);
   const factor = known && `too ${number > right ? "large" : "small"} by a factor of ${known[1]}`;
   const away = ([, one]) => Math.abs(one / number - 1), [nearest] = made.sort((a, b) => away(a) - away(b));
-  return {right, texts, factor, nearest: texts.length === 0 && nearest && away(nearest) < 0.02 && away(nearest) < Math.abs(right / number - 1) ? nearest : null};
+  return {right, texts, factor, nearest: texts.length === 0 && nearest && away(nearest) < 0.02 && away(nearest) < 0.2 * Math.abs(right / number - 1) ? nearest : null};
 }
 
 // A typed number in SI units, and half of its last digit; null: it is no number with a unit that fits.
@@ -344,11 +344,9 @@ function ticks([low, high], isLog) {
 }
 
 function tickText(number) {
-  if (number !== 0 && (Math.abs(number) >= 1e4 || Math.abs(number) < 1e-3)) {
-    const power = Math.floor(Math.log10(Math.abs(number)) + 1e-9), part = Number((number / 10 ** power).toPrecision(3));
-    return `${part === 1 ? "" : part + "·"}10<tspan dy="-5" font-size="10">${String(power).replace("-", "−")}</tspan>`;
-  }
-  return String(number).replace("-", "−");
+  if (number === 0 || (Math.abs(number) < 1e4 && Math.abs(number) >= 1e-3)) return String(number).replace("-", "−");
+  const power = Math.floor(Math.log10(Math.abs(number)) + 1e-9), part = Number((number / 10 ** power).toPrecision(3));
+  return `${part === 1 ? "" : part + "·"}10<tspan dy="-5" font-size="10">${String(power).replace("-", "−")}</tspan>`;
 }
 
 const BOX = {left: 62, right: 22, top: 44, bottom: 42, width: 480, height: 300};
@@ -428,10 +426,7 @@ class Page {
     const given = stateOfFragment(location.hash);
     if (given) this.show(given);
     else this.begin(Object.values(this.scenes)[0]);
-    addEventListener("hashchange", () => {
-      const shared = stateOfFragment(location.hash);
-      if (shared) this.show(shared);
-    });
+    addEventListener("hashchange", () => { const shared = stateOfFragment(location.hash); if (shared) this.show(shared); });
   }
 
   // The frame of the page's template, with sliders and fields.
@@ -475,10 +470,32 @@ class Page {
       if (entry.tagName === "SELECT" && entry.value === "") entry.selectedIndex = 0;
     }
     find("done").textContent = state.unknown ? `The link has ${state.unknown.join(", ")}, which this page does not know: the rest of it is shown.` : "";
-    this.centres = Object.fromEntries(SLIDERS.map((path) => [path, Number(state.values[path])]));
-    this.texts = Object.fromEntries(SLIDERS.map((path) => [path, state.values[path]]));
-    for (const one of home.querySelectorAll("[data-drag]")) one.value = 0;
+    this.middles = {};  // of the sliders: number and text
     this.update();
+    for (const one of home.querySelectorAll("[data-drag]")) this.centre(one);
+    this.showFields();
+  }
+
+  // The number of a slider in the unit of its field, in whatever unit it is typed; NaN: it is not there.
+  numberOf(path) {
+    if (path === "at") return Number(this.state.values.at);
+    const [place, power] = path === "supply" ? [`supply.${this.state.kind}`, SUPPLIES[this.state.kind][1]] : [path, ROW.get(path)[3]];
+    return valuesOf(this.model)[place] * 10 ** -power;
+  }
+
+  // The numbers at both ends of a slider: that of the speed has the curve's.
+  endsOf(path) {
+    const {values} = this.state, {number} = this.middles[path];
+    return path === "at" ? [Number(values["speed.from"]), Number(values["speed.to"])] : [number / SLIDER_RANGE, number * SLIDER_RANGE];
+  }
+
+  // Puts a slider where its number is: if that is not between its ends, these are set anew around it.
+  centre(drag, isKept = false) {
+    const path = drag.dataset.drag, number = this.numberOf(path);
+    if (!(number > 0)) return;
+    const place = () => { const [low, high] = this.endsOf(path); return 200 * Math.log(number / low) / Math.log(high / low) - 100; };
+    if (!(isKept && this.middles[path] && Math.abs(place()) <= 100)) this.middles[path] = {number, text: this.state.values[path]};
+    drag.value = place();
   }
 
   typed(entry) {
@@ -486,10 +503,10 @@ class Page {
     if (!path) return;
     find("start").value = "";  // so that the scene can be chosen again
     if (entry.dataset.drag) {
-      const factor = SLIDER_RANGE ** (entry.value / 100), before = values[path];
-      values[path] = entry.value === "0" ? this.texts[path] : rounded(this.centres[path] * factor, 3);
+      const [low, high] = this.endsOf(path), number = low * (high / low) ** ((Number(entry.value) + 100) / 200);
+      values[path] = entry.value === "0" && path !== "at" ? this.middles[path].text : rounded(Math.min(high, Math.max(low, number)), 3);
       if (path === "surface.summit_height_sd" && Number(values["surface.rms_roughness"]) > 0)  // a face that is rougher has both
-        this.put("surface.rms_roughness", rounded(values["surface.rms_roughness"] * values[path] / before, 4));
+        this.put("surface.rms_roughness", rounded(values["surface.rms_roughness"] * values[path] / this.numberOf(path), 4));
       this.put(path, values[path]);
     } else if (path === "shape") {
       this.changeShape(entry.value);
@@ -497,18 +514,12 @@ class Page {
       this.changeSupply(entry.value);
     } else {
       values[path] = path === "at" || path.startsWith("speed.") ? speedText(entry.value) : entry.value;
-      const drag = home.querySelector(`[data-drag="${path}"]`);
-      if (drag && Number(values[path]) > 0) {
-        if (!(this.centres[path] > 0)) this.centres[path] = Number(values[path]);
-        drag.value = 100 * Math.log(values[path] / this.centres[path]) / Math.log(SLIDER_RANGE);
-      }
     }
     this.update();
+    if (!entry.dataset.drag) for (const one of home.querySelectorAll("[data-drag]")) this.centre(one, path !== "kind" || one.dataset.drag !== "supply");
   }
 
-  put(path, text) {
-    home.querySelector(`[data-path="${path}"]`).value = this.state.values[path] = text;
-  }
+  put(path, text) { home.querySelector(`[data-path="${path}"]`).value = this.state.values[path] = text; }
 
   // The new shape begins with the radius of the old one, and with a film law of its kind.
   changeShape(shape) {
@@ -522,13 +533,10 @@ class Page {
 
   // The new way to tell the supply begins with what the old one gives at the speed of the numbers.
   changeSupply(kind) {
-    const {values} = this.state, sd = Number(Object.fromEntries(this.model.lines("live_values"))["surface.summit_height_sd"]), at = Number(values.at);
-    const factors = {inlet_film: 1e-9, inlet_film_ratio: sd, inlet_flow: 1e-6 / at}, layer = values.supply * factors[this.state.kind];
+    const {values} = this.state, sd = Number(valuesOf(this.model)["surface.summit_height_sd"]), at = Number(values.at);
+    const factors = {inlet_film: 1e-9, inlet_film_ratio: sd, inlet_flow: 1e-6 / at}, layer = this.numberOf("supply") * factors[this.state.kind];
     if (kind !== "flooded") this.put("supply", rounded((layer > 0 ? layer : 1e-7) / (factors[kind] || 2.5e-8), 3));
     this.state.kind = kind;
-    this.centres.supply = Number(values.supply);
-    this.texts.supply = values.supply;
-    home.querySelector('[data-drag="supply"]').value = 0;
   }
 
   // The state's contact read, and all that is shown of it drawn anew; where it cannot be read, its faults.
@@ -557,7 +565,7 @@ class Page {
     const {state, model} = this;
     for (const one of home.querySelectorAll("[data-drag]")) {
       const path = one.dataset.drag, own = state.values[path] ?? "", text = Number(own) > 0 ? `${own} ${path === "supply" ? SUPPLIES[state.kind][0] : ROW.get(path)[2]}`.trim() : own;
-      one.parentElement.hidden = !(this.centres[path] > 0) || isIdle(state, path);
+      one.parentElement.hidden = !this.middles[path] || isIdle(state, path);
       one.setAttribute("aria-valuetext", text);
       one.parentElement.querySelector("b").textContent = text;
     }
@@ -603,7 +611,7 @@ class Page {
     find("faults").textContent = (names.length ? `Mend below: ${[...new Set(names)].join("; ")}. ` : "") + rest.join(" ");
     const isStale = errors.length > 0;
     for (const name of ["charts", "numbers", "onsets", "films", "limits"]) find(name).classList.toggle("stale", isStale);
-    if (isStale) find("said").textContent = this.drawn > 0 ? "The numbers below are of the last contact that could be read." : "This contact cannot be read yet.";
+    if (isStale) find("said").textContent = `${this.drawn > 0 ? "The numbers below are of the last contact that could be read" : "This contact cannot be read yet"}; mend ${names.join("; ") || "it"}.`;
   }
 
   draw(low, high, at, warnings) {
@@ -613,12 +621,12 @@ class Page {
     const x = {name: "speed [m/s]", ends: [low, high], isLog: true}, more = {marks: onsets.filter((one) => one.x > 0), now: at};
     const value = (name) => here[name][0];
     const word = (name) => model.outputs.find((one) => one.name === name).words[value(name)] ?? "undefined";
-    const told = Object.fromEntries(model.lines("live_values")), isSmooth = !("surface.summit_height_sd" in told), share = 100 * value("asperity_load_share");
+    const told = valuesOf(model), isSmooth = !("surface.summit_height_sd" in told), share = 100 * value("asperity_load_share");
     const why = Object.fromEntries(model.lines("live_undefined", at)), limits = model.lines("live_limits", at).filter((one) => one[6] === "0");
     for (const one of limits) this.tellBeside(one[9], `It is not in the physical range.${one[10] ? ` Perhaps ${one[10]} was meant.` : ""}`);
     const beyond = limits.length === 0 ? "" : ` Beyond limits of the model (last table): ${limits.map(([name]) => name).join(", ")}.`;
     const said = why.film ? `At ${rounded(at, 4)} m/s there is no number: ${why.film}.`
-      : `At ${rounded(at, 4)} m/s: film h* ${usual(value("film"), "m")}${isSmooth ? "" : `, λ* = h*/σ_s ${rounded(value("film_parameter"), 4)}`}, ` +
+      : `At ${rounded(at, 4)} m/s: film h* ${usual(value("film"), "m")}${isSmooth ? "" : `, λ* = h*/σ_s ${rounded(value("film_parameter"), 4)}`}${value("lambda_ratio") > 0 ? `, Λ ${rounded(value("lambda_ratio"), 4)}` : ""}, ` +
       `summits carry ${isSmooth ? "nothing (smooth)" : share < 1e-6 ? "less than 1e-6 %" : usual(share, "%")}, ` +
       `friction ${Number.isNaN(value("friction")) ? "undefined" : rounded(value("friction"), 4)}, regime ${word("regime")}, inlet ${word("inlet")}.${beyond}`;
     find("said").textContent = said;
@@ -656,8 +664,8 @@ class Page {
       return [name, [text, isWord ? "word" : "number"], [why[name] || isWord || Number.isNaN(number) ? "" : `${rounded(number)} ${unit}`.trim(), "number"],
               [escaped(why[name] ? `undefined: ${why[name]}` : meaning), "prose"]];
     });
-    const faces = [["σ_s", "surface.summit_height_sd"], ["Rq", "surface.rms_roughness"]].filter(([, path]) => path in told)
-      .map(([symbol, path]) => [path.slice("surface.".length), symbol, "of the faces, given or from what is given", told[path], "m"]);
+    const faces = [["σ_s", "surface.summit_height_sd"], ["Rq", "surface.rms_roughness"], ["η₀", "lubricant.viscosity"]].filter(([, path]) => path in told)
+      .map(([symbol, path]) => [path.split(".")[1], symbol, "given, or from what is given", told[path], this.model.fields.get(path).unit]);
     const contact = [...this.model.lines("live_contact"), ...faces].map(([name, symbol, meaning, number, unit]) =>
       [name, [usual(Number(number), unit), "number"], [`${rounded(Number(number))} ${unit}`.trim(), "number"], [escaped(`${symbol}, ${meaning}`), "prose"]]);
     find("numbers").innerHTML = table(`The numbers at ${rounded(at, 4)} m/s`, ["number", "value", "in SI units", "meaning"], [...rows, ...contact]);
@@ -784,16 +792,8 @@ async function startOnce() {
   }
 }
 const start = () => (started ??= startOnce());
-new IntersectionObserver((seen, observer) => {
-  if (!seen.some((one) => one.isIntersecting)) return;
-  observer.disconnect();
-  start();
-}, {rootMargin: "400px"}).observe(home);
-const goTo = async () => {
-  if (!location.hash.startsWith("#live?")) return;
-  await start();
-  home.scrollIntoView();
-};
+new IntersectionObserver((seen) => { if (seen.some((one) => one.isIntersecting)) start(); }, {rootMargin: "400px"}).observe(home);
+const goTo = async () => { if (location.hash.startsWith("#live?")) { await start(); home.scrollIntoView(); } };
 addEventListener("hashchange", goTo);
 goTo();
 })();

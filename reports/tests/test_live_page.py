@@ -305,6 +305,67 @@ class Use(LivePage):
         self.choose("kind", "flooded")
         self.assertGreaterEqual(float(self.script(NUMBERS)["film"].split()[0]), film)
 
+    def test_inputs_of_an_ellipse_that_are_taken_for_others_are_named(self):
+        """Radii exchanged, and the viscosity of another temperature or unit, in the film of the contact and in that of a law."""
+        self.show()
+        self.begin("rough")
+        self.choose("shape", "ellipse")
+        self.choose("oil", "grade ISO VG and temperature")
+        for path, text in {"bodies.radius_x": "8", "bodies.radius_y": "20", "lubricant.iso_vg": "68", "lubricant.viscosity_index": "95",
+                           "lubricant.density": "870", "lubricant.temperature": "80 °C"}.items():
+            self.type(path, text)
+        told = self.assert_programs_numbers()
+        speed, toml = self.script("return tribocheckLive.page.state.values.at"), self.toml()
+        viscosity = float(self.script(NUMBERS)["viscosity"].split()[0])
+
+        def film(text):
+            text = "".join(f"speed = {speed}\n" if line.startswith("speed = ") else line + "\n" for line in text.splitlines())
+            return run("solve", "-", "--format", "json", stdin=text).json()["points"][0]["film"]
+
+        def with_viscosity(number):
+            return film("".join(line + "\n" for line in toml.replace("[lubricant]", f"[lubricant]\nviscosity = {number!r}").splitlines()
+                                if not line.startswith(("iso_vg", "viscosity_index", "density", "temperature"))))
+
+        exchanged = toml.replace('radius_x = "8 mm"', 'radius_x = "20 mm"').replace('radius_y = "20 mm"', 'radius_y = "8 mm"')
+        for number, words in ((film(exchanged), "R_x and R_y exchanged"), (with_viscosity(68e-6 * 870), "the viscosity at 40 °C"),
+                              (with_viscosity(viscosity / 870 * 1e3), "the kinematic viscosity in mm²/s")):
+            with self.subTest(words):
+                self.assertNotAlmostEqual(number / told["film"], 1, places=3)
+                self.assertIn(words, self.said_of("film of this contact", f"{1e9 * number:.6g} nm"))
+        self.assertNotIn("nearest", self.said_of("film of this contact", f"{1e9 * 1.015 * told['film']:.5g} nm"))
+
+    def test_a_slider_stands_where_its_number_is_in_whatever_unit_it_is_typed(self):
+        self.show()
+        self.begin("rough")
+        self.choose("kind", "inlet_film")
+        for path, text, drag, number in (("supply", "1 µm", "supply", 1000), ("supply", "80", "supply", 80), ("load", "2 kN", "load", 2000), ("at", "0.5", "at", 0.5)):
+            with self.subTest(path, text=text):
+                self.type(path, text)
+                self.assertEqual(self.part("faults"), "")
+                place = float(self.script("return document.querySelector(`[data-drag=${arguments[0]}]`).value", drag))
+                self.assertLess(abs(place), 100)  # not at an end
+                self.script(DRAG, drag, place + 3)
+                moved = float(self.script("return document.querySelector(`[data-path=${arguments[0]}]`).value", path))
+                self.assertGreater(moved, number)
+                self.assertLess(moved, 1.3 * number)
+        ends = [float(self.script("return document.querySelector(`[data-path='speed.${arguments[0]}']`).value", end)) for end in ("from", "to")]
+        for place, end in zip((-100, 100), ends, strict=True):  # the slider of the speed has the curves' ends
+            self.script(DRAG, "at", place)
+            self.assertAlmostEqual(float(self.script("return document.querySelector('[data-path=at]').value")), end, delta=2e-3 * end)
+            self.assertEqual(self.part("faults"), "")
+
+    def test_a_roughness_rq_is_taken_in_place_of_its_square(self):
+        self.show()
+        self.begin("rough")
+        self.choose("summits", "moments of each face's profile")
+        for path, text in {"surface.m0": "0.05 µm", "surface.m2": "1e-3", "surface.m4": "1e9"}.items():
+            self.type(path, text)
+        told = self.assert_programs_numbers()
+        self.type("surface.m0", "2.5e-15")
+        self.assertEqual(self.assert_programs_numbers(), told)
+        self.type("surface.m0", "0.05 furlong")
+        self.assertIn("m²", self.fault("surface.m0"))
+
     def test_a_rougher_face_has_more_of_both_numbers(self):
         self.show()
         self.begin("rough")
