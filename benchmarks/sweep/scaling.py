@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How fast sweeps are, and how they scale on threads and ranks.
 
-  ratios    time a point beside preparation and kernels alone, by tribocheck_bench_sweep
+  ratios    time per point, beside that of preparation and kernels alone, by tribocheck_bench_sweep
   threads   1 and 2
   ranks     strong scaling on 1, 2 and 4, weak on 1 and 2
   memory    greatest resident memory of each rank, at a hundred million points (--billion: a thousand)
@@ -279,7 +279,7 @@ def main():
     if unknown := set(only) - set(PARTS):
         raise SystemExit(f"--only: {', '.join(sorted(unknown))}: not among {', '.join(PARTS)}")
     if shutil.which("mpirun") is None:
-        raise SystemExit("mpirun is not here: openmpi-bin")
+        raise SystemExit("mpirun is missing: install openmpi-bin")
     before = json.loads(wanted.out.read_text()) if wanted.out.exists() and set(only) != set(PARTS) else {}
     start = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:

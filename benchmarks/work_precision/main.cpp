@@ -138,8 +138,8 @@ Chosen chosen_by(const Arguments& arguments) {
   if (file) chosen.baseline = protocol::read_bounded_json<Json>(file);
   if (!file || !chosen.baseline.is_object())
     throw std::runtime_error(arguments.baseline +
-                             ": there is no such baseline, of which the parts "
-                             "that are not measured could stay");
+                             ": this is no baseline, from which the parts that "
+                             "are not measured could be kept");
   return chosen;
 }
 

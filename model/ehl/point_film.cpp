@@ -177,16 +177,17 @@ class PointEquations {
   double load_by_separation_ = 0;  // the load that 1 of H₀ adds, by the preconditioner
 };
 
-// The solution of the equations to a relative residual, both seen through the preconditioner, from
-// its own solution on. Source: Y. Saad, M. H. Schultz: GMRES. SIAM J. Sci. Stat. Comput. 7 (1986)
-// 856.
+// Solves the equations by GMRES from the preconditioner's own solution, until the preconditioned
+// residual is gmres_residual times the first one. Source: Y. Saad, M. H. Schultz: GMRES. SIAM J.
+// Sci. Stat. Comput. 7 (1986) 856.
 VectorXd solved_by_gmres(const PointEquations& equations, const VectorXd& side) {
   VectorXd solution = equations.solve(side);
   VectorXd residual = equations.solve(side - equations * solution);
   const double size = residual.norm();
   if (!(size > 0)) return solution;
   std::vector<VectorXd> basis{residual / size};
-  // Column by column, turned so that only the upper triangle is left; the right side in `turned`.
+  // The Hessenberg matrix by columns, rotated so that only its upper triangle is left; its right
+  // side is `turned`.
   std::vector<VectorXd> columns;
   std::vector<Eigen::JacobiRotation<double>> turns;
   std::vector<double> turned{size};
@@ -248,7 +249,8 @@ class PointProblem {
   double pressure() const { return 1 / (reach_ * reach_); }
   double pressure_in_time() const { return pressure(); }
   double separation_weight() const { return pressure() * pressure(); }
-  // The meniscus moves by a layer of nodes a step, and meanwhile each step asks for as much.
+  // The meniscus of a starved contact moves by one layer of nodes a step. Until it rests, the
+  // changes that are asked for need not become smaller.
   bool must_lead_nearer() const { return !parts_.contact.is_starved(); }
   double size_of(const FilmChange& change) const {
     const double separation = separation_weight() * change.separation;
@@ -320,8 +322,8 @@ class PointProblem {
         std::move(missing));
   }
 
-  // Where a step finds suction, the gap is no longer full. This empties at once the nodes behind it
-  // in a row whose pressure is less than that suction; a step alone would find only the next few.
+  // Where a step finds suction, the gap is no longer full. The nodes right behind that node are
+  // emptied too, as long as their pressure is below the suction: a step finds only the next few.
   void empty_behind_suction(VectorXd& pressure) const {
     for (int j = 0; j < parts_.grid.count_y(); ++j) {
       double suction = 0;
@@ -333,7 +335,7 @@ class PointProblem {
     }
   }
 
-  // The film without what is missing in it.
+  // The state of a full gap: its `missing` stays empty.
   FilmState film_at(VectorXd pressure, double separation) const {
     FilmState state{std::move(pressure), {}, separation};
     state.film = parts_.numbers.deflection * (parts_.kernel * state.pressure) + parts_.gap;
@@ -348,7 +350,7 @@ class PointProblem {
     VectorXd side = side_of(linear, at, balance, rate);
     FilmChange change{VectorXd::Zero(parts_.grid.size()), 0, {}};
     if (parts_.contact.is_starved()) {
-      // A gap is full where there is pressure, and there is no pressure where it is not.
+      // A gap is full where there is pressure; where it is not full, there is no pressure.
       change.missing = change.pressure;
       for (Index node = 0; node < parts_.grid.size(); ++node)
         if (equations.unknown(node) == Unknown::missing)
@@ -377,8 +379,9 @@ class PointProblem {
     return at.pressure[node] > surplus / own_part(balance, node, rate);
   }
 
-  // The residual of each equation at a state: at the grid's ends the pressure of the far inlet,
-  // where the film has broken the pressure 0, else the balance; last the load.
+  // The residual of each equation at a state. At the grid's ends it is of the far inlet's pressure,
+  // or of 0 at dry ends, or of the balance where liquid is missing. Inside it is of the pressure 0
+  // where the film has broken, else of the balance. The last one is of the load.
   VectorXd side_of(const Linear& linear, const FilmState& at, const PlaneBalance& balance,
                    double rate) const {
     const PlaneGrid& grid = parts_.grid;
@@ -492,8 +495,9 @@ PointFilm solve_flooded_from_nothing(const PointContact& contact, const PlaneGri
   return film_of(newton, grid, 0);
 }
 
-// From dry contact there may be no way to the film of a liquid that pressure thickens strongly. The
-// way leads over liquids that pressure thickens ever more, each from the film of the one before.
+// Newton's method may not lead from dry contact to the film of a liquid that pressure thickens
+// strongly. It then goes through liquids that pressure thickens more and more, each of which starts
+// from the film of the liquid before.
 PointFilm solve_by_weaker_liquids(const PointContact& contact, const PlaneGrid& grid,
                                   const Watch& watch) {
   constexpr int liquids = 5;
@@ -520,7 +524,7 @@ PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
   if (film.outcome == Outcome::not_converged && contact.fluid.exponent > 0)
     film = solve_by_weaker_liquids(fuller, grid, watch);
   if (!contact.is_starved() || film.outcome != Outcome::solved) return film;
-  // Where the whole way does not lead to the film, layers that are ever thinner do.
+  // Where this layer cannot be solved at once, it is tried over 2, 4 or 8 thicker layers.
   PointFilm starved;
   for (const int layers : {0, 2, 4, 8}) {
     starved = film;

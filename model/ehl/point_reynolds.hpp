@@ -13,7 +13,7 @@
 namespace tribo::ehl {
 
 // How the balance at node (i, j) changes with film and pressure at the nodes (i − 2, j), (i − 1,
-// j), (i, j), (i + 1, j), (i, j − 1) and (i, j + 1). The nodes below Y = 0 are those above it.
+// j), (i, j), (i + 1, j), (i, j − 1) and (i, j + 1). The nodes below Y = 0 mirror those above.
 struct PlaneSlopes {
   std::array<double, 6> by_film{}, by_pressure{};
 };
@@ -33,8 +33,8 @@ PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
                         const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
                         const Eigen::VectorXd& missing, bool with_slopes = true);
 
-// The liquid that is missing in a gap: where there is pressure as it is, elsewhere so much that no
-// surplus is left.
+// The liquid that is missing in a gap: where there is pressure, `missing` as it is given; elsewhere
+// so much that no surplus is left.
 Eigen::VectorXd missing_in(const PlaneGrid& grid, const Eigen::VectorXd& pressure,
                            const PlaneBalance& balance_of_full_gap, Eigen::VectorXd missing);
 

@@ -72,8 +72,9 @@ std::string why_not(const Step& last, const LineFilm& film) {
                     : text("the equations of step %d have no finite solution", last.step + 1));
 }
 
-// Shares that make the films' errors. A spike that no grid shows moves the films, more so in a
-// compressible liquid, whose film follows the spike; the least film lies beside the spike.
+// Factors of the films' errors. A spike that is too narrow for all grids still moves the films,
+// more so in a compressible liquid, whose film follows the spike; the least film lies beside the
+// spike.
 struct FilmCautions {
   Caution away_from_spike, beside_spike;
 };
@@ -89,8 +90,8 @@ FilmCautions cautions_of(bool is_compressible, std::size_t grids) {
           {0.6, 0.25, 0.09 * less_by_grids, 5.5, least_order, greatest_order}};
 }
 
-// The grid beside the finest one, as far as it is known. `awaited`: it is not solved yet, and the
-// errors are the least that they can be with it.
+// The grid beside the finest one, as far as it is known. `awaited`: it is not solved yet, and its
+// part in the errors is taken as 0.
 enum class BesideFinest : std::uint8_t { solved, awaited, failed };
 
 void estimate_all(SolvedFilm& solved, const LineContact& contact,
@@ -248,7 +249,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
                                       std::fabs(there.minimum / grids[0].minimum - 1));
     }
     if (grids.size() < 3) continue;
-    // Where the errors are too great without the grid beside, they are with it.
+    // Errors that are too great without the grid beside are too great with it, too.
     is_beside = BesideFinest::awaited;
     judge({});
     if (!is_met()) continue;

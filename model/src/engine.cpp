@@ -132,8 +132,8 @@ SharingRoot<double> root(Order order, const FilmLaw& law,
   return {hn::GetLane(found.film_parameter), found.steps};
 }
 
-// The root of a surface that is used once. Its floor is found where λ₀ may be below it; elsewhere
-// the root, which is not below λ₀, does not ask for it.
+// The root of a surface that is used once. Its floor is computed only where λ₀ may be below the
+// floor; elsewhere the root, which is not below λ₀, does not need it.
 double root_of_surface(Order order, const FilmLaw& law, double stiffness, double offset,
                        double flooded) {
   const OneLane d;
@@ -425,7 +425,7 @@ namespace {
 
 HWY_EXPORT(kernels);
 
-// The kernels that were chosen: a call of one is short, and a look at all targets is not. Null
+// The chosen kernels, kept because a look at all targets takes long beside a kernel's call. Null
 // where they are to be chosen anew.
 constinit std::atomic<const detail::Kernels*> chosen = nullptr;
 

@@ -39,7 +39,7 @@ HWY_INLINE V share_at(D d, Order order, V stiffness, V argument) {
   return hn::IfThenElse(above_zero, above, at_zero);
 }
 
-// ln(x/y). Only where x/y is far from 1 is the quotient rounded before the logarithm.
+// ln(x/y): where x/y > 1/2 as ln(1 + (x − y)/y), elsewhere by the rounded quotient.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log_ratio(D d, V x, V y) {
   const V difference = hn::Div(hn::Sub(x, y), y);
@@ -68,7 +68,8 @@ HWY_NOINLINE Shares<V> shares_without_exponent(D d, Order order,
           hn::IfThenElseZero(is_above, above.fluid)};
 }
 
-// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b; where e = 0 those of λ.
+// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b; where
+// e = 0, those at the greater of λ₀ and the floor.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
                                     const detail::SurfaceNumbers<V>& surface, V flooded, V lambda) {
@@ -111,8 +112,9 @@ inline constexpr FloorFactors floor_factors_5_2 = floor_factors(2.5);
 inline constexpr FloorFactors floor_factors_3_2 = floor_factors(1.5);
 
 // F_p(d_b + x)/F_p(d_b) − 1 at distances x above a floor, as its Taylor series: with Σ c_k x^k,
-// F″ = pF − dF′ gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}. For A > 3/4 and dx ≥ −4; 32
-// terms are enough there, as F_p(d_b + z) is at most F_p(d_b − ρ)e^{ρ²/2} for |z| = ρ.
+// F″ = pF − dF′ gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}. Used for A ≥ 3/4 and
+// d_b x ≥ −4, where 32 terms are enough, as F_p(d_b + z) is at most F_p(d_b − ρ)e^{ρ²/2} for |z| =
+// ρ.
 template <class D>
 class FloorSeries {
  public:
@@ -150,7 +152,7 @@ class FloorSeries {
   V c_[floor_terms];
 };
 
-// 1 − A at a distance above the floor at which A > 3/4, and dx ≥ −4.
+// 1 − A at a distance x above the floor at which A ≥ 3/4, and d_b x ≥ −4.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V fluid_near_floor(D d, Order order, const FloorSeries<D>& series, V distance) {
   const V less = hn::Neg(series.change(distance).value);
@@ -252,7 +254,7 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw&
   surface.hazard = hn::IfThenElseZero(has_floor, hn::Mul(q, hazard_at(x)));
   // A ≤ e^{−h(λ−λ_b)} above the floor, A being log-concave: λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^p)/h.
   const V part = hn::Mul(hn::Set(d, 0.99 * 0x1p-54), hn::Mul(surface.hazard, surface.floor));
-  if (law.sharing_exponent.p == 0) [[unlikely]] {  // λ is λ₀, and never below the floor
+  if (law.sharing_exponent.p == 0) [[unlikely]] {  // λ is the greater of λ₀ and the floor
     surface.floor_up_to = surface.film_from = surface.floor;
     return surface;
   }

@@ -102,8 +102,9 @@ HWY_INLINE Iterate<V> above_floor(D d, V film_power, V floor, V hazard, V floode
   return {times_exp(d, floor, further), hn::Add(log_rise, further)};
 }
 
-// A start for a λ₀ below the floor. It lies a little above the zero of ln A, continued from λ₀ as a
-// parabola; this zero is taken as no greater than δ + √(2 ln K F_p(0)), which no floor exceeds.
+// A start for a λ₀ below the floor or hardly above it. It lies a little above the zero of the
+// parabola that continues ln A from λ₀; this zero is taken as no greater than δ + √(2 ln K F_p(0)),
+// which no floor exceeds.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, V film_power, const SharingInputs<V>& in,
                                        const Asperities<V>& at) {
@@ -136,8 +137,8 @@ HWY_INLINE V complement(D d, V x) {
   return hn::Max(hn::Sub(hn::Set(d, 1.0), x), hn::Set(d, 0x1p-60));
 }
 
-// Is the floor's form taken? It is where it bends less: near the root, g″/g′ of the film's form is
-// about (q/p)² times that of the floor's, with q = λ|d ln A/dλ| A/(1 − A).
+// Is the floor's form taken? It is taken where it bends less: near the root, g″/g′ of the film's
+// form is about (q/p)² times that of the floor's, with q = λ|d ln A/dλ| A/(1 − A).
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_by_floor(D d, V film_power, const Iterate<V>& from,
                                    const Asperities<V>& at, V w) {
@@ -170,7 +171,7 @@ struct Step {
   hn::Mask<D> is_last;
 };
 
-// The derivatives of −ln A in y, of which λ is a multiple of e^y.
+// The derivatives of −ln A by y, where λ is proportional to e^y.
 template <class V>
 struct Rises {
   V first, second, third;
@@ -184,7 +185,7 @@ HWY_INLINE Rises<V> rises_of(const Asperities<V>& at, V lambda) {
       a2, hn::MulAdd(hn::Mul(hn::Mul(at.bend, lambda), lambda), lambda, hn::Add(bent, bent)));
   return {a1, a2, a3};
 }
-// Those of a λ that is a multiple of e^{y + cy²/2}.
+// The same at y = 0, where λ is proportional to e^{y + cy²/2}.
 template <class V>
 HWY_INLINE Rises<V> bent(const Rises<V>& a, V c) {
   const V by_first = hn::Mul(a.first, c), by_second = hn::Mul(a.second, c);
@@ -251,8 +252,8 @@ HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterat
                  hn::Eq(now.log_rise, hn::Zero(d)));
 }
 
-// The roots of a vector of points from a start, with A there; NaN where a root is not reached in
-// max_sharing_steps. `steps` is the number of steps of the slowest lane.
+// The roots of a vector of points, from the start `now` and A there; NaN where a root is not
+// reached in max_sharing_steps. `steps` is the number of steps of the slowest lane.
 template <class V>
 struct Roots {
   V film_parameter;

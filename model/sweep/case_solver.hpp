@@ -49,8 +49,8 @@ class CaseSolver {
   std::function<bool()> stopped_;
   Scene scene_;
   // The words and numbers of the scene that a contact needs, and which number each variable is
-  // (not used for the speed). places_ is empty where some variable is more than one of these
-  // numbers (a closure, say); then all variables go through the scene.
+  // (not used for the speed). places_ is empty where some variable is not just one of
+  // these numbers (a closure, say); then all variables go through the scene.
   detail::ContactWords words_;
   detail::SceneNumbers<double> numbers_;
   std::vector<double detail::SceneNumbers<double>::*> places_;
@@ -64,8 +64,8 @@ class CaseSolver {
   std::optional<InletLaw<double>> inlet_law_;
   std::vector<double> speeds_;
   std::vector<Output> asked_;
-  bool has_rq_alone_ = false;    // and outputs that say what summits do
-  OutputSet solved_;             // what points must have for them
+  bool has_rq_alone_ = false;    // though outputs of summits are asked for
+  OutputSet solved_;             // what points must have for these outputs
   std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow
   OperatingPoints points_;
   std::vector<std::uint64_t> contact_of_point_;

@@ -158,7 +158,7 @@ void write_sensitivity(hid_t group, std::size_t variables,
                        const std::vector<SensitivityBlocks>& values) {
   std::vector<Bounded> first_order, total;
   std::vector<std::uint64_t> groups, left_out;
-  // All indices of a value that no chunk has are NaN.
+  // Where no chunk has a value, all indices of this value are NaN.
   const auto append = [&](std::vector<Bounded>& to, std::vector<Bounded> indices) {
     indices.resize(variables, {nan, nan, nan});
     to.insert(to.end(), indices.begin(), indices.end());

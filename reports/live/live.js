@@ -441,7 +441,7 @@ class Page {
         `<span data-unit="${path}">${unit ?? ""}</span></span>${info?.meaning.length > 30 ? `<span class="told">${escaped(info.meaning)}</span>` : ""}` +
         `<span class="told" id="${id}-told"></span><span class="fault" id="${id}-fault" role="alert"></span></div>`;
     };
-    const slider = (path) => `<div><label for="live-drag-${path.replaceAll(".", "-")}">${escaped(path === "at" ? "speed u" : path === "supply" ? "supply" : ROW.get(path)[1])}` +
+    const slider = (path) => `<div><label for="live-drag-${path.replaceAll(".", "-")}">${escaped(path === "at" ? "speed u" : path === "supply" ? "supply" : ROW.get(path)[1].split(",")[0])}` +
       ` <b></b></label><input type="range" id="live-drag-${path.replaceAll(".", "-")}" data-drag="${path}" min="-100" max="100" step="1" value="0"></div>`;
     home.append(document.getElementById("live-frame").content);
     find("start").insertAdjacentHTML("beforeend", options(Object.keys(this.scenes)));

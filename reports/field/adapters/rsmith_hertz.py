@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Asks hertz.py by R. F. Smith for a cylinder on a plane, by diameter, with both bodies of nu = 0.3, which is in its 2.86."""
+"""Asks hertz.py by R. F. Smith for a cylinder on a plane, given its diameter, with nu = 0.3 for both bodies, as the program's constant 2.86 has it."""
 
 from answering import load as file
 

@@ -76,7 +76,7 @@ def ratios_of(program, closures_and_supplies):
 
 
 def judged(program, contacts):
-    """Of each supply: the least and the greatest ratio and exponent, and the deviations of the closures from the ratios."""
+    """For each supply: the least and the greatest of the ratios, of the exponents, and of the closures' deviations from the ratios."""
     supplies = sorted({point["supply"] for one in contacts for point in one["points"]})
     asked = list(itertools.product(CLOSURES, supplies))
     given = dict(zip(asked, ratios_of(program, asked)))
@@ -139,7 +139,7 @@ def falls_below(points, ratio_of, level):
 
 
 def greatest_within(points, value_of):
-    """The speed of the greatest value, where it lies at neither end: of the cubic around the greatest of the points."""
+    """The speed at which the cubic around the greatest point is greatest; None where that point is at an end."""
     values, places = [value_of(one) for one in points], [math.log(one["speed"]) for one in points]
     i = max(range(len(values)), key=values.__getitem__)
     if i in (0, len(values) - 1):
@@ -169,7 +169,7 @@ def surface_of(name, points):
         "closures": {closure: {"departs_before": points[0]["closures"][closure] < level,
                                "film_departure": falls_below(points, lambda one, of=closure: one["closures"][of], level),
                                "film_maximum": greatest_within(points, film_of(closure)),
-                               # flooded_inlet alone has none: where the flooded film is as thick as the layer
+                               # Only by flooded_inlet the film vanishes: where the flooded film is as thick as the layer.
                                "collapse": None if all(one["closures"][closure] > 0 for one in points) else
                                falls_below(points, lambda one: one["layer"] / one["flooded"], 1)}
                      for closure in CLOSURES}}

@@ -128,7 +128,7 @@ def environment(folder, names):
                               trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, finalize=shown, autoescape=True)
     made.filters |= {function.__name__: as_markdown(function) for function in
                      (numbers.rounded, numbers.unrounded, numbers.grouped, numbers.interval)}
-    # A line that begins with > is a quotation.
+    # A per cent is escaped, because a line that begins with > would be a quotation.
     made.filters |= {"percent": lambda *values: markup.escaped(numbers.percent(*values)), "code": markup.code, "typeset": markup.typeset, "marked": markup.marked, "link": markup.link,
                      "enhanced": drawing.enhanced, "md": markup.Markdown, "commit": sections.short_commit}
     made.globals |= {"provenance": sections.provenance, "measured": sections.measured, **names}

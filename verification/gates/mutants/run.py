@@ -9,7 +9,7 @@ most others of its file and room do. Mutants that survive these wait: each of th
 parts of them where it turns red. The ledger is written after each mutant: a run that is stopped, or ends with its --minutes, goes on with the same command.
 
   verification/gates/mutants/run.py sample --seed 20261123 --minutes 60
-  verification/gates/mutants/run.py alone ID ID --minutes 10     meet the tests above the built tree of today, without a copy
+  verification/gates/mutants/run.py alone ID ID --minutes 10     run tests on these mutants in a layer over today's build, without a copy
   verification/gates/mutants/run.py score
   verification/gates/mutants/run.py equivalent ID "the reason, in a sentence"
   verification/gates/mutants/run.py held ID concern.Suite.Test   the check that a survivor was given since
@@ -427,9 +427,9 @@ def readers_of(row, built, names):
 
 
 def meet_alone(row, built, seconds, folder, minutes):
-    """A verdict on one mutant of the ledger from the tests above the built tree: first those that share a word with the name of its
-    file, and of these and the others the quickest, compiling included; without tests that did not notice it before. None where the time
-    ends before the tests do."""
+    """A verdict on one mutant of the ledger from tests in a layer over the build: first those that share a word with its file's name, and
+    in each of the two groups the quickest first, compiling included. Tests that did not notice it before are left out. None where the
+    next test would take longer than the time that is left."""
     readers = {name: targets for name, targets in readers_of(row, built, seconds).items() if name not in row.get("outlived", ())}
     words = set(pathlib.Path(row["file"]).stem.replace("-", "_").split("_")) - {"test"}
     takes = {name: seconds[name] + (built.seconds(plant.ROOT / row["file"], targets) if targets else 0) for name, targets in readers.items()}
@@ -490,16 +490,16 @@ def main():
     take.add_argument("--work", type=pathlib.Path, default=ROOT / "build/mutants", help="folder of the generated copy")
     take.add_argument("--without", metavar="REGEX", help="leave these tests out; the ledger says so")
     take.add_argument("--patience", type=float, default=20, metavar="SECONDS", help="for the tests that meet each mutant alone (default 20)")
-    alone = commands.add_parser("alone", help="meet the tests above the built tree, one mutant after another")
+    alone = commands.add_parser("alone", help="run tests on mutants in a layer over today's build, one mutant after another")
     alone.add_argument("ids", nargs="+", metavar="ID")
     alone.add_argument("--minutes", type=float, default=5, help="for each, by the clock (default 5)")
     alone.add_argument("--green", type=pathlib.Path, default=ROOT / "build/release/ctest.xml", metavar="FILE",
                        help="JUnit file of a CTest run, which says how long each test takes (default: what `make test` left)")
     commands.add_parser("score", help="what was caught in each room's last sample")
-    equivalent = commands.add_parser("equivalent", help="tell a survivor that changes nothing, with the reason")
+    equivalent = commands.add_parser("equivalent", help="mark a survivor as one that changes nothing, with the reason")
     equivalent.add_argument("id")
     equivalent.add_argument("reason")
-    held = commands.add_parser("held", help="tell the check, written since, that is red with a mutant that none noticed; its verdict stays")
+    held = commands.add_parser("held", help="name the check, written later, that notices a mutant which no test had noticed; the verdict stays")
     held.add_argument("id")
     held.add_argument("check")
     arguments = parser.parse_args()
@@ -520,7 +520,7 @@ def main():
     # A mutant that waits can be told equivalent, too: no test can notice a change without effect.
     allowed = ("survived", "not reached", "equivalent", *(() if is_held else (None,)))
     if not rows or any(row.get("verdict") not in allowed for row in rows) or not is_held and len(arguments.reason) < 20:
-        print(f"run.py: {arguments.id} is no survivor of the ledger, or the reason is no sentence", file=sys.stderr)
+        print(f"run.py: {arguments.id} is no survivor of the ledger, or the reason is shorter than 20 characters", file=sys.stderr)
         return 2
     for row in rows:
         if is_held:

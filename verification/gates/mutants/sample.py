@@ -14,7 +14,7 @@ def name_of(place):
 
 
 def overlap(one, two):
-    """Whether two mutants of one file change the same text. An edit of a declaration that both share counts, too."""
+    """Whether two mutants of one file change the same text. It counts, too, where both edit the same declaration."""
     spans = [[(place["begin"], place["end"]), *((a, b) for a, b, _ in place.get("edits", ()))] for place in (one, two)]
     return any(a <= d and c <= b for a, b in spans[0] for c, d in spans[1])
 

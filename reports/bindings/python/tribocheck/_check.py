@@ -139,7 +139,7 @@ def _refuse_unknown(functions, **renamed):
                           for one in [*catalogue[name]["parameters"], *catalogue[name]["results"]])
     for option, names in renamed.items():
         if names is not None and not isinstance(names, dict):
-            raise TypeError(f"{option}: {names!r} is no dict, as {{'speed': …}}")
+            raise TypeError(f"{option}: {names!r} is no dict like {{'speed': …}}")
         for name in names or {}:
             if name not in known:
                 raise ValueError(f'{option}: "{name}" is no argument or result of {", ".join(functions)}; allowed: {", ".join(known) or "none"}')
