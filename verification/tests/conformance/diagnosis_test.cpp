@@ -448,14 +448,15 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
       {pi, "π."},
       {std::sqrt(2), "√2."},
       {1.5, "3/2."},
-      {4.0 / 3, "4/3."},
+      {3, "3, as a 3 that is lost, or √3 and 1/√3 exchanged."},
+      {4.0 / 3, "4/3, as a 4/3 that is lost, or 2 and 3/2 exchanged."},
       {std::sqrt(2 * pi), "√(2π)."},
       {std::sqrt(pi), "√π."},
       {1e3, "1000, as between m and mm, or Pa and kPa."},
       {1e6, "10⁶, as between m and µm, or Pa and MPa."},
       {1e9, "10⁹, as between m and nm, or Pa and GPa."},
       {100, "100, as with percent."},
-      {4, "4."},
+      {4, "4, as a 4 that is lost, or 2 and 1/2 exchanged."},
       {2 * pi, "2π."}};
   for (const auto& [factor, name] : factors) {
     add_factor(factor, "too large by a factor of " + name);
