@@ -12,6 +12,8 @@ namespace {
 
 constexpr int leaf_size = 64;
 constexpr double tolerance = 1e-12;
+// Newton's method took as many steps with 1e-6 as with 1e-12, and two to three times as many with
+// 1e-4, at (M, L) = (100, 10) and (200, 20).
 constexpr double rough_tolerance = 1e-8;
 
 }  // namespace

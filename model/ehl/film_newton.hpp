@@ -115,7 +115,8 @@ class FilmNewton {
   static constexpr double greatest_change = 0.5;   // of P in one step, as a share of the greatest P
   static constexpr double least_part = 1e-3;       // the least part of a step that is worth making
   static constexpr double rounding_change = 1e-7;  // of P, at most
-  // A step by old equations has to leave less than this share of what the step before it left.
+  // A step by old equations has to leave less than this share of what the step before it left: a
+  // choice, which decides on the work alone.
   static constexpr double most_left_by_old_equations = 0.25;
   // For a film that is followed in time: 1/ΔT of its steps, for a contact of half-width 1.
   static constexpr double first_rate = 100, last_rate = 0.05, greatest_rate = 1e9;

@@ -3,7 +3,9 @@
 // pressure that is linear from node to node.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace tribo::ehl {
@@ -17,21 +19,19 @@ inline double twice_integrated_log(double z) {
 // Σ t^k/(k(k+1)(k+2)) over k from 1 on, for |t| ≤ 1/8. Error: 1e-16. Even and odd powers apart,
 // because each step of one sum waits for the one before.
 inline double sum_of_moments(double t) {
-  constexpr auto share = [](int k) { return 1. / (k * (k + 1) * (k + 2)); };
+  constexpr auto share = [] {
+    std::array<double, 14> shares{};
+    for (std::size_t k = 1; k < shares.size(); ++k)
+      shares[k] = 1 / static_cast<double>(k * (k + 1) * (k + 2));
+    return shares;
+  }();
   const double square = t * t;
-  double odd = share(13), even = share(12);
-  odd = odd * square + share(11);
-  even = even * square + share(10);
-  odd = odd * square + share(9);
-  even = even * square + share(8);
-  odd = odd * square + share(7);
-  even = even * square + share(6);
-  odd = odd * square + share(5);
-  even = even * square + share(4);
-  odd = odd * square + share(3);
-  even = even * square + share(2);
-  odd = odd * square + share(1);
-  return odd * t + even * square;
+  double odd = share[13], even = share[12];
+  for (std::size_t k = 11; k > 1; k -= 2) {
+    odd = odd * square + share[k];
+    even = even * square + share[k - 1];
+  }
+  return (odd * square + share[1]) * t + even * square;
 }
 
 // From this many lengths on, the integrals of the logarithm would cancel, and the series converges.

@@ -208,10 +208,11 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
 
   LineFilm film;
   std::vector<FilmFeatures> grids;
-  double worst = 0;  // relative error of the three films
-  BesideFinest is_beside = BesideFinest::failed;
-  double cells_ratio = 1;
-  const auto judge = [&](const FilmFeatures& beside) {
+  double worst = 0;         // relative error of the three films
+  bool is_awaited = false;  // the grid beside the finest one
+  const auto judge = [&](BesideFinest is_beside, const FilmFeatures& beside = {},
+                         double cells_ratio = 1) {
+    is_awaited = is_beside == BesideFinest::awaited;
     estimate_all(solved, contact, grids, is_beside, beside, cells_ratio);
     worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
                       solved.at_greatest_pressure.relative_error()});
@@ -220,10 +221,11 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
   const auto judge_by_grid_beside = [&] {
     const int finest = static_cast<int>(film.x.size()) - 1, fewer = finest - finest / 8;
     const LineFilm other = solve_on(contact, coarse.density.nodes(fewer), film, noting);
-    is_beside = failed(other) ? BesideFinest::failed : BesideFinest::solved;
-    cells_ratio = static_cast<double>(finest) / fewer;
-    judge(is_beside == BesideFinest::solved ? features_of(contact, other, options.integrand)
-                                            : FilmFeatures{});
+    if (failed(other))
+      judge(BesideFinest::failed);
+    else
+      judge(BesideFinest::solved, features_of(contact, other, options.integrand),
+            static_cast<double>(finest) / fewer);
   };
   const auto is_met = [&] {
     const bool is_of_domain = worst < 1.25 * solved.domain_error;  // a finer grid does not help
@@ -250,13 +252,12 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     }
     if (grids.size() < 3) continue;
     // Errors that are too great without the grid beside are too great with it, too.
-    is_beside = BesideFinest::awaited;
-    judge({});
+    judge(BesideFinest::awaited);
     if (!is_met()) continue;
     judge_by_grid_beside();
     if (is_met()) break;
   }
-  if (is_beside == BesideFinest::awaited) judge_by_grid_beside();
+  if (is_awaited) judge_by_grid_beside();
   solved.grids = static_cast<int>(grids.size());
   solved.film = std::move(film);
   if (grids.size() < 3) {
