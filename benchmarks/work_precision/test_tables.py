@@ -95,8 +95,8 @@ class Tables(unittest.TestCase):
     def test_wrong_arguments_are_refused_before_anything_is_measured(self):
         self.baseline.write_text("no")
         for options, said in ((("--jobs", "("), '--jobs: "(" is no'), (("--jobs", "no such job"), "moment_2, root_wide"),
-                              (("--jobs", JOB, "--baseline", self.baseline), "no such baseline"),
-                              (("--jobs", JOB, "--baseline", self.out / "missing.json"), "no such baseline"),
+                              (("--jobs", JOB, "--baseline", self.baseline), "this is no baseline"),
+                              (("--jobs", JOB, "--baseline", self.out / "missing.json"), "this is no baseline"),
                               (("--plugin", self.out / "missing.so"), "missing.so"), (self.plugin("no_version"), "no_version")):
             done = self.run_with(*options)
             self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (2, "", 1), done.stderr)
