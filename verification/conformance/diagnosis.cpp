@@ -638,6 +638,12 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
   for (const TestCase& one : cases)
     if (std::find(functions.begin(), functions.end(), one.function) == functions.end())
       functions.push_back(one.function);
+  const auto is_rested_on = [&](const std::string& inner) {
+    return std::any_of(functions.begin(), functions.end(), [&](const std::string& outer) {
+      const std::vector<std::string> below = rests_on(outer);
+      return std::find(below.begin(), below.end(), inner) != below.end();
+    });
+  };
   std::vector<Diagnosis> found;
   std::vector<WrongFunction> wrong;
   std::map<std::string, std::string> named;
@@ -659,8 +665,7 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
         mistakes.push_back(std::move(one));
     Diagnoser diagnoser(function, std::move(answered), mistakes, std::move(below), named);
     std::vector<Diagnosis> of_function = diagnoser.run();
-    if (!of_function.empty() && !is_operating_point(function))
-      wrong.push_back(diagnoser.as_below());
+    if (!of_function.empty() && is_rested_on(function)) wrong.push_back(diagnoser.as_below());
     if (is_operating_point(function))
       for (Mistake& one : diagnoser.named())
         if (std::none_of(mistakes.begin(), mistakes.end(),

@@ -72,6 +72,10 @@ class Evaluation {
     known_[place] = true;
     return values_[place] = computed(law_.nodes[place]);
   }
+  // Another number of the law stands in one of these nodes.
+  void compute_anew(const std::vector<std::size_t>& places) {
+    for (const std::size_t place : places) known_[place] = false;
+  }
 
  private:
   double computed(const Expression::Node& node) {
@@ -415,12 +419,13 @@ class Edits {
   }
   // Another input of the same unit, or another number with a name, in place of a part.
   void of_parts(std::size_t place, const Expression::Node& node) {
+    const std::vector<std::size_t> dependent = law_.dependent_on(place);
     for (std::size_t i = 0; i < node.parts.size(); ++i) {
       const Expression::Node& own = law_.nodes[node.parts[i].of];
       for (std::size_t k = 0; k < law_.nodes.size() && !own.name.empty(); ++k) {
         const Expression::Node& other = law_.nodes[k];
         if (other.name.empty() || other.name == own.name || other.unit != own.unit ||
-            law_.depends_on(k, place))
+            std::find(dependent.begin(), dependent.end(), k) != dependent.end())
           continue;
         all_.push_back({.node = place, .slot = static_cast<int>(i), .part = k});
       }
@@ -524,10 +529,15 @@ std::string Expression::in_words(std::size_t place, bool is_inside) const {
   }
 }
 
-bool Expression::depends_on(std::size_t place, std::size_t other) const {
-  return place == other ||
-         std::any_of(nodes[place].parts.begin(), nodes[place].parts.end(),
-                     [&](const Operand& part) { return depends_on(part.of, other); });
+std::vector<std::size_t> Expression::dependent_on(std::size_t place) const {
+  std::vector<std::size_t> found{place};
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t user = 0; user < nodes.size(); ++user)
+      if (std::any_of(nodes[user].parts.begin(), nodes[user].parts.end(),
+                      [&](const Operand& part) { return part.of == found[i]; }) &&
+          std::find(found.begin(), found.end(), user) == found.end())
+        found.push_back(user);
+  return found;
 }
 
 namespace {
@@ -577,20 +587,25 @@ std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
                                  const std::vector<Expression::Place>& places,
                                  double closeness = closeness_of_numbers) {
   std::vector<Edit> found;
+  if (law.nodes.size() > most_nodes) return found;
   Expression changed = law;
-  const catalogue::Arguments& arguments = one.of->question.arguments;
+  const std::size_t result = law.results[place];
+  Evaluation evaluation(changed, one.of->question.arguments);
+  const double at_first = evaluation.of(result) - one.answered->got;
+  if (!std::isfinite(at_first)) return found;
+  std::vector<std::size_t> dependent;  // the first one is the node
   for (const Expression::Place& at_place : places) {
     double& number = changed.number_at(at_place);
     const double right = number;
+    // The other nodes keep their values while this number is sought.
+    if (dependent.empty() || dependent.front() != at_place.node)
+      dependent = changed.dependent_on(at_place.node);
+    if (std::find(dependent.begin(), dependent.end(), result) == dependent.end()) continue;
     const auto off = [&](double logarithm) {
       number = right * std::exp(logarithm);
-      return changed.value(changed.results[place], arguments) - one.answered->got;
+      evaluation.compute_anew(dependent);
+      return evaluation.of(result) - one.answered->got;
     };
-    const double at_first = off(0);
-    if (!std::isfinite(at_first)) {
-      number = right;
-      continue;
-    }
     for (const double side : {1.0, -1.0}) {
       double before = 0, off_before = at_first;
       for (double step = first_step_of_number; step < 2 * farthest_number; step *= 2) {
@@ -614,6 +629,7 @@ std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
       }
     }
     number = right;
+    evaluation.compute_anew(dependent);
   }
   return found;
 }

@@ -73,7 +73,8 @@ class Expression {
   // A factor or a term of a node: "U^0.67", "− 0.61 e^(−0.73 k)".
   std::string factor_in_words(const Operand& part) const;
   std::string term_in_words(const Operand& part) const;
-  bool depends_on(std::size_t place, std::size_t other) const;
+  // The node itself, and all nodes whose values depend on its value.
+  std::vector<std::size_t> dependent_on(std::size_t place) const;
 };
 
 // The law of a function by its terms and factors; empty: it is no such expression, as an integral
