@@ -14,6 +14,7 @@
 
 #include "catalogue/catalogue.hpp"
 #include "catalogue/law_films.hpp"
+#include "live/least_films.hpp"
 #include "protocol/output_values.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
@@ -302,8 +303,8 @@ TRIBOCHECK_CALL(live_limits) const char* live_limits(double speed) {
 }
 
 // Films of smooth faces in a flooded inlet at a speed: law, whether it is of the least film, film
-// in m, why the contact is beyond its range, whether it is the scene's. The last line, "solved",
-// has the central film of the solved tables.
+// in m, why the contact is beyond its range, whether it is the scene's. The last two lines,
+// "solved", have the central and the least film of the solved tables.
 TRIBOCHECK_CALL(live_films) const char* live_films(double speed) {
   answer.clear();
   if (!held) return answer.c_str();
@@ -314,12 +315,23 @@ TRIBOCHECK_CALL(live_films) const char* live_films(double speed) {
   const ContactShape shape = held->contact.words().shape;
   const bool is_table = shape != ContactShape::ellipse && scene.pressure_viscosity > 0;
   const double film = is_table ? smooth_film(solved, shape, scene, speed) : quiet_nan<double>();
-  const bool is_known = std::isfinite(film);
-  line("solved", false, film,
-       is_known                         ? ""
-       : shape == ContactShape::ellipse ? "the tables are of circles and of lines"
-                                        : protocol::beyond_solved_films,
-       &solved == &held->contact.film());
+  const MoesNumbers<double> moes =
+      moes_numbers(similarity_of(shape, scene, speed), held->is_line());
+  const auto number = [log_load = std::log(moes.load), &moes](const FilmTable& table) {
+    return is_within(table, log_load, moes.material)
+               ? solved_film_number(table, log_load, moes.material).value
+               : quiet_nan<double>();
+  };
+  const double least =
+      film * number(live::least_film_table(held->is_line())) / number(film_table(solved));
+  for (const bool is_minimum : {false, true}) {
+    const double one = is_minimum ? least : film;
+    line("solved", is_minimum, one,
+         std::isfinite(one)               ? ""
+         : shape == ContactShape::ellipse ? "the tables are of circles and of lines"
+                                          : protocol::beyond_solved_films,
+         !is_minimum && &solved == &held->contact.film());
+  }
   return answer.c_str();
 }
 

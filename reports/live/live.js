@@ -703,15 +703,15 @@ class Page {
   }
 
   drawFilms(at) {
-    const rows = this.model.lines("live_films", at), solved = rows.find(([law]) => law === "solved"), film = Number(solved[2]);
+    const rows = this.model.lines("live_films", at), solved = Object.fromEntries(rows.filter(([law]) => law === "solved").map(([, least, film]) => [least, Number(film)]));
     const laws = new Set(rows.map(([law]) => law));  // those of this shape
     for (const option of home.querySelector('[data-path="closures.film"]').options) option.disabled = !laws.has(option.value);
     const bar = (part) => `<span aria-hidden="true" style="display:inline-block;height:.7em;width:${Math.min(6, Math.abs(part) * 12).toFixed(2)}rem;background:var(--${part < 0 ? "one" : "four"})"></span>`;
-    find("films").innerHTML = table(`Films of smooth faces in plenty of oil at ${rounded(at, 4)} m/s, and how far each is from the solved one`,
+    find("films").innerHTML = table(`Films of smooth faces in plenty of oil at ${rounded(at, 4)} m/s, and how far each is from the solved one, central or least`,
       ["law", "film", "from the solved film", "remark"],
       rows.map(([law, isMinimum, number, beyond, isScenes]) => {
-        const part = Number(number) / film - 1, isCompared = isMinimum === "0" && law !== "solved" && Number.isFinite(part);
-        return [law, [usual(Number(number), "m"), "number"], [isCompared ? `${part < 0 ? "−" : "+"}${rounded(100 * Math.abs(part), 3)} % ${bar(part)}` : "", "word"],
+        const part = Number(number) / solved[isMinimum] - 1, isCompared = law !== "solved" && Number.isFinite(part);
+        return [law === "solved" ? `solved ${isMinimum === "1" ? "least" : "central"} film` : law, [usual(Number(number), "m"), "number"], [isCompared ? `${part < 0 ? "−" : "+"}${rounded(100 * Math.abs(part), 3)} % ${bar(part)}` : "", "word"],
                 [escaped([isScenes === "1" ? "the scene's law" : "", isMinimum === "1" ? "least film" : "", beyond].filter((one) => one).join("; ")), "prose"]];
       }));
   }

@@ -31,11 +31,11 @@ FLAGS = ["-std=c++20", "-ffp-contract=off", "-ffunction-sections", "-fdata-secti
          "-DFMT_STATIC_THOUSANDS_SEPARATOR=0x2c"]
 INCLUDES = ["reports/live/include", "build/live", "model/include", "model/src", "model", "verification", "reports"]
 
-# --- The tables of solved films: those of the central film.
+# --- The tables of solved films: those of the central film, and packed those of the least one.
 
 
 def film_tables(text):
-    """Without the tables of the least film and of starved films, which are two thirds of all bytes: NaN stands there."""
+    """With the central films alone; NaN stands in place of least and starved films, which would take two thirds of all bytes."""
     for table in ("line_minimum", "point_minimum", "inlet"):
         text = re.sub(rf"(double {table}_nodes\[\]\[4\] = {{\n).*?\n}};",
                       r"\1" + "{no_film, no_film, no_film, no_film},\n" * 4 + "};", text, flags=re.DOTALL)
@@ -44,6 +44,44 @@ def film_tables(text):
         if count != 1:
             raise ValueError(f"film_tables.inc has no table {table}")
     return text
+
+
+# The packed tables hold multiples of this, of ln Ĥ and of its derivatives.
+UNIT = 2.0**-14
+
+
+def packed(numbers):
+    """Signed differences as bytes, seven bits each, the last one above 127; 0: there is no number."""
+    for number in numbers:
+        code = 0 if number is None else 1 + (2 * number if number >= 0 else -2 * number - 1)
+        while code > 127:
+            yield code % 128
+            code //= 128
+        yield 128 + code
+
+
+def differences(numbers, row):
+    """What each number of rows of that length has beyond a plane through its neighbours before; one that lacks lies on the plane."""
+    known = []
+    for i, number in enumerate(numbers):
+        left = known[i - 1] if i % row else 0
+        above, between = (known[i - row], known[i - row - 1] if i % row else 0) if i >= row else (0, 0)
+        plane = left + above - between
+        known.append(plane if number is None else number)
+        yield None if number is None else number - plane
+
+
+def least_films(text):
+    """The tables of the least film of lines and of circles, packed: least_films.cpp unpacks them."""
+    for table in ("line_minimum", "point_minimum"):
+        nodes, = re.findall(rf"double {table}_nodes\[\]\[4\] = {{\n(.*?)\n}};", text, re.DOTALL)
+        head, = re.findall(rf"FilmTable {table}{{(.*?) {table}_nodes}};", text)
+        rows = [[None if one == "no_film" else round(float.fromhex(one) / UNIT) for one in line.strip("{},").split(", ")]
+                for line in nodes.splitlines()]
+        row = int(head.split(",")[4]) + 1
+        data = b"".join(bytes(packed(differences(numbers, row))) for numbers in zip(*rows, strict=True))
+        yield f"constexpr unsigned char {table}_bytes[] = {{{','.join(map(str, data))}}};\n"
+        yield f"constexpr PackedFilms {table}{{{UNIT}, {head} {table}_bytes}};\n"
 
 
 # --- The certified rows that the page can be held to.
@@ -139,7 +177,9 @@ def compile_one(source, folder):
 def build(release):
     folder = ROOT / "build/live"
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "film_tables.inc").write_text(film_tables((release / "model/film_tables.inc").read_text()))
+    tables = (release / "model/film_tables.inc").read_text()
+    (folder / "film_tables.inc").write_text(film_tables(tables))
+    (folder / "least_films.inc").write_text("".join(least_films(tables)))
     (folder / "certified_rows.inc").write_text("".join(f'R"({line}\n)"\n' for line in row_lines()))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         objects = list(pool.map(lambda source: compile_one(source, folder), SOURCES))

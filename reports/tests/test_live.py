@@ -86,6 +86,26 @@ class Numbers(unittest.TestCase):
                         self.assertAlmostEqual(float(lines[film["law"]][1]) / film["film"], 1, delta=1e-12)
 
 
+    def test_solved_least_films_are_the_programs_to_the_rounding_of_their_tables(self):
+        scenes = []
+        for scene, _ in (random_scene(seed) for seed in range(self.COUNT)):
+            if "bodies.radius_y" in scene:
+                continue
+            scene = {path: value for path, value in scene.items() if not path.startswith(("supply.", "closures.starvation", "closures.damiens"))}
+            scenes.append(scene | {"closures.film": "solved"} | ({"bodies.ellipticity": 1.0} if "bodies.ellipticity" in scene else {}))
+        known = dict.fromkeys(("bodies.length", "bodies.ellipticity"), 0)
+        for scene, here, there in zip(scenes, ask([["ask", text(scene), "live_films", scene["speed"]] for scene in scenes]), solved(scenes), strict=True):
+            (_, _, central, *_), (_, is_minimum, least, why, _) = here[-2:]
+            with self.subTest(scene=scene):
+                self.assertEqual((here[-2][:2], is_minimum), (["solved", "0"], "1"))
+                if there["film"]:
+                    self.assertEqual(why == "", there["minimum_film"] is not None)
+                if there["film"] and there["minimum_film"]:
+                    self.assertAlmostEqual(float(least) / float(central) / (there["minimum_film"] / there["film"]), 1, delta=1e-4)
+                    known["bodies.length" if "bodies.length" in scene else "bodies.ellipticity"] += 1
+        self.assertGreater(min(known.values()), 30)
+
+
 class CertifiedRows(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

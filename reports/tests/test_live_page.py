@@ -380,6 +380,30 @@ class Use(LivePage):
         for path in before:
             self.assertAlmostEqual(float(self.script("return tribocheckLive.page.state.values[arguments[0]]", path)) / before[path], 1, delta=2e-3)
 
+    def test_each_law_tells_how_far_it_is_from_the_solved_film_of_its_kind(self):
+        units = {"nm": 1e-9, "µm": 1e-6, "mm": 1e-3}
+        self.show()
+        for scene, is_solved in (("ball_on_flat", True), ("gear_flank", True), ("bearing_outer_ring", False)):
+            self.begin(scene)
+            rows = self.script("return [...document.querySelectorAll('[data-part=films] tbody tr')].map((row) => [...row.cells].map((one) => one.textContent))")
+            films, solved = [], {}
+            for law, film, part, remark in rows:
+                number, _, unit = film.partition(" ")
+                if unit not in units:
+                    self.assertEqual(part.strip(), "", rows)
+                elif law in ("solved central film", "solved least film"):
+                    solved["least" in law] = float(number) * units[unit]
+                else:
+                    films.append((law, "least film" in remark, float(number) * units[unit], part.strip()))
+            with self.subTest(scene):
+                self.assertEqual(set(solved), {False, True} if is_solved else set(), rows)
+                self.assertEqual({is_least for _, is_least, _, _ in films}, {False, True})
+                for law, is_least, film, part in films:
+                    if is_solved:
+                        self.assertAlmostEqual(float(part.split(" ")[0].replace("−", "-")), 100 * (film / solved[is_least] - 1), delta=0.2, msg=law)
+                    else:
+                        self.assertEqual(part, "", law)
+
     def test_limits_are_those_of_the_speed_of_the_numbers(self):
         self.show()
         self.begin("ball_on_flat")
