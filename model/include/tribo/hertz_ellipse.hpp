@@ -150,6 +150,10 @@ EllipseOfCircle<T> ellipse_of_circle(const T& radius_x, const T& radius_y) {
   const auto ellipse = detail::wide_ellipse(radius_x, radius_y);
   return {T(ellipse.axis_cube), T(ellipse.axes_ratio), T(ellipse.approach)};
 }
+// The same by polynomials (model/generators/ellipse_pieces.cpp) where one radius is less than 2¹⁴
+// of the other.
+template <>
+EllipseOfCircle<double> ellipse_of_circle(const double& radius_x, const double& radius_y);
 
 template <class T>
 struct HertzEllipse {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "support/judge.hpp"
 #include "tribo/hertz_ellipse.hpp"
@@ -237,6 +238,30 @@ TEST(HertzEllipse, FollowsFromTheRadiiThatItsEllipticityGives) {
     EXPECT_TRUE(is_within(radius_ratio_of(1 / k) * ratio, 1, 8 * ulp)) << k;
   }
   EXPECT_EQ(radius_ratio_of(1.0), 1);
+}
+
+// At both ends and in the middle of each of the four parts of an octave, below and above one, at
+// random places and beyond the last part.
+TEST(HertzEllipse, OfDoublesIsThatOfFiftyDigits) {
+  std::vector<double> ratios;
+  for (int octave = 0; octave < 16; ++octave)
+    for (const double of_part : {1.0, 1.125, 1.25, 1.375, 1.5, 1.625, 1.75, 1.875})
+      for (const double at : {std::nextafter(of_part, 0.0), of_part, std::nextafter(of_part, 2.0)})
+        ratios.push_back(std::ldexp(at, octave));
+  Sampler sampler(15);
+  for (int i = 0; i < 3000; ++i) ratios.push_back(sampler.log_uniform(1, 5e4));
+  for (const double ratio : ratios)
+    for (const bool is_exchanged : {false, true}) {
+      // Radii of any size, whose ratio is no double, and those that are nearly no normal numbers.
+      const double x = ratio > 1e3 && is_exchanged ? 0x1.7p-1000 : sampler.log_uniform(1e-4, 0.1);
+      const double y = is_exchanged ? x / ratio : x * ratio;
+      const EllipseOfCircle<double> got = ellipse_of_circle(x, y);
+      const EllipseOfCircle<Reference> expected = ellipse_of_circle(Reference(x), Reference(y));
+      const std::initializer_list<Input> inputs{{"R_x", x}, {"R_y", y}};
+      EXPECT_TRUE(is_close(got.axis_cube, expected.axis_cube, ulp, inputs));
+      EXPECT_TRUE(is_close(got.axes_ratio, expected.axes_ratio, ulp, inputs));
+      EXPECT_TRUE(is_close(got.approach, expected.approach, ulp, inputs));
+    }
 }
 
 // The middle of a long ellipse is a line contact under the load that a metre of it carries there,
