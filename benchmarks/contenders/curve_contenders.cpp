@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each call prepares the scene anew, as users do for a single curve. The root solvers of other
-// families are used with our film formula, starvation and friction, which favours them.
+// Each call prepares the scene anew, as users do for a single curve. The root solvers of the other
+// families but SciPy's are given our film formula, starvation and friction, which is to their
+// advantage.
 #include <utility>
 
 #include "contenders/curve_contender.hpp"

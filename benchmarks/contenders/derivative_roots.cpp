@@ -78,8 +78,8 @@ std::vector<RootContender> derivative_roots(Settings settings) {
   for (const int bits : chosen(settings, {49}, {6, 12, 24, 49}))
     all.push_back(one_by_one("Boost", fmt::format("Newton {} bits + our F", bits),
                              Newton<Uncounted>{bits}, Newton<Counted>{bits}));
-  // Boost's iteration ends when a step is below 2^(1−bits) of the root. The error left by then is
-  // at most of the order of that step squared, so that 26 bits are enough for a double.
+  // Boost's iteration ends when a step is below 2^(1−bits) of the root. Halley's method is of third
+  // order: the error left is of the order of that step's cube, so that 26 bits are enough.
   for (const int bits : chosen(settings, {26}, {4, 8, 16, 26}))
     all.push_back(one_by_one("Boost", fmt::format("Halley {} bits + our F", bits),
                              Halley<Uncounted>{bits}, Halley<Counted>{bits}));

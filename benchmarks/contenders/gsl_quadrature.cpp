@@ -32,8 +32,8 @@ struct Cquad {
   };
 };
 
-// The fixed rules run in u = s − d: with the weight e^{−u}, and with u^{5/2} e^{−u}, which has the
-// root of the integrand in it.
+// The fixed rules integrate over u = s − d. The plain one has the weight e^{−u}, the generalised
+// one u^{5/2} e^{−u}: it has the integrand's square root in it, so that the rest is smooth.
 using Rule = std::shared_ptr<gsl_integration_fixed_workspace>;
 Rule laguerre(double exponent, std::size_t points) {
   return {gsl_integration_fixed_alloc(gsl_integration_fixed_laguerre, points, 0, 1, exponent, 0),

@@ -24,7 +24,7 @@ double bessel_k(double order, double x) { return boost::math::cyl_bessel_k(order
 double bessel_i(double order, double x) { return boost::math::cyl_bessel_i(order, x, Quiet()); }
 
 struct WeberPair {
-  double zeroth, first;  // U(0, d), U(1, d)
+  double zeroth, first;  // Weber's U(0, d) and U(1, d)
 };
 
 WeberPair weber(double d) {
@@ -42,9 +42,9 @@ WeberPair weber(double d) {
   return {scale * root * quarters, scale * x * root * (three_quarters + quarters)};
 }
 
-// With a = (n+1)/2 and x = d²/2,
-//   F_n(d) = e^{−x}/√2π Γ(n+1) 2^{−a} U(a, 1/2, x)                                       d ≥ 0
-//   F_n(d) = e^{−x}/√2π 2^{a−1} (Γ(a) M(a, 1/2, x) + √2 |d| Γ(a+1/2) M(a+1/2, 3/2, x))   d < 0
+// With Kummer's functions U and M, a = (n+1)/2, x = d²/2 and φ = e^{−x}/√(2π),
+//   F_n(d) = φ Γ(n+1) 2^{−a} U(a, 1/2, x)                                       d ≥ 0
+//   F_n(d) = φ 2^{a−1} (Γ(a) M(a, 1/2, x) + √2 |d| Γ(a+1/2) M(a+1/2, 3/2, x))   d < 0
 double kummer_moment(double n, double d) {
   const double a = (n + 1) / 2;
   const double x = d * d / 2;

@@ -21,7 +21,7 @@ using conformance::PluginFunctions;
 constexpr const char* family = "plugin";
 constexpr int unset = -1;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double slow = 5e-6;  // seconds a case
+constexpr double slow = 5e-6;  // seconds a case, beyond which fewer cases are timed
 
 // A number counts where its status is done, as in `verify`.
 double answer_of(int status, double value) {
@@ -38,7 +38,8 @@ double seconds_of(Call&& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Arrays that are made before the timed call: an argument that all cases share, and their statuses.
+// Arrays that are kept between calls, so that the timed call allocates none: the argument that is
+// the same in all cases, and the status of each case.
 struct Room {
   std::vector<double> shared;
   std::vector<int> status;

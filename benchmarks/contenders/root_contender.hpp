@@ -30,12 +30,13 @@ using RootRun = std::function<void(const RootCases&, std::span<double> film_para
 struct RootContender {
   std::string family;
   std::string name;
-  // Makes data that are kept between calls, from the surface of the first case.
+  // Gives the function that is timed. Where it keeps data of one surface for all its calls, they
+  // are made here, from the first case.
   std::function<RootRun(const RootCases&)> prepare;
   // The number of moments that these cases take; a moment with its derivative counts once. Empty:
   // moments are not counted.
   std::function<double(const RootCases&)> evaluations{};
-  bool is_slow = false;                   // tens of microseconds a case, or more
+  bool is_slow = false;                   // some microseconds a case or more: fewer are timed
   std::function<double()> own_seconds{};  // CPU time of the last call in another process
 };
 
@@ -44,12 +45,12 @@ struct RootContender {
 std::vector<RootContender> wide_root_contenders(Settings settings = Settings::usual);
 std::vector<RootContender> one_surface_root_contenders(Settings settings = Settings::usual);
 
-// The families.
+// The contenders by their kind of method.
 std::vector<RootContender> bracketing_roots(Settings settings);  // Brent, TOMS 748
 std::vector<RootContender> derivative_roots(Settings settings);  // Newton, Halley
 std::vector<RootContender> textbook_roots(Settings settings);    // fixed point, Newton on the film
 std::vector<RootContender> inverse_tables(Settings settings);    // one surface only
-// SciPy's fsolve in the process of scipy_moments().
+// SciPy's fsolve, in the same process of Python as scipy_moments().
 std::vector<RootContender> scipy_roots();
 
 }  // namespace tribo::benchmarks

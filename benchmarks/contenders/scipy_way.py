@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The same jobs with SciPy's quad and fsolve. A line of JSON asks, a line of JSON answers; the CPU time
+"""Moments and film parameters, as the contenders in C++ find them, with SciPy's quad and fsolve. A line of JSON asks, a line of JSON answers; the CPU time
 of the work alone is in the answer."""
 import json
 import math
@@ -31,7 +31,7 @@ def attempt(function, arguments):
     try:
         value = float(function(*arguments))
     except (ArithmeticError, ValueError, TypeError):
-        return None  # a complex power where the iterate became negative, an overflow
+        return None  # the iterate became negative, so that a power is complex, or a number overflowed
     return value if math.isfinite(value) else None
 
 

@@ -132,7 +132,8 @@ class Proved(Folder):
 
 
 class Rates(Folder):
-    """solver_rates.py with a program that answers at once, and is red, told or silent by the solver that it gets."""
+    """solver_rates.py with a made-up program that answers at once: the solver that it is given decides whether it fails (red), says
+    "a little slower" (told), or says nothing (silent)."""
 
     ANSWERS = {"unchanged": (0, "PASSED, "), "slower_10": (0, "PASSED, a little slower"), "slower_25": (1, "FAILED, ")}
 

@@ -101,13 +101,15 @@ void register_benchmark(Measured measured) {
   if (elsewhere) registered->UseManualTime();
 }
 
-// Debian builds Google Benchmark with its assertions, and it then calls itself DEBUG. This slows
-// only its own bookkeeping around the timed loop: the timed code is built as Release.
+// The console without the library's warning that it is a DEBUG build: Debian builds it with
+// assertions, which slow only the library's own work around the timed loop.
 class Console : public benchmark::ConsoleReporter {
  public:
   bool ReportContext(const Context& context) override {
     name_field_width_ = context.name_field_width;
-    std::cerr << "CPU time of contenders built with -O3; counters are a point's\n";
+    std::cerr
+        << "CPU time of one call for `points` points, contenders built with -O3; `evaluations` are "
+           "per point\n";
     return true;
   }
 };
@@ -171,7 +173,8 @@ void run_as_json(int output) {
   write_whole(output, text.str());
 }
 
-// A reader of JSON reads this line, as a plug-in may end this process with any exit code.
+// Whoever asked for JSON reads the reason in this line, and does not trust the exit code: a plug-in
+// can end this process with any exit code.
 int refuse(int code, const std::string& why, int output) {
   if (output >= 0)
     write_whole(output, why + '\n');

@@ -7,9 +7,10 @@
 
 namespace tribo::benchmarks {
 
-// Contenders by CPU time of one thread; `stages` are those of the profile.
+// The contender that does only the work that no sweep can avoid: the others are compared with its
+// CPU time on one thread.
 inline constexpr std::string_view alone = "alone";
-// The counter of threads; the whole sweep on threads is judged by real time.
+// The counter of a contender that runs on several threads, which is judged by real time.
 inline constexpr std::string_view threads_counter = "threads";
 
 void register_sweeps();

@@ -15,7 +15,8 @@ struct Flow {
   std::array<double, 3> by_film{}, by_pressure{};
 };
 
-// The weights, in the middle between two nodes, of the two nodes before it and of the next one.
+// The weights of the nodes i − 1, i and i + 1 for a value in the middle between i and i + 1. It is
+// extrapolated from the two nodes before it; between the first two nodes it is their mean.
 std::array<double, 3> upstream_weights(std::span<const double> x, std::size_t i) {
   if (i == 0) return {0, 0.5, 0.5};
   const double ahead = (x[i + 1] - x[i]) / 2 / (x[i] - x[i - 1]);

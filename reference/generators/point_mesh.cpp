@@ -8,18 +8,18 @@
 namespace tribo::reference {
 namespace {
 
-// Hat function of a node: pieces (1/h, −1/h − 1/h′, 1/h′), and Gauss' rule of two points.
+// The hat function of a node, which stands at the second of three places.
 struct Hat {
-  std::array<double, 3> place, bend;
-  std::array<double, 2> point, weight;
-  double size;
+  std::array<double, 3> place, bend;    // bend: how much its slope rises at each place
+  std::array<double, 2> point, weight;  // Gauss' rule of two points, the hat being the weight
+  double size;                          // the greater distance between neighbours
 };
 Hat hat(double before, double here, double after) {
   const double l = here - before, r = after - here;
   Hat hat{{before, here, after}, {1 / l, -1 / l - 1 / r, 1 / r}, {}, {}, std::fmax(l, r)};
   const double m0 = (l + r) / 2, m1 = (r * r - l * l) / 6, m2 = (l * l * l + r * r * r) / 12,
                m3 = (std::pow(r, 4) - std::pow(l, 4)) / 20;
-  // t² + bt + c is orthogonal to 1 and t.
+  // With the hat as weight t² + bt + c is orthogonal to 1 and t: its roots are Gauss' points.
   const double det = m1 * m1 - m0 * m2, b = (m0 * m3 - m1 * m2) / det,
                c = (m2 * m2 - m1 * m3) / det, root = std::sqrt(b * b / 4 - c);
   const double t0 = -b / 2 - root, t1 = -b / 2 + root;

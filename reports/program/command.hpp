@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A command of the program. A new one needs a file with its add_… function, and a line in main.cpp.
+// A command of the program. A new one needs a file with its add_… function, the function's
+// declaration below, and a place in the list of main.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,7 +14,7 @@
 namespace tribo::cli {
 
 struct Command {
-  CLI::App* app;                          // owned by the program's
+  CLI::App* app;                          // owned by the program's CLI::App
   std::function<int(OutputStream&)> run;  // gives the exit code
   // The options that the command would ignore, asked after parsing; empty: it ignores none.
   std::function<std::vector<Ignored>()> ignored = {};

@@ -314,9 +314,9 @@ def software(report):
     yield (f"as long as tribocheck, over {beside['jobs']} jobs; it is less exact in "
            f"{'each of them' if beside['less_exact'] == beside['jobs'] else str(beside['less_exact']) + ' of them'}. ")
     same = beside["as_exact"]
-    yield ((f"In {same['jobs']} jobs others are as exact as our fastest way, or more: the fastest of these takes "
+    yield ((f"In {same['jobs']} jobs others have no greater error than our fastest way: the fastest of these takes "
             f"{ends([same['least_times_ours'], same['greatest_times_ours']], 3)} times as long. " if same["jobs"] else "") +
-           f"A failure is no number, or an error above 10−6 times the condition number. {measured(work)}.")
+           f"A way fails at a case where it gives no number, or its error is above 10−6 times the condition number. {measured(work)}.")
     yield f"without failures takes {ends([beside['least_times_ours'], beside['greatest_times_ours']], 3)} times as long as tribocheck"
     for job in work["jobs"]:
         ours, other = job["ours"], job["fastest_alternative"]
@@ -327,7 +327,7 @@ def software(report):
             yield (f"{other['family']} {other['name']}, takes {sig(other['ns'], 3)} ns a point{times}; its greatest error is {sig(other['max_ulp'], 3)} ulp.")
         same = job["as_exact"]
         if same:
-            yield (f"The fastest that is as exact as that of tribocheck or more, {same['family']} {same['name']}, takes {sig(same['times_ours'], 3)} times as long; its "
+            yield (f"The fastest alternative whose greatest error is no greater than ours, {same['family']} {same['name']}, takes {sig(same['times_ours'], 3)} times as long; its "
                    f"greatest error is {sig(same['max_ulp'], 3)} ulp.")
         counted = [f"{way['family']} {way['name']} {sig(way['evaluations'], 3)}" for way in job["ways"] if way["evaluations"] is not None]
         if job["is_counted"] and counted:
@@ -336,12 +336,12 @@ def software(report):
     asked = [f"{sig(1e-9 * ways[name]['ns'], 2)} s with errors up to {sig(ways[name]['max_relative'], 2)}" for name in
              ("to 1e-04", "dense LU, our grid 1024", "dense LU, uniform grid 1024")]
     yield "ours takes {}, on one core. A dense matrix of 1024 cells on our grid takes {};".format(*asked)
-    yield f"before the contact, {asked[2]}, because it cuts the inlet of light loads. {measured(films)}."
+    yield f"before the contact, {asked[2]}, because it begins too near for the inlet of light loads. {measured(films)}."
     circles, ways = work["point_film"], {one["name"]: one for one in work["point_film"]["ways"]}
     asked = [f"{sig(1e-9 * ways[name]['ns'], 2)} s with errors up to {sig(ways[name]['max_relative'], 2)}" for name in
              ("to 1e-03, M = 20", "to 1e-03, M = 200")]
-    beside = ", ".join(f"{one['threads']}: {sig(1e-9 * one['ns'], 2)} s for each at M = 20" for one in circles["threads"])
-    yield ("ours takes {} at M = 20, and {} at M = 200, on one core. A circle has no threads; threads solve several beside each other, "
+    beside = ", ".join(f"{one['threads']}: {sig(1e-9 * one['ns'], 2)} s" for one in circles["threads"])
+    yield ("ours takes {} at M = 20, and {} at M = 200, on one core. Several threads solve several circles at a time. Seconds for each at M = 20, by the number of threads: "
            "{}.".format(*asked, beside))
     yield measured(circles)
     for films in (films, circles):

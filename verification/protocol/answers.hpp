@@ -26,13 +26,14 @@
 
 namespace tribo::protocol {
 
-// Any output at the first `to.size()` points of a batch, as value_of() has it, but as numbers: of a
-// word its place among the output's words, NaN where the output is undefined.
+// Any output at the first `to.size()` points of a batch: the numbers of value_of(), for a word its
+// place among the output's words, and NaN where the output is undefined.
 void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
                 std::span<double> to);
 
-// The outputs to compute so that value_of() has what it needs: the film of the least film and of Λ,
-// and of a word the number by which an overflow is told.
+// The outputs to compute so that value_of() has what it needs. The film is among them for the least
+// film, for Λ and for the word of the inlet, whose overflow it shows, and where the film law
+// is solved or Rq alone is known.
 OutputSet needed_for(const Scene& scene);
 OutputSet needed_for(const Scene& scene, OutputSet asked);  // in place of its own
 
@@ -78,8 +79,8 @@ class AnswerObject {
 };
 
 // Appends the answer, always one whole line with its line end, whatever the input is. `number` is
-// the number of the line. `passed` gets the limits that the line's scene passes and does not
-// accept.
+// the number of the line. `passed` gets the limits that the line's scene goes beyond and does not
+// list under `accept`.
 void append_answer(Text& to, std::string_view line, std::size_t number,
                    std::vector<Validity>& passed);
 
@@ -90,11 +91,11 @@ void append_error(Text& to, LineId id, std::string_view field, std::string_view 
 // also gives the column.
 void append_first_error(Text& to, const SceneReading& reading);
 
-// The work of `stream`, but for descriptors and stderr. Answers all lines that are not blank, in
-// order, until the input ends. A program that waits for each answer gets it before it must ask
-// again: the output is flushed whenever no complete line is waiting. Many lines that wait are
-// answered on up to eight threads. `warn` gets, in order and on the calling
-// thread, the number of each line whose scene passes limits, and these.
+// Does the work of `stream`, but opens nothing and writes nothing to stderr. Answers all lines that
+// are not blank, in order, until the input ends. A program that waits for each answer gets it
+// before it must ask again: the output is flushed whenever no complete line is waiting. Many lines
+// that wait are answered on up to eight threads. `warn` is called, in order and on the calling
+// thread, for each line whose scene goes beyond limits, with the line's number and these limits.
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(std::size_t, const std::vector<Validity>&)>& warn);
 

@@ -30,8 +30,8 @@ struct OutputValue {
 
 // The output is none of smooth_outputs(), which a point does not hold.
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
-// Any output. `smooth`: that of the scene where needs_smooth_contact(scene), else null. The point
-// has the outputs of needed_for().
+// Any output. `smooth` is the scene's smooth contact where needs_smooth_contact(scene), else null.
+// The point has to be solved with the outputs of needed_for() (answers.hpp).
 OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* smooth,
                      Output output);
 bool needs_smooth_contact(const Scene& scene);

@@ -22,7 +22,7 @@ def first_speed(low, high, holds):
     while True:
         middle = math.sqrt(low) * math.sqrt(high)
         if not low < middle < high:
-            middle = low + (high - low) / 2  # rounding makes this off by some units
+            middle = low + (high - low) / 2  # rounding may put the geometric mean some units outside
         if not low < middle < high:
             return high
         low, high = (low, middle) if holds(middle) else (middle, high)
@@ -30,7 +30,7 @@ def first_speed(low, high, holds):
 
 @dataclasses.dataclass
 class Contact:
-    """A scene and its speeds, which the program is asked for."""
+    """A scene and its range of speeds; the program is asked for its operating points."""
     program: object
     scene: dict  # as the scene's file has it
     low: float  # m/s
@@ -62,8 +62,8 @@ class Solved:
 
 
 def before_collapse(contact, collapse):
-    """Points just below a collapse at u_c, at speeds u_c (1 − 10^−e): the film falls as the 2/3rd power of the distance, so
-    that on logarithmic axes evenly spaced e draw an even line."""
+    """Points just below a collapse at u_c, at speeds u_c (1 − 10^−e): the film grows as the 2/3rd power of u_c − u, so
+    that points with evenly spaced e are evenly spaced on logarithmic axes."""
     speeds = [collapse * (1 - math.pow(10, -eighths / 8)) for eighths in range(8, 65)]
     return contact.solve(*(speed for speed in speeds if contact.low < speed < contact.high))
 

@@ -33,7 +33,8 @@ double gaussian(double z, double sd) {
   return std::exp(-z * z / (2 * sd * sd)) / (sd * std::sqrt(2 * M_PI));
 }
 
-// One pair of summits pressed together by w > 0; curvature radius of the pair.
+// Load and area of one pair of summits that is pressed together by w > 0, by Hertz; `radius` is
+// the pair's.
 struct Pair {
   double load, area;
 };
@@ -41,7 +42,7 @@ Pair hertz_pair(double w, double radius, double modulus) {
   return {4.0 / 3 * modulus * std::sqrt(radius) * std::pow(w, 1.5), M_PI * radius * w};
 }
 
-// A rough surface under load; its summits stand δσ_s above its mean plane in the mean.
+// A rough surface under load. On average its summits are δσ_s above its mean plane.
 struct Case {
   double density = 7e10, radius = 1.3e-5, sd = 6e-8, modulus = 9e10, load = 30, body_radius = 0.012;
   double offset = 0.4;

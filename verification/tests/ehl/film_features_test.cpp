@@ -24,8 +24,9 @@ ehl::LineFilm curve_of(const ehl::Numbers& x, const Film& film, const Pressure& 
   return curve;
 }
 
-// The film is a polynomial of the fourth order. The pressure is a parabola, under another that
-// makes a spike, lower or higher than the first; or that makes a dip upstream, which is no spike.
+// The film is a polynomial of the fourth order. The pressure is the greater of two parabolas, or 0.
+// The second one, which is narrow, is not there; or makes a spike downstream, lower or higher than
+// the first one; or makes a bump upstream with a dip behind it, which is no spike.
 TEST(FilmFeatures, AreThoseOfTheCurve) {
   Sampler sampler(310);
   const ehl::LineContact contact{10, 5, {.exponent = 3, .density_pressure = 2}};
@@ -80,7 +81,8 @@ TEST(FilmFeatures, HaveTheirMinimumNextToAnEndToo) {
   }
 }
 
-// The pressure falls from 1 at X = −0.5 to a valley, and rises behind it to its second top.
+// The pressure has a top near X = −0.5, falls to 0.5 in a valley, and rises behind it to another
+// top.
 TEST(FilmFeatures, HaveASpikeOnlyBehindAValleyBehindTheMiddle) {
   const ehl::LineContact contact{10, 5, {}};
   ehl::Numbers x;

@@ -27,7 +27,7 @@ void expect_same(const Bounded& a, const Bounded& b) {
   EXPECT_EQ(bits_of({{a.value, a.low, a.high}}), bits_of({{b.value, b.low, b.high}}));
 }
 
-// The summary of all cases at once.
+// The summary of one value, made of all cases at once and not merged of chunks.
 ValueSummary summary_of(const SceneSweep& scene, std::size_t column, std::size_t value) {
   const std::vector<double> all = small_cases(scene).columns[column];
   std::vector<double> values;
@@ -139,7 +139,7 @@ TEST(ResultFile, GivesBackTheSummariesOfAllCases) {
         }
         EXPECT_EQ(read.least, whole.moments.least);
         EXPECT_EQ(read.greatest, whole.moments.greatest);
-        // Sums that are merged of chunks are rounded in another way.
+        // The file's sums are merged of those of chunks, and so are rounded in another way.
         EXPECT_NEAR(read.mean, whole.moments.mean, 1e-14 * std::abs(whole.moments.mean));
         EXPECT_NEAR(read.sd, whole.moments.sd(), 1e-14 * whole.moments.sd());
       }

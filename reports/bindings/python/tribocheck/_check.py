@@ -15,7 +15,7 @@ verdicts = []  # of all checks of this process, for the plug-in of pytest
 
 
 class _Unit:
-    """x in the SI unit is zero + one * x in another one."""
+    """Another unit than the SI unit: a number x of it is zero + one * x in the SI unit."""
 
     def __init__(self, name, text, si):
         self.zero, self.one = (_library.number(f"{number} {text}", si or "%") for number in (0, 1))
@@ -40,7 +40,7 @@ class _Solver:
         self.units = {one["name"]: _Unit(one["name"], units[one["name"]], one["unit"])
                       for one in [*entry["parameters"], *entry["results"]] if one["name"] in units}
         self.is_point = name not in catalogue
-        try:  # what it has no default for is given where a question leaves it out
+        try:  # arguments that the function has no default for get the catalogue's one where a question leaves them out
             needed = [one.name for one in inspect.signature(function).parameters.values()
                       if one.default is one.empty and one.kind in (one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)]
         except ValueError:  # written in C
@@ -72,7 +72,7 @@ class _Solver:
                 fields = self._fields(**self._given(key, lambda name: numpy.array([float(one[name]) for one in asked])))
             columns = {name: _column(value, count) for name, value in fields.items()}
             return [{name: column[i] for name, column in columns.items() if column[i] is not None} for i in range(count)]
-        except Exception:  # whatever it raises where it is given arrays: one by one it is told
+        except Exception:  # an error of a call with arrays is not told: the questions are asked one by one, and an error there is
             return [self._answer(lambda one: self._fields(**self._given(key, lambda name: float(one[name]))), one) for one in asked]
 
     def _given(self, key, numbers):
@@ -134,7 +134,8 @@ def _json(request):
 
 
 def _refuse_unknown(functions, **renamed):
-    """Names that no function has would be left aside, and the verdict be on another function."""
+    """Raises an error for a name that no checked function has. A misspelt name would be ignored without a word, and the verdict be on a
+    function that was called in another way than was meant."""
     known = dict.fromkeys(one["name"] for name in functions if name in catalogue
                           for one in [*catalogue[name]["parameters"], *catalogue[name]["results"]])
     for option, names in renamed.items():
@@ -155,16 +156,17 @@ def check(solver, function=None, tolerance="engineering", *, arguments=None, uni
     The function is called with the arguments of the catalogue by name, in SI units: with arrays, or number by
     number where it takes none. It returns its result; where there are several, a tuple in the order of the
     catalogue, a dict, or an object with these attributes. Results that it leaves out, and questions for which it
-    raises NotImplementedError, are not judged. An operating point is one dict, a scene with one speed, and returns a dict.
+    raises NotImplementedError, are not judged. A function for operating_point is called with one dict, which is a
+    scene with one speed, and returns a dict.
 
-    solver      the function, or a dict {name in the catalogue: function}: then causes that follow from
-                another function are told, too
+    solver      the function, or a dict {name in the catalogue: function}: then the verdict also says where
+                the errors of one function follow from another one
     function    its name in the catalogue; operating_point is one, too
     tolerance   "engineering" (1e-6), "strict" (the bound of the catalogue), or the path of a file
     arguments   other names that it takes, by those of the catalogue: {"speed": "u_mean"}
     units       other units of arguments and results, by the names of the catalogue: {"viscosity": "mPa s"}
-    modulus     "E'" where it takes E' = 2E*, "bodies" where it takes both bodies
-    ellipticity "radii" where a film takes both radii
+    modulus     "E'" where it takes E' = 2E*, "bodies" where it takes the modulus and Poisson's ratio of each body
+    ellipticity "radii" where a film takes radius_x and radius_y in place of the ellipticity
     sample      cases of each function at most; 0: all
     name        of the solver in the verdict
 
@@ -186,7 +188,7 @@ def check(solver, function=None, tolerance="engineering", *, arguments=None, uni
     for one, its_function in solver.items():
         asked = [json.loads(line) for line in _library.cases(_json({**request, "functions": [one]})).splitlines()]
         mine = _Solver(one, its_function, arguments or {}, units or {})
-        first = len({question["id"] for question in asked})  # the rest is asked once more
+        first = len({question["id"] for question in asked})  # those after them repeat earlier questions
         for part in (asked[:first], asked[first:]):
             lines += [json.dumps({**answer, "id": question["id"]}, default=str)
                       for question, answer in zip(part, mine.answers(part), strict=True)]
