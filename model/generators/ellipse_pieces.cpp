@@ -5,9 +5,9 @@
 // Each of the three numbers of EllipseOfCircle is, in α = R_y/R_x ≥ 1 and in R_x/R_y ≥ 1, on each
 // of four parts of an octave the interpolant at the Chebyshev nodes, in the precision of 113 bits,
 // as a polynomial in α/2^octave − centre. Its constant coefficient is held as a sum of two doubles.
-// All functions are analytic but for α ≤ 0, so that the interpolant's error falls by a factor of 18
-// at least with each degree. It is looked at beside the nodes: where it is more than a sixteenth of
-// the last place, no file is written.
+// The functions are analytic but for α ≤ 0, so that the interpolant's error falls by a factor of 17
+// or more with each degree. It is computed at each node's neighbours and between, which is no proof
+// for all α: where it is more than a sixteenth of the last place there, no file is written.
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>

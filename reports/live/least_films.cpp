@@ -17,7 +17,8 @@ struct PackedFilms {
 };
 #include "least_films.inc"
 
-// The next signed difference behind 1, 0 where there is none; `byte` goes on to the one after it.
+// The next code that packed() of make_live.py wrote: 0 where there is no number, 2n + 1 of a
+// difference n ≥ 0, −2n of one below. `byte` is moved behind it.
 long next_code(const unsigned char*& byte) {
   long code = 0;
   for (int shift = 0;; shift += 7) {
@@ -38,7 +39,7 @@ struct Unpacked {
                    between = i % row > 0 && i >= row ? known[i - row - 1] : 0;
         const long code = next_code(byte);
         const long difference = code % 2 == 1 ? code / 2 : -(code / 2);
-        known[i] = left + above - between + (code == 0 ? 0 : difference);
+        known[i] = left + above - between + difference;
         nodes[i][k] = code == 0 ? std::numeric_limits<double>::quiet_NaN()
                                 : static_cast<double>(known[i]) * packed.unit;
       }

@@ -6,10 +6,8 @@
 
 namespace tribo::live {
 
-// Relative error of its films against those of the program's table.
-inline constexpr double least_film_rounding = 1e-4;
-
-// ln Ĥ of the least film, as film_table() has it for the program.
+// ln Ĥ of the least film, within 1e-4 of the table that film_table() has for the program: so much
+// is a step of make_live.py (UNIT) in a film's value and slopes.
 const FilmTable& least_film_table(bool is_of_lines);
 
 }  // namespace tribo::live
