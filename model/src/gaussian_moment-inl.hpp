@@ -208,7 +208,7 @@ HWY_INLINE MomentAndLogSlope<V> moment_and_log_slope(D d, Order n, hn::Mask<D> b
   return {moment, hn::Div(slope, moment)};
 }
 
-// s·e^{−part·x²}, part a half or a quarter, part·x² ≤ 1020.
+// s·e^{−part·x²}, part a half or a quarter, part·x² ≤ 1410.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V times_gaussian(D d, Sum<V> s, V x, double part = 0.5) {
   const hn::RebindToUnsigned<D> bits;

@@ -31,8 +31,8 @@ HWY_INLINE V share_at(D d, Order order, V stiffness, V argument) {
   const V at_zero = is_root ? hn::Sqrt(product) : product;
   const auto above_zero = hn::Gt(argument, hn::Zero(d));
   if (hn::AllFalse(d, above_zero)) return at_zero;
-  // From this limit on A is set to 0: e^{−q x²/2} is below the least double there.
-  const V limit = hn::Set(d, is_root ? 56.0 : 40.0);
+  // From this limit on A is set to 0: it is below 1e-300 there, whatever K is.
+  const V limit = hn::Set(d, is_root ? 75.0 : 53.0);
   const V value = times_gaussian(d, Sum<V>{at_zero, hn::Zero(d)}, hn::Min(hn::Abs(argument), limit),
                                  is_root ? 0.25 : 0.5);
   const V above = hn::IfThenElseZero(hn::Lt(argument, limit), value);
@@ -68,7 +68,20 @@ HWY_NOINLINE Shares<V> shares_without_exponent(D d, Order order,
           hn::IfThenElseZero(is_above, above.fluid)};
 }
 
-// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b; where
+// Is the film above a high floor so stiff that A is determined better by its share of the load than
+// by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp, which is more than
+// `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp at most.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_stiff(D d, Order order, const detail::SurfaceNumbers<V>& surface,
+                                V lambda, const Shares<V>& shares, double least) {
+  const V q_lambda = hn::Mul(lambda, hn::Set(d, order == Order::five_halves ? 0.5 : 1.0));
+  const V moves = hn::Mul(hn::Mul(q_lambda, hn::Sub(lambda, surface.offset)), shares.asperity);
+  return hn::And(hn::Gt(surface.floor, hn::Set(d, 3.0)),
+                 hn::Gt(moves, hn::Mul(shares.fluid, hn::Set(d, least))));
+}
+
+// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b, where an ulp of λ moves 1 − A
+// by 1/e ulp; A is 1 less that, or that at λ, whichever an ulp moves less above a high floor. Where
 // e = 0, those at the greater of λ₀ and the floor.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
@@ -87,13 +100,14 @@ HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
   // The correction is left out where it is NaN or not small, as for λ₀ = λ = 0.
   const V fluid =
       hn::IfThenElse(hn::Lt(hn::Abs(correction), one), hn::Add(rough, correction), rough);
-  const auto is_little = hn::Lt(fluid, hn::Set(d, 0.5));
-  V asperity = hn::Sub(one, fluid);
-  if (!hn::AllTrue(d, is_little))
-    asperity =
-        hn::IfThenElse(is_little, asperity,
-                       share_at(d, order, surface.stiffness, hn::Sub(lambda, surface.offset)));
-  return {asperity, fluid};
+  const V asperity = hn::Sub(one, fluid);
+  const auto by_film =
+      hn::Or(hn::Lt(fluid, hn::Set(d, 0.5)),
+             is_stiff(d, order, surface, lambda, {asperity, fluid}, law.sharing_power.inverse));
+  if (hn::AllTrue(d, by_film)) return {asperity, fluid};
+  return {hn::IfThenElse(by_film, asperity,
+                         share_at(d, order, surface.stiffness, hn::Sub(lambda, surface.offset))),
+          fluid};
 }
 
 inline constexpr int floor_terms = 32;  // of FloorSeries

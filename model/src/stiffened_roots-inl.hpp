@@ -199,17 +199,19 @@ class StiffenedRoots {
   HWY_ALIGN std::uint8_t is_known_[room];
 };
 
-// The shares at such a root: 1 − A = 1/γ. It stands apart, so that other laws' kernels keep their
-// registers.
+// The shares at such a root: 1 − A = 1/γ, an ulp of which is some 8 ulp of λ at most where the film
+// is stiff. It stands apart, so that other laws' kernels keep their registers.
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE Shares<V> shares_at_stiffening(D d, Order order,
                                             const detail::SurfaceNumbers<V>& surface,
                                             const V& log_stiffening, const V& lambda) {
   const V fluid = exponential(d, hn::Neg(log_stiffening));
-  const V asperity =
-      hn::IfThenElse(hn::Lt(fluid, hn::Set(d, 0.5)), hn::Sub(hn::Set(d, 1.0), fluid),
-                     share_at(d, order, surface.stiffness, hn::Sub(lambda, surface.offset)));
-  return {asperity, fluid};
+  const V asperity = hn::Sub(hn::Set(d, 1.0), fluid);
+  const auto by_film = hn::Or(hn::Lt(fluid, hn::Set(d, 0.5)),
+                              is_stiff(d, order, surface, lambda, {asperity, fluid}, 8));
+  return {hn::IfThenElse(by_film, asperity,
+                         share_at(d, order, surface.stiffness, hn::Sub(lambda, surface.offset))),
+          fluid};
 }
 
 }  // namespace tribo::HWY_NAMESPACE

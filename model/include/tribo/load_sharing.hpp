@@ -122,6 +122,27 @@ class LoadSharing {
     return distance;
   }
 
+  // Is the film above a high floor so stiff that A is determined better by its share of the load
+  // than by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp, which is more
+  // than `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp at most.
+  bool is_stiff(const LoadShares<T>& at, const T& least) const {
+    const T& lambda = at.film_parameter;
+    return has_floor_ && floor_ > 3 && is_finite(floor_) &&
+           exponent_ * lambda * (lambda - offset_) * at.asperity > least * at.fluid;
+  }
+
+  // A at λ less `fall`, from the A at λ ≥ δ: what F_p gains is known to more digits than F_p
+  // itself, as d² − d*² is the fall times d + d*.
+  T share_below(const LoadShares<T>& at, const T& fall) const {
+    using std::exp;
+    using std::sqrt;
+    const T d = at.film_parameter - offset_;
+    const T less = fall < d ? fall : d, lower = d - less;
+    const T moments = scaled_gaussian_moment(order_, lower) / scaled_gaussian_moment(order_, d) *
+                      exp(T(less * (d + lower) / 2));
+    return at.asperity * (order_ == Order::five_halves ? T(sqrt(moments)) : moments);
+  }
+
   // ln of d(1−A)/dλ at the floor: 1 − A = e^this · distance while the distance is small.
   T log_fluid_rate_at_floor() const {
     using std::log;
@@ -133,7 +154,8 @@ class LoadSharing {
     return film_parameter * decimal_power(fluid_share, film_exponent());
   }
 
-  // The root, with its load shares. λ₀ > 0, or 0 by an underflow. Error: load_sharing_contract.
+  // The root, with its load shares. λ₀ > 0, or 0 by an underflow. Error of λ: load_sharing_contract,
+  // of the shares about a floor: operating_point_contract.
   // Never fails: λ₀ = ∞ gives λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b),
   // and 0 ≤ A ≤ 1.
   LoadShares<T> solve(const T& flooded_film_parameter) const {
@@ -309,8 +331,9 @@ class LoadSharing {
       fluid += fluid * ((std::fma(-log_fluid, exponent, log_film) -
                          log_fluid * ratio_residual<T>(film_exponent())) /
                         exponent);
-    const T asperity = fluid < ratio<T>(1, 2) ? T(-expm1(log_fluid)) : asperity_share(lambda);
-    return {lambda, asperity, fluid, iterations};
+    const LoadShares<T> by_film{lambda, T(-expm1(log_fluid)), fluid, iterations};
+    if (fluid < ratio<T>(1, 2) || is_stiff(by_film, T(1 / exponent))) return by_film;
+    return {lambda, asperity_share(lambda), fluid, iterations};
   }
 
   LoadShares<T> at_infinity(const T& lambda0) const {

@@ -222,31 +222,39 @@ class MixedContact {
                                                             : Inlet::starved;
     const bool has_collapsed = inlet.collapsed && lambda_apart == 0;
     if (outputs.contains_any(balance_outputs())) add_shares(point, shares, has_collapsed);
+    const bool is_stiff_film = is_stiff(flooded);
     if (outputs.contains_any(area_outputs()))
       point.real_area_ratio = moment_at(asperities_.area_factor, area_order(asperities_.model),
-                                        lambda_apart, shares.asperity);
+                                        lambda_apart, shares.asperity, is_stiff_film);
     if (outputs.contains(Output::summit_count))
       point.summit_count = moment_at(asperities_.count_factor, count_order(asperities_.model),
-                                     lambda_apart, shares.asperity);
+                                     lambda_apart, shares.asperity, is_stiff_film);
     if (outputs.contains(Output::friction)) add_friction(point, lambda_apart, has_collapsed);
     return point;
   }
 
   // The shares at the starved film: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
   // computed as the distance of the flooded film from the floor, which its fluid share gives, minus
-  // λ(1 − y). This avoids a difference of nearly equal numbers. The deficit is 1 − y.
+  // λ(1 − y). This avoids a difference of nearly equal numbers. Farther from a high floor A(λ*)
+  // follows from A(λ). The deficit is 1 − y.
   LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet) const {
-    const bool is_near = is_near_floor(flooded);
+    const bool is_by_deficit = is_near_floor(flooded) || is_stiff(flooded);
     const T& r = inlet.flooded_over_inlet;
-    return starved_shares(flooded, inlet, is_near ? inlet_law(flooded.speed, r).deficit(r) : T(0));
+    return starved_shares(flooded, inlet,
+                          is_by_deficit ? inlet_law(flooded.speed, r).deficit(r) : T(0));
   }
   LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
                                const T& deficit) const {
     const T& lambda_flooded = flooded.shares.film_parameter;
-    const T lambda = lambda_flooded * inlet.film_ratio;
+    const T lambda = lambda_flooded * inlet.film_ratio, fall = lambda_flooded * deficit;
     T distance = lambda - sharing_.floor();
-    if (is_near_floor(flooded))
-      distance = sharing_.distance_above_floor(flooded.shares.fluid) - lambda_flooded * deficit;
+    if (is_near_floor(flooded)) {
+      distance = sharing_.distance_above_floor(flooded.shares.fluid) - fall;
+    } else if (is_stiff(flooded)) {
+      const T asperity = sharing_.share_below(flooded.shares, fall);
+      if (asperity < 1) return {lambda, asperity, 1 - asperity, 0};
+      return {lambda, T(1), T(0), 0};
+    }
     if (sharing_.has_floor() && !(distance > 0)) return {lambda, T(1), T(0), 0};
     return sharing_.shares_above_floor(distance);
   }
@@ -261,6 +269,10 @@ class MixedContact {
 
   bool is_near_floor(const FloodedFilm<T>& flooded) const {
     return sharing_.has_floor() && flooded.shares.fluid < ratio<T>(1, 4);
+  }
+  // Do moments and starved shares follow from A, and not from the rounded λ?
+  bool is_stiff(const FloodedFilm<T>& flooded) const {
+    return sharing_.is_stiff(flooded.shares, T(6));
   }
 
   // Near a high floor the moments are computed from the shares, too.
@@ -295,9 +307,11 @@ class MixedContact {
 
   // factor · F_n(λ − δ). Near a high floor this is computed from A (which must be given there), as
   // A is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
-  T moment_at(const T& factor, Order n, const T& film_parameter, const T& share) const {
+  T moment_at(const T& factor, Order n, const T& film_parameter, const T& share,
+              bool is_stiff_film) const {
     const T d = film_parameter - asperities_.offset;
-    if (!has_high_floor() || !(share > ratio<T>(3, 4))) return moment_product(factor, n, d);
+    const bool is_high = is_stiff_film || (has_high_floor() && share > ratio<T>(3, 4));
+    if (!is_high) return moment_product(factor, n, d);
     const Order p = load_order(asperities_.model);
     const T load = p == Order::five_halves ? T(share * share) : share;
     return factor * (load / asperities_.stiffness) *

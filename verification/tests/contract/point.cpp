@@ -27,13 +27,29 @@ namespace tribo::verification {
 namespace {
 
 // The rows of the kinds up to `moment` are counted here.
-static_assert(stress_rows == 2 * (number_count + 1) + 2 + 4 + 6);
+static_assert(stress_rows == 2 * (number_count + 1) + 2 + 4 + 4 + 6);
 
 std::uint64_t mixed(std::uint64_t x) {  // the finalizer of splitmix64
   x += 0x9e3779b97f4a7c15;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
   x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
   return x ^ (x >> 31);
+}
+
+double about_one(Sampler& sampler) { return 1 + sampler.pick({-1, 1}) * sampler.uniform(0, 0.3); }
+
+// The scene at a speed whose film touches nearly as at the floor, if it has one, and with an inlet
+// that hardly starves it or nearly collapses it.
+void put_about_floor(Sampler& sampler, Scene& scene) {
+  const MixedContact<double> contact(scene);
+  const double floor = contact.sharing().floor();
+  const FilmLaw& film = film_law(scene);
+  if (!(floor > 0) || !film.has_fixed_exponents() || film.sharing_exponent.p == 0) return;
+  const double speed = contact.speed_at(floor * about_one(sampler));
+  if (!(speed > 1e-15 && speed < 1e6)) return;
+  scene.speeds.list = {speed};
+  scene.supply.kind = SupplyKind::inlet_film_ratio;
+  scene.supply.value = floor * sampler.log_uniform(0.3, 1e3);
 }
 
 Scene extreme_scene(Sampler& sampler) {
@@ -64,6 +80,7 @@ Scene extreme_scene(Sampler& sampler) {
   scene.friction.boundary_coefficient = sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
   scene.friction.slide_roll_ratio = sampler.pick({0, 1, 1, 1}) * sampler.log_uniform(1e-6, 1e3);
   scene.closures.damiens_exponent = sampler.log_uniform(0.1, 20);
+  if (sampler.pick({0, 0, 1}) == 1) put_about_floor(sampler, scene);
   return scene;
 }
 
@@ -94,6 +111,18 @@ void draw_load_sharing(Sampler& sampler, Point& point) {
         near_one(sampler) / gaussian_moment(load_order(point.scene.closures.asperity), -point.x[1]);
     point.x[2] = sampler.log_uniform(1e-10, 100);
   }
+}
+
+// Draws a film about the floor of its surface, which may be as high as floors are, by a law that
+// people use.
+void draw_load_shares(Sampler& sampler, Point& point) {
+  point.film = sampler.pick({&hamrock_dowson_central_law, &hamrock_dowson_minimum_law,
+                             &hamrock_dowson_soft_central_law, &pan_hamrock_central_law});
+  point.scene.closures.asperity = sampler.pick(asperity_models);
+  point.x[0] = sampler.log_uniform(1, sampler.pick({1e6, 1e300}));
+  point.x[1] = sampler.pick({0, 1}) * sampler.uniform(0, 10);
+  const LoadSharing<double> sharing(point.scene.closures.asperity, point.x[0], point.x[1]);
+  point.x[2] = (sharing.has_floor() ? sharing.floor() : 1) * about_one(sampler);
 }
 
 void draw_film_ratio(Sampler& sampler, Point& point) {
@@ -213,6 +242,9 @@ const RowTable& row_table() {
     }
     add(Kind::load_sharing, "load_sharing", {"greenwood_tripp", "greenwood_williamson"},
         load_sharing_contract);
+    for (const char* const model : {"greenwood_tripp", "greenwood_williamson"})
+      add(Kind::load_shares, fmt::format("load_shares.{}", model), {"asperity", "fluid"},
+          operating_point_contract);
     add(Kind::film_ratio, "starvation_ratio",
         {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"},
         starvation_ratio_contract);
@@ -266,6 +298,8 @@ std::size_t first_row(const Point& point) {
   const std::size_t first = row_table().first[static_cast<std::size_t>(point.kind)];
   if (point.kind == Kind::load_sharing)
     return first + static_cast<std::size_t>(point.scene.closures.asperity);
+  if (point.kind == Kind::load_shares)
+    return first + 2 * static_cast<std::size_t>(point.scene.closures.asperity);
   if (point.kind == Kind::film_ratio)
     return first + static_cast<std::size_t>(point.scene.closures.starvation);
   return first;
@@ -277,7 +311,7 @@ Point point_at(std::uint64_t seed, std::uint64_t index) {
   // A scene takes as much time as a dozen calls of the functions that make it.
   point.kind =
       sampler.pick({Kind::scene, Kind::scene, Kind::scene, Kind::extreme_scene, Kind::load_sharing,
-                    Kind::load_sharing, Kind::film_ratio, Kind::moment});
+                    Kind::load_shares, Kind::film_ratio, Kind::moment});
   draw(sampler, point);
   return point;
 }
@@ -296,6 +330,9 @@ void draw(Sampler& sampler, Point& point) {
       break;
     case Kind::load_sharing:
       draw_load_sharing(sampler, point);
+      break;
+    case Kind::load_shares:
+      draw_load_shares(sampler, point);
       break;
     case Kind::film_ratio:
       draw_film_ratio(sampler, point);
@@ -380,6 +417,7 @@ void draw(Sampler& sampler, Point& point) {
 std::vector<std::pair<std::string, double>> inputs_of(const Point& point) {
   switch (point.kind) {
     case Kind::load_sharing:
+    case Kind::load_shares:
       return {{"asperity", static_cast<double>(point.scene.closures.asperity)},
               {"film law's a - b", point.film->sharing_power.value},
               {"stiffness", point.x[0]},
@@ -411,6 +449,10 @@ Values<T> values_of(const Point& point) {
   switch (point.kind) {
     case Kind::load_sharing:
       return {{LoadSharing<T>(model, x(0), x(1), *point.film).solve(x(2)).film_parameter}};
+    case Kind::load_shares: {
+      const auto shares = LoadSharing<T>(model, x(0), x(1), *point.film).solve(x(2));
+      return {{shares.asperity, shares.fluid}};
+    }
     case Kind::film_ratio:
       return {{InletLaw<T>{closure, x(1)}.film_ratio(x(0))}};
     case Kind::deficit: {
@@ -551,6 +593,13 @@ std::vector<double> conditions_of(const Point& point) {
     case Kind::load_sharing:
       return {root_condition(point.scene.closures.asperity, point.x[0], point.x[1], point.x[2],
                              *point.film)};
+    case Kind::load_shares: {
+      const LoadShares<Dual> shares =
+          LoadSharing<Dual>(point.scene.closures.asperity, Dual(point.x[0], 0), Dual(point.x[1], 1),
+                            *point.film)
+              .solve(Dual(point.x[2], 2));
+      return {shares.asperity.condition(), shares.fluid.condition()};
+    }
     case Kind::film_ratio:
       return {film_ratio_condition(closure, point.x[0], point.x[1])};
     case Kind::deficit:

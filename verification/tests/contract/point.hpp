@@ -29,12 +29,13 @@ struct Row {
   Contract contract;
 };
 std::span<const Row> rows();
-inline constexpr std::size_t stress_rows = 32;  // the first rows, those that model_stress draws
+inline constexpr std::size_t stress_rows = 36;  // the first rows, those that model_stress draws
 
 enum class Kind : std::uint8_t {
   scene,          // of steel, as built
   extreme_scene,  // decades beyond what can be built
   load_sharing,   // K and λ₀ from 1e-300 to 1e300, and K about its critical value
+  load_shares,    // at films about a floor, as high as floors are
   film_ratio,     // r from 1e-300 to 1e300, and about 1
   moment,         // d from −45 to 45, all orders, and the neighbours of every branch
   // The kinds below are drawn by the contract test alone.
@@ -73,6 +74,7 @@ inline constexpr std::array<KindInfo, kind_count> kinds{{
     {Kind::scene, "scene", 400, 700},
     {Kind::extreme_scene, "extreme_scene", 200, 180},
     {Kind::load_sharing, "load_sharing", 700, 1900},
+    {Kind::load_shares, "load_shares", 400, 400},
     {Kind::film_ratio, "film_ratio", 1000, 1000},
     {Kind::moment, "moment", 600, 1000},
     {Kind::scaled_moment, "scaled_moment", 400, 800},
@@ -109,7 +111,7 @@ constexpr std::string_view name(Kind kind) { return kinds[static_cast<std::size_
 struct Point {
   Kind kind = Kind::scene;
   Scene scene;                                        // of a scene; other kinds use only its words
-  const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing and film_law
+  const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing, load_shares and film_law
   std::array<double, 9> x{};                          // K, δ, λ₀ | r, γ, departure | d | …
 };
 
