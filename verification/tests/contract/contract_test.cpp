@@ -95,6 +95,22 @@ void add_hard_scenes(std::vector<Point>& points) {
         for (const SupplyKind supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
           for (const double speed : {1e-4, 1e-3, 0.01, 0.1, 0.5, 3.0})
             add(starved_scene(surface, closure, supply, model), speed);
+    // Films that an ulp of the film parameter changes more than their balance lets them change:
+    // flooded, and hardly starved.
+    for (const double stiffer : {1e9, 1e15, 1e30})
+      for (const StarvationClosure closure : starvation_closures) {
+        Scene scene =
+            starved_scene(PaperSurface::rough, closure, SupplyKind::inlet_film_ratio, model);
+        scene.surface.summit_density *= stiffer;
+        scene.closures.film = FilmFormula::hamrock_dowson_soft_central;
+        const MixedContact<double> contact(scene);
+        const double floor = contact.sharing().floor();
+        for (const double part : {0.5, 0.65, 0.8})
+          for (const double supply : {2.0, 30.0, 300.0}) {
+            scene.supply.value = supply * floor;
+            add(scene, contact.speed_at(part * floor));
+          }
+      }
     for (const double planes_apart : {0.0, 2.0, 8.0})
       for (const double stiffer : {10.0, 1e3, 1e6}) {
         Scene scene = paper_scene(PaperSurface::rough, model);
