@@ -74,9 +74,12 @@ HWY_NOINLINE Shares<V> shares_without_exponent(D d, Order order,
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_stiff(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                 V lambda, const Shares<V>& shares, double least) {
+  const auto is_high = hn::Gt(surface.floor, hn::Set(d, 3.0));
+  if (HWY_LIKELY(hn::AllFalse(d, is_high))) return is_high;
   const V q_lambda = hn::Mul(lambda, hn::Set(d, order == Order::five_halves ? 0.5 : 1.0));
   const V moves = hn::Mul(hn::Mul(q_lambda, hn::Sub(lambda, surface.offset)), shares.asperity);
-  return hn::And(hn::Gt(surface.floor, hn::Set(d, 3.0)),
+  // Beyond two floors A is nothing.
+  return hn::And(hn::And(is_high, hn::Lt(lambda, hn::Add(surface.floor, surface.floor))),
                  hn::Gt(moves, hn::Mul(shares.fluid, hn::Set(d, least))));
 }
 
@@ -101,10 +104,10 @@ HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
   const V fluid =
       hn::IfThenElse(hn::Lt(hn::Abs(correction), one), hn::Add(rough, correction), rough);
   const V asperity = hn::Sub(one, fluid);
-  const auto by_film =
-      hn::Or(hn::Lt(fluid, hn::Set(d, 0.5)),
-             is_stiff(d, order, surface, lambda, {asperity, fluid}, law.sharing_power.inverse));
+  auto by_film = hn::Lt(fluid, hn::Set(d, 0.5));
   if (hn::AllTrue(d, by_film)) return {asperity, fluid};
+  by_film = hn::Or(
+      by_film, is_stiff(d, order, surface, lambda, {asperity, fluid}, law.sharing_power.inverse));
   return {hn::IfThenElse(by_film, asperity,
                          share_at(d, order, surface.stiffness, hn::Sub(lambda, surface.offset))),
           fluid};

@@ -87,6 +87,10 @@ HWY_INLINE InletLanes<D> inlet_of(D d, const detail::ContactWords& words,
   return {starvation(d, words, contact, speed, r, needs_deficit), r};
 }
 
+// From this limit on of (λ − δ)λ A q/(1 − A), moments and starved shares follow from A, and not
+// from the rounded λ.
+inline constexpr double stiff_film = 6;
+
 // A at λ less `fall`, from A at λ, argument = λ − δ ≥ 0: what F_p gains is known to more digits
 // than F_p itself, as d² − d*² is the fall times d + d*.
 template <class D, class V = hn::Vec<D>>
@@ -98,21 +102,16 @@ HWY_NOINLINE V share_below(D d, Order order, const V& asperity, const V& argumen
   return hn::Mul(hn::Mul(asperity, exponential(d, gain)), is_root ? hn::Sqrt(ratio) : ratio);
 }
 
-// From this limit on of (λ − δ)λ A q/(1 − A), moments and starved shares follow from A, and not
-// from the rounded λ.
-inline constexpr double stiff_film = 6;
-
 // The shares at the starved film λ*: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
 // the flooded film's distance, which its fluid share gives, less λ(1 − y): no difference of near
-// equals. Farther from a high floor A(λ*) follows from A(λ).
+// equals.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                     const Flooded<V>& flooded, const Starvation<D>& inlet,
                                     V starved_film) {
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const V zero = hn::Zero(d);
   const auto has_floor = hn::Gt(surface.hazard, zero);
   V distance = hn::Sub(starved_film, surface.floor);
-  const V fall = hn::Mul(flooded.film_parameter, inlet.deficit);
   const auto is_near = hn::And(has_floor, hn::Lt(flooded.shares.fluid, hn::Set(d, 0.25)));
   if (!hn::AllFalse(d, is_near)) {
     const FloorSeries<D> series(d, order, surface);
@@ -120,24 +119,26 @@ HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbe
     const V flooded_distance = distance_above_floor(d, order, series, surface.hazard, w);
     const auto by_series = hn::And(
         is_near, hn::Ge(hn::Mul(surface.floor_argument, flooded_distance), hn::Set(d, -4.0)));
-    distance = hn::IfThenElse(by_series, hn::Sub(flooded_distance, fall), distance);
-  }
-  const auto by_share = hn::AndNot(
-      is_near, is_stiff(d, order, surface, flooded.film_parameter, flooded.shares, stiff_film));
-  V asperity = zero;
-  if (HWY_UNLIKELY(!hn::AllFalse(d, by_share))) {
-    asperity = share_below(d, order, flooded.shares.asperity,
-                           hn::Sub(flooded.film_parameter, surface.offset), fall);
-    distance = hn::IfThenElse(by_share, hn::Sub(one, asperity), distance);  // its sign
+    const V exact = hn::Sub(flooded_distance, hn::Mul(flooded.film_parameter, inlet.deficit));
+    distance = hn::IfThenElse(by_series, exact, distance);
   }
   const auto is_on_floor = hn::AndNot(hn::Gt(distance, zero), has_floor);
   Shares<V> shares =
       shares_above_floor(d, order, surface, hn::IfThenZeroElse(is_on_floor, distance));
-  shares.asperity = hn::IfThenElse(by_share, asperity, shares.asperity);
-  shares.fluid = hn::IfThenElse(by_share, hn::Sub(one, asperity), shares.fluid);
-  shares.asperity = hn::IfThenElse(is_on_floor, one, shares.asperity);
+  shares.asperity = hn::IfThenElse(is_on_floor, hn::Set(d, 1.0), shares.asperity);
   shares.fluid = hn::IfThenZeroElse(is_on_floor, shares.fluid);
-  return shares;
+  // Farther from a high floor A(λ*) follows from A(λ).
+  auto by_share = is_stiff(d, order, surface, flooded.film_parameter, flooded.shares, stiff_film);
+  if (HWY_LIKELY(hn::AllFalse(d, by_share))) return shares;
+  by_share = hn::AndNot(is_near, by_share);
+  const V of = flooded.shares.asperity;  // a copy, so that the others stay in registers
+  const V asperity = share_below(d, order, of, hn::Sub(flooded.film_parameter, surface.offset),
+                                 hn::Mul(flooded.film_parameter, inlet.deficit));
+  const auto is_above = hn::Lt(asperity, hn::Set(d, 1.0));
+  const V rest = hn::IfThenElseZero(is_above, hn::Sub(hn::Set(d, 1.0), asperity));
+  return {hn::IfThenElse(by_share, hn::IfThenElse(is_above, asperity, hn::Set(d, 1.0)),
+                         shares.asperity),
+          hn::IfThenElse(by_share, rest, shares.fluid)};
 }
 
 // factor · F_n(λ − δ). The rounding of λ moves F_n, whose logarithm falls as (λ − δ)²/2, by up to
@@ -145,7 +146,7 @@ HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbe
 // is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>& surface, V factor,
-                       V film_parameter, V share, hn::Mask<D> is_stiff) {
+                       V film_parameter, V share, hn::Mask<D> by_share) {
   const V argument = hn::Sub(film_parameter, surface.offset);
   const auto below_zero = hn::Lt(argument, hn::Zero(d));
   const V scaled = hn::Mul(factor, scaled_moment_of(d, n, argument));
@@ -156,13 +157,11 @@ HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>
         times_gaussian(d, Sum<V>{scaled, hn::Zero(d)}, hn::Min(hn::Abs(argument), limit));
     value = hn::IfThenElse(below_zero, scaled, hn::IfThenElseZero(hn::Lt(argument, limit), above));
   }
-  const auto is_high = hn::Or(
-      is_stiff, hn::And(hn::Gt(surface.floor, hn::Set(d, 3.0)), hn::Gt(share, hn::Set(d, 0.75))));
-  if (HWY_LIKELY(hn::AllFalse(d, is_high))) return value;
+  if (HWY_LIKELY(hn::AllFalse(d, by_share))) return value;
   const V of_load = load == Order::five_halves ? hn::Mul(share, share) : share;
   const V ratio = hn::Div(scaled_moment_of(d, n, argument), scaled_moment_of(d, load, argument));
   return hn::IfThenElse(
-      is_high, hn::Mul(hn::Mul(factor, hn::Div(of_load, surface.stiffness)), ratio), value);
+      by_share, hn::Mul(hn::Mul(factor, hn::Div(of_load, surface.stiffness)), ratio), value);
 }
 
 // Is A < 2^−54, half an ulp of 1 − A? This follows from the bound at film_from, where A < 2^−54/e,
@@ -275,20 +274,26 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
                            hn::IfThenElse(hn::Lt(shares.asperity, little), hn::Set(d, 2.0), one));
     store_words(d, hn::IfThenElse(has_collapsed, hn::Set(d, 3.0), by_shares), to.regime + i, count);
   }
-  const auto is_stiff_film =
-      is_stiff(d, order, surface, flooded.film_parameter, flooded.shares, stiff_film);
+  // The lanes whose area and count follow from A.
+  auto by_share = hn::Lt(one, zero);
+  if (needs.area || needs.count) {
+    by_share = hn::Gt(surface.floor, hn::Set(d, 3.0));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, by_share)))
+      by_share = hn::And(by_share, hn::Or(hn::Gt(shares.asperity, hn::Set(d, 0.75)),
+                                          is_stiff(d, order, surface, flooded.film_parameter,
+                                                   flooded.shares, stiff_film)));
+  }
   V area = zero;
   if (needs.area) {
     add(Work::moment, present);
     area = moment_at(d, order, area_order(words.model), surface, contact.area_factor, apart,
-                     shares.asperity, is_stiff_film);
+                     shares.asperity, by_share);
     put(Output::real_area_ratio, area);
   }
   if (needs.count) {
     add(Work::moment, present);
-    put(Output::summit_count,
-        moment_at(d, order, count_order(words.model), surface, contact.count_factor, apart,
-                  shares.asperity, is_stiff_film));
+    put(Output::summit_count, moment_at(d, order, count_order(words.model), surface,
+                                        contact.count_factor, apart, shares.asperity, by_share));
   }
   // Only friction is left. An output that is computed without it stands above this line.
   if (to.numbers[static_cast<std::size_t>(Output::friction)] == nullptr) return;

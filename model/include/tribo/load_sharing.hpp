@@ -125,10 +125,11 @@ class LoadSharing {
   // Is the film above a high floor so stiff that A is determined better by its share of the load
   // than by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp, which is more
   // than `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp at most.
+  // Beyond two floors A is nothing.
   bool is_stiff(const LoadShares<T>& at, const T& least) const {
     const T& lambda = at.film_parameter;
-    return has_floor_ && floor_ > 3 && is_finite(floor_) &&
-           exponent_ * lambda * (lambda - offset_) * at.asperity > least * at.fluid;
+    if (!has_floor_ || !(floor_ > 3) || !(lambda < 2 * floor_)) return false;
+    return exponent_ * lambda * (lambda - offset_) * at.asperity > least * at.fluid;
   }
 
   // A at λ less `fall`, from the A at λ ≥ δ: what F_p gains is known to more digits than F_p
@@ -154,10 +155,9 @@ class LoadSharing {
     return film_parameter * decimal_power(fluid_share, film_exponent());
   }
 
-  // The root, with its load shares. λ₀ > 0, or 0 by an underflow. Error of λ: load_sharing_contract,
-  // of the shares about a floor: operating_point_contract.
-  // Never fails: λ₀ = ∞ gives λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b),
-  // and 0 ≤ A ≤ 1.
+  // The root, with its load shares. λ₀ > 0, or 0 by an underflow. Error of λ:
+  // load_sharing_contract, of the shares about a floor: operating_point_contract. Never fails: λ₀ =
+  // ∞ gives λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b), and 0 ≤ A ≤ 1.
   LoadShares<T> solve(const T& flooded_film_parameter) const {
     return shares_at(flooded_film_parameter, root(flooded_film_parameter));
   }
