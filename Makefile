@@ -92,7 +92,7 @@ test-slow: build ## run ten million lines, a billion points, 300 kills, 150 trie
 verify-full: ## run all verification, the slow parts too, and say what each took; some 25 minutes
 	.ci/verify-full
 
-stress: ## hold ten million random points to long double: writes reference/baselines/stress.json; some four minutes
+stress: ## hold ten million random points to long double: writes reference/baselines/stress.json; 4 to 20 minutes by the machine
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target model_stress
