@@ -87,8 +87,9 @@ HWY_INLINE InletLanes<D> inlet_of(D d, const detail::ContactWords& words,
   return {starvation(d, words, contact, speed, r, needs_deficit), r};
 }
 
-// From this limit on of (λ − δ)λ A q/(1 − A), moments and starved shares follow from A, and not
-// from the rounded λ.
+// From this limit on of q(λ − δ)λ A/(1 − A), moments and starved shares follow from A, and not from
+// the rounded λ. An ulp of λ moves A by a = −d ln A/d ln λ ulp, and A has at least the condition
+// a/(1 + e a A/(1 − A)): up to the limit that is 1 + 6e ulp of it, 5 for soft bodies.
 inline constexpr double stiff_film = 6;
 
 // A at λ less `fall`, from A at λ, argument = λ − δ ≥ 0: what F_p gains is known to more digits

@@ -270,7 +270,8 @@ class MixedContact {
   bool is_near_floor(const FloodedFilm<T>& flooded) const {
     return sharing_.has_floor() && flooded.shares.fluid < ratio<T>(1, 4);
   }
-  // Do moments and starved shares follow from A, and not from the rounded λ?
+  // Do moments and starved shares follow from A, and not from the rounded λ? The limit is the
+  // engine's stiff_film.
   bool is_stiff(const FloodedFilm<T>& flooded) const {
     return sharing_.is_stiff(flooded.shares, T(6));
   }
