@@ -184,9 +184,10 @@ class Baselines(unittest.TestCase):
 
         def nothing_proved(content):
             content["same_program"] = content["planted"] = []
+        outputs = len(json.loads((ROOT / "reference/baselines/stress.json").read_text())["outputs"])
         for section, name, change, said in (("gates", "gates.json", not_proved, "1 of 8 gates did not say"),
                                             ("gates", "gates.json", nothing_proved, "0 of 0 gates did not say"),
-                                            ("worst-inputs", "stress.json", not_held, "31 of 32 outputs keep")):
+                                            ("worst-inputs", "stress.json", not_held, f"{outputs - 1} of {outputs} outputs keep")):
             with self.subTest(change.__name__):
                 shutil.copy(ROOT / "reference/baselines" / name, self.project / "reference/baselines" / name)
                 standing, text = self.standing_of(section)
