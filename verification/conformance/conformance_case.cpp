@@ -198,6 +198,58 @@ std::vector<TestCase> without_defaults(const std::vector<TestCase>& points) {
   return made;
 }
 
+// How many inputs are other ones, or are in one of both alone.
+std::size_t count_of_others(const json& flat, const json& other) {
+  std::size_t count = 0;
+  for (const auto& [path, value] : flat.items())
+    count += !other.contains(path) || other[path] != value;
+  for (const auto& [path, value] : other.items()) count += !flat.contains(path);
+  return count;
+}
+
+// Puts each case without defaults behind another one of its function, the one that gives most of
+// what it leaves out otherwise: a solver that keeps these inputs answers it wrong. Cases that
+// differ from the one before in one input, as a solver that forgets this input is found by, stay
+// together.
+void put_between(std::vector<TestCase>& cases, std::vector<TestCase> without) {
+  std::map<std::string, const json*> whole;  // the inputs with their defaults, by the case's name
+  std::vector<json> given;
+  for (const TestCase& one : cases) {
+    given.push_back(one.inputs.flatten());
+    whole[one.id + 'd'] = &one.inputs;
+  }
+  std::vector<bool> is_free(cases.size(), true);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    std::size_t next = i + 1;
+    while (next < cases.size() && cases[next].function != cases[i].function) ++next;
+    is_free[i] = next == cases.size() || count_of_others(given[i], given[next]) > 1;
+  }
+  std::vector<const TestCase*> behind(cases.size(), nullptr);
+  std::vector<const TestCase*> last;
+  for (TestCase& made : without) {
+    const json all = whole.at(made.id)->flatten(), left = made.inputs.flatten();
+    std::size_t most = 0, place = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (cases[i].function != made.function || !is_free[i]) continue;
+      std::size_t others = 0;
+      for (const auto& [path, value] : all.items())
+        others += !left.contains(path) && given[i].contains(path) && given[i][path] != value;
+      if (others > most) most = others, place = i;
+    }
+    (most > 0 ? behind[place] : last.emplace_back()) = &made;
+    if (most == 0) continue;
+    made.before = cases[place].inputs;
+    is_free[place] = false;
+  }
+  std::vector<TestCase> put;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    put.push_back(std::move(cases[i]));
+    if (behind[i] != nullptr) put.push_back(*behind[i]);
+  }
+  for (const TestCase* const one : last) put.push_back(*one);
+  cases = std::move(put);
+}
+
 // The fields that are not as usual, and the model of the contact.
 json published_scene(const Scene& scene, double speed) {
   json made;
@@ -317,15 +369,15 @@ std::vector<TestCase> read_cases(const CaseSources& sources,
   };
   for (const catalogue::Function& function : catalogue::functions()) {
     if (!is_wanted(function.name)) continue;
-    const std::vector<TestCase> cases = cases_of(function, table(function.name));
-    add(cases);
-    add(without_defaults(function, cases));
+    std::vector<TestCase> cases = cases_of(function, table(function.name));
+    put_between(cases, without_defaults(function, cases));
+    add(std::move(cases));
   }
   if (std::any_of(operating_point_functions.begin(), operating_point_functions.end(), is_wanted)) {
     add(paper_points(sources.published));
-    const std::vector<TestCase> points = operating_points(table("operating_point"));
-    add(points);
-    add(without_defaults(points));
+    std::vector<TestCase> points = operating_points(table("operating_point"));
+    put_between(points, without_defaults(points));
+    add(std::move(points));
     std::erase_if(all, [&](const TestCase& one) { return !is_wanted(one.function); });
   }
   for (TestCase& one : all) complete(one);

@@ -42,6 +42,8 @@ struct TestCase {
   std::vector<Expected> expected;
   bool is_extreme;  // beyond what code for engineering is made for
   const catalogue::Function* in_catalogue = nullptr;  // none: an operating point
+  // The inputs of the case before, where this one leaves out what that one gives; else null.
+  nlohmann::json before = nullptr;
 
   nlohmann::json request() const;  // the inputs with the id
   std::string line() const;        // the request as one line of JSON, without a line end

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rules that judge another solver: errors that a tolerance allows, verdicts on a quantity, what
 // counts as worse than a baseline, and when a known mistake is named.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -250,6 +251,34 @@ TEST(Cases, LeaveOutEachDefault) {
       EXPECT_EQ(both.contains(false), !is_what_the_kind_is)
           << function << ": " << field << " is always given";
     }
+}
+
+// A solver that keeps an input of the question before, in place of its default, is wrong.
+TEST(Cases, StandBehindThoseThatGiveWhatTheyLeaveOutOtherwise) {
+  std::map<std::string, std::size_t> kept;  // by function and path of what is left out
+  const std::vector<TestCase>& cases = all_cases();
+  for (std::size_t i = 1; i < cases.size(); ++i) {
+    if (cases[i].before.is_null()) continue;
+    EXPECT_EQ(cases[i].before, cases[i - 1].inputs) << cases[i].id;
+    EXPECT_EQ(cases[i].function, cases[i - 1].function) << cases[i].id;
+    const json left = cases[i].inputs.flatten(), before = cases[i].before.flatten();
+    for (const auto& [path, value] : before.items())
+      if (!left.contains(path)) ++kept[cases[i].function + path];
+  }
+  for (const catalogue::Function& function : catalogue::functions())
+    for (const catalogue::Parameter& parameter : function.parameters)
+      if (parameter.default_value)
+        EXPECT_GE(kept[fmt::format("{}/{}", function.name, parameter.name)], 1U)
+            << function.name << ' ' << parameter.name;
+  for (const FieldInfo& field : scene_fields()) {
+    std::string path = '/' + std::string(field.path);
+    std::replace(path.begin(), path.end(), '.', '/');
+    const bool is_given = std::any_of(cases.begin(), cases.end(), [&](const TestCase& one) {
+      return one.function == "operating_point" && one.inputs.contains(json::json_pointer(path));
+    });
+    if (!field.default_text.empty() && is_given && field.path != "closures.film")
+      EXPECT_GE(kept["operating_point" + path], 1U) << field.path;
+  }
 }
 
 // A solver that follows the printed constant, or the standard's full equation, in all its answers.
