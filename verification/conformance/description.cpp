@@ -523,6 +523,8 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes, bo
     return {text + ' ' + other, true, {}, is_in_place};
   const std::string powers = exponents_in_words(part, mistakes);
   if (!powers.empty()) return {text + powers, true, {}, is_in_place};
+  if (const std::optional<Misread> three = three_changes(part))
+    return {text + with(three->text), true, three->text, is_in_place};
   if (const std::string form = form_of(part); !form.empty())
     return {text + ' ' + form, true, {}, is_in_place};
   if (const std::string grid = grid_of(part); !grid.empty())

@@ -134,7 +134,11 @@ std::string number_in_words(double number) {
                              Known{6 * std::numbers::pi, "6π"}};
   for (const auto& [value, name] : known)
     if (std::abs(number / value - 1) < 1e-10) return name;
-  return fmt::format("{}{:.6g}", number < 0 ? "−" : "", std::abs(number));
+  const double of_pi = std::abs(number) / std::numbers::pi;
+  const bool is_of_pi =
+      std::abs(of_digits(of_pi, 4) / of_pi - 1) < 1e-10 && !is_of_few_digits(number);
+  return fmt::format("{}{:.6g}{}", number < 0 ? "−" : "", is_of_pi ? of_pi : std::abs(number),
+                     is_of_pi ? " π" : "");
 }
 
 // --- Edits
@@ -370,6 +374,7 @@ class Edits {
       for (const double one : others) set(place, i, one);
       const Expression::Node& inner = law_.nodes[node.parts[i].of];
       if (inner.kind == Op::sum && std::abs(exponent) == 1) without_parentheses(place, i);
+      without_number_of(place, i);
       if (inner.kind == Op::product && exponent != 1 && inner.parts.size() > 1)
         power_of_one(place, i);
     }
@@ -402,6 +407,16 @@ class Edits {
           left.number += terms[k].number;
       put(place, {std::move(left), std::move(beside)});
     }
+  }
+  // U in place of 2U, in this product alone.
+  void without_number_of(std::size_t place, std::size_t slot) {
+    const Expression::Node& inner = law_.nodes[law_.nodes[place].parts[slot].of];
+    if (inner.kind != Op::product || inner.name.empty() || inner.name[0] != '2') return;
+    Expression::Node changed = law_.nodes[place], bare = inner;
+    bare.number /= 2;
+    bare.name.erase(0, 1);
+    changed.parts[slot].of = law_.nodes.size();
+    put(place, {std::move(changed), std::move(bare)});
   }
   // (a b)^n as a b^n.
   void power_of_one(std::size_t place, std::size_t slot) {
@@ -577,6 +592,7 @@ bool is_printed(double number, double closeness) {
     return std::abs(of_digits(x, digits) / x - 1) < closeness;
   };
   const double square = number * number;
+  if (closeness <= closeness_of_factors && is_of(number / std::numbers::pi, 4)) return true;
   return is_of(square, 2) || is_of(square / std::numbers::pi, 2) ||
          is_of(number * std::numbers::pi, 2) || is_of(number / std::numbers::pi, 2) ||
          is_of(number, 4) || is_of(3 * number, 4) || is_of(7 * number, 4);
@@ -654,21 +670,45 @@ std::vector<Edit> solved_constants(const Expression& law, const Part::Number& on
   return found;
 }
 
+// The changes that some of these answers show.
+std::vector<Edit> shown_by(const std::vector<Part::Number>& probes, std::size_t place,
+                           const Expression& law, const std::vector<Edit>& all) {
+  std::vector<Edit> shown;
+  for (const Edit& one : all) {
+    Expression changed = law;
+    one.apply(changed);
+    if (std::any_of(probes.begin(), probes.end(), [&](const Part::Number& probe) {
+          return is_changed(probe,
+                            changed.value(changed.results[place], probe.of->question.arguments));
+        }))
+      shown.push_back(one);
+  }
+  return shown;
+}
+
 }  // namespace
+
+std::vector<LawWithChange> laws_with_one_change(const Part& part) {
+  std::vector<LawWithChange> found;
+  const auto law = part.function() == nullptr ? std::nullopt : law_expression(*part.function());
+  if (!law || part.place >= law->results.size()) return found;
+  for (const Edit& one :
+       shown_by(far_apart(wrong_of(part), most_probed), part.place, *law, Edits(*law).take())) {
+    LawWithChange changed{*law, {}};
+    one.apply(changed.law);
+    changed.text = change_in_words(*law, changed.law, one);
+    found.push_back(std::move(changed));
+  }
+  return found;
+}
 
 std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t changes,
                                                    bool is_one_factor) {
   std::vector<ChangedExpression> found;
   const auto law = part.function() == nullptr ? std::nullopt : law_expression(*part.function());
   if (!law || part.place >= law->results.size()) return found;
-  std::vector<Part::Number> probes;
-  for (const auto& one : part.all)
-    if (one.answered->is_left()) probes.push_back(one);
-  // Probes lie far from each other.
-  for (std::size_t i = 0; probes.size() > most_probed && i < most_probed; ++i)
-    probes[i] = probes[i * (probes.size() - 1) / (most_probed - 1)];
-  const std::size_t wrong = probes.size();
-  probes.resize(std::min(wrong, most_probed));
+  const std::vector<Part::Number> all_wrong = wrong_of(part);
+  const std::vector<Part::Number> probes = far_apart(all_wrong, most_probed);
   const auto value_of = [&](const Expression& changed, const Part::Number& one) {
     return changed.value(changed.results[part.place], one.of->question.arguments);
   };
@@ -739,17 +779,9 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
     drop_those_that_spoil();
     return found;
   }
-  if (wrong < fewest_of_two) return found;
+  if (all_wrong.size() < fewest_of_two) return found;
   // Two changes: of those that the answers show at all, or one of these and a number.
-  std::vector<Edit> shown;
-  for (const Edit& one : all) {
-    Expression changed = *law;
-    one.apply(changed);
-    if (std::any_of(probes.begin(), probes.end(), [&](const Part::Number& probe) {
-          return is_changed(probe, value_of(changed, probe));
-        }))
-      shown.push_back(one);
-  }
+  const std::vector<Edit> shown = shown_by(probes, part.place, *law, all);
   const auto tell_both = [&](const Expression& changed, const Edit& one, const Edit& other) {
     if (gives(changed, of_two_changes) && found.size() < most_told)
       tell(changed, 2,

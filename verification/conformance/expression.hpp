@@ -93,4 +93,11 @@ struct ChangedExpression {
 std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t changes,
                                                    bool is_one_factor);
 
+// The law with each single change that people make and that the wrong answers of the part show.
+struct LawWithChange {
+  Expression law;
+  std::string text;
+};
+std::vector<LawWithChange> laws_with_one_change(const Part& part);
+
 }  // namespace tribo::conformance

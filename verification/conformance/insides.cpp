@@ -166,6 +166,27 @@ double film_of_oil(const Question& asked) {
              : contact.inlet_film_parameter(asked.scene->speeds[0]) * contact.summit_height_sd();
 }
 
+// The film over the flooded one.
+double film_ratio(const Question& asked) {
+  const MixedContact<double> contact(*asked.scene);
+  return contact.supply() == SupplyKind::flooded
+             ? unsaid
+             : contact.inlet(contact.flooded(asked.scene->speeds[0])).film_ratio;
+}
+
+// Supplies so much oil that the film ratio is this one, above 0 and below 1.
+void supply_for(Question& asked, double ratio) {
+  const MixedContact<double> contact(*asked.scene);
+  const double now = contact.inlet(contact.flooded(asked.scene->speeds[0])).flooded_over_inlet;
+  const InletLaw<double> law = contact.inlet_law();
+  double low = -30, high = 30;  // ln r, along which the ratio falls
+  for (int i = 0; i < 100 && ratio > 0 && ratio < 1; ++i) {
+    const double middle = (low + high) / 2;
+    (law.film_ratio(std::exp(middle)) > ratio ? low : high) = middle;
+  }
+  asked.scene->supply.value *= now / std::exp(ratio < 1 ? high : low);
+}
+
 void add_inlet(std::vector<Inside>& all) {
   const auto flow = [](const Question& asked) {
     const Supply& supply = asked.scene->supply;
@@ -188,6 +209,8 @@ void add_inlet(std::vector<Inside>& all) {
                  {{"inlet-of-flow", "`supply.inlet_flow`", flow},
                   {"inlet-ratio-of-smooth-film", "h_oil h_ff/h₀, as h₀/h_oil for r makes it,",
                    for_smooth_film}}});
+  all.push_back({"the film over the flooded one in the inlet", Inner::cut_off, Output::film,
+                 film_ratio, supply_for, "closures.starvation"});
 }
 
 void add_stiffness(std::vector<Inside>& all) {

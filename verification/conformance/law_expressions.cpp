@@ -271,7 +271,8 @@ Expression moes_point(Writer x) {
       named(1.48 * pow(q, -0.35) * pow(d, -1.0 / 24) * pow(m, -1.0 / 12) * pow(l, 0.75), "H_EP");
   const Term of_s = x.choice({ri, ep}, [](const Arguments& a) { return a[7]; });
   const Term s = named(1.5 + 1.5 * exp(-1.2 * ei / of_s), "s");
-  const Term limited = named(pow(ei, -4) + pow(1 / 1.8 * d, 4), "H_EI^(−4) + (D/1.8)^4");
+  const Term limit = named(1.8 / d, "1.8/D");
+  const Term limited = named(pow(ei, -4) + pow(limit, -4), "H_EI^(−4) + (1.8/D)^(−4)");
   const Term inner = x.choice({pow(pow(ri, 1.5) + pow(limited, -0.375), 2.0 / 3 * s),
                                pow(pow(ri, 1.5 * s) + pow(limited, -0.375 * s), 2.0 / 3 / s)},
                               [](const Arguments& a) { return a[8]; });

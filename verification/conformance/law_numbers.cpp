@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,13 +28,15 @@ using Constants = std::span<const double>;
 
 // --- Laws as formulas of their numbers
 
-// "8/11", with parentheses as an exponent.
+// "8/11", with parentheses as an exponent; "1/1.96e+08".
 std::string fraction_in_words(double number, bool is_exponent) {
+  const double size = std::abs(number);
   int denominator = 2;
-  if (is_of_few_digits(1 / number)) return fmt::format("1/{:.6g}", 1 / number);
-  while (denominator < 100 && std::abs(std::remainder(number * denominator, 1)) > 1e-9)
-    ++denominator;
-  const std::string text = fmt::format("{:.0f}/{}", number * denominator, denominator);
+  while (denominator < 100 && std::abs(std::remainder(size * denominator, 1)) > 1e-9) ++denominator;
+  const bool is_fraction = denominator < 100 || !is_of_few_digits(1 / size);
+  const std::string text = (number < 0 ? "−" : "") +
+                           (is_fraction ? fmt::format("{:.0f}/{}", size * denominator, denominator)
+                                        : fmt::format("1/{:.6g}", 1 / size));
   return is_exponent ? '(' + text + ')' : text;
 }
 
@@ -77,16 +80,26 @@ LawOfNumbers law_by_terms(Expression law, std::vector<double> right) {
   return found;
 }
 
-// The numbers of a law that a source prints, and no 2 or 3/4: those with few digits, or whose
-// reciprocals have few.
-std::vector<double> printed_numbers(Expression law) {
+// The numbers of a law, in the order of their places: coefficients without their signs.
+std::vector<double> numbers_of(Expression law) {
   std::vector<double> numbers;
   for (const Expression::Place& place : law.places_of_numbers()) {
-    const double number = std::abs(law.number_at(place));
-    const bool is_fraction = std::remainder(12 * number, 1) == 0 && 12 * number < 100;
-    if (!is_fraction && (is_of_few_digits(number) || is_of_few_digits(1 / number)))
-      numbers.push_back(number);
+    const bool is_exponent =
+        law.nodes[place.node].kind == Expression::Op::product && place.slot >= 0;
+    const double number = law.number_at(place);
+    numbers.push_back(is_exponent ? number : std::abs(number));
   }
+  return numbers;
+}
+
+// The numbers of a law that a source prints, and no 2 or 3/4: those with few digits, or whose
+// reciprocals have few.
+std::vector<double> printed_numbers(const Expression& law) {
+  std::vector<double> numbers = numbers_of(law);
+  std::erase_if(numbers, [](double number) {
+    const bool is_fraction = std::remainder(12 * number, 1) == 0 && std::abs(12 * number) < 100;
+    return is_fraction || !(is_of_few_digits(number) || is_of_few_digits(1 / number));
+  });
   return numbers;
 }
 
@@ -602,29 +615,231 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mi
                                     : fitted_to_law(part, wrong_of(part), mistakes, is_one_factor);
 }
 
+namespace {
+
+constexpr std::size_t most_screened = 8;
+
+// The law of a part by its terms, where its wrong answers are enough for several changes. Empty:
+// they are too few, or the function has no such law of one result.
+std::optional<Expression> terms_for_several(const Part& part,
+                                            const std::vector<Part::Number>& wrong) {
+  if (part.function() == nullptr || part.function()->results.size() > 1 ||
+      wrong.size() < fewest_of_three || inputs_that_vary(wrong) == 0)
+    return std::nullopt;
+  return law_expression(*part.function());
+}
+
+// The changes of a law, if they give the wrong answers by numbers that a source prints; few answers
+// rule out nearly all.
+std::optional<FittedNumbers> fitted_plausibly(const LawOfNumbers& law,
+                                              const std::vector<Change>& changes,
+                                              const std::vector<Part::Number>& wrong,
+                                              std::size_t place) {
+  if (!fitted(law, changes, far_apart(wrong, most_screened), place)) return std::nullopt;
+  auto numbers = fitted(law, changes, wrong, place);
+  return numbers && numbers->is_plausible ? std::move(numbers) : std::nullopt;
+}
+
+}  // namespace
+
 std::vector<FittedNumbers> two_of_all_numbers(const Part& part) {
   std::vector<FittedNumbers> found;
-  if (part.function() == nullptr) return found;
-  const catalogue::Function& function = *part.function();
-  const auto terms = law_expression(function);
   const std::vector<Part::Number> wrong = wrong_of(part);
-  if (!terms || function.results.size() > 1 || wrong.size() < fewest_of_three ||
-      inputs_that_vary(wrong) == 0)
-    return found;
+  const auto terms = terms_for_several(part, wrong);
+  if (!terms) return found;
   const LawOfNumbers law = law_by_terms(*terms, printed_numbers(*terms));
-  const std::vector<Change> changes = changes_of(function, law);
-  std::vector<Part::Number> probes;
-  constexpr std::size_t most_screened = 8;
-  for (std::size_t i = 0; i < most_screened; ++i)
-    probes.push_back(wrong[i * (wrong.size() - 1) / (most_screened - 1)]);
+  const std::vector<Change> changes = changes_of(*part.function(), law);
   for (std::size_t i = 0; i < changes.size() && found.empty(); ++i)
-    for (std::size_t k = i + 1; k < changes.size(); ++k) {
-      if (changes[i].is_input && changes[k].is_input) continue;
-      if (!fitted(law, {changes[i], changes[k]}, probes, part.place)) continue;
-      auto pair = fitted(law, {changes[i], changes[k]}, wrong, part.place);
-      if (pair && pair->is_plausible) found.push_back(std::move(*pair));
-    }
+    for (std::size_t k = i + 1; k < changes.size(); ++k)
+      if (!changes[i].is_input || !changes[k].is_input)
+        if (auto pair = fitted_plausibly(law, {changes[i], changes[k]}, wrong, part.place))
+          found.push_back(std::move(*pair));
   return found;
+}
+
+std::vector<FittedNumbers> number_beside_cut(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  if (part.function() == nullptr || wrong.size() < fewest_of_three) return {};
+  const catalogue::Function& function = *part.function();
+  auto law = law_of_numbers(function);
+  if (const auto terms = law ? std::nullopt : terms_for_several(part, wrong))
+    law = law_by_terms(*terms, numbers_of(*terms));
+  if (!law) return {};
+  constexpr std::size_t fewest_of_each = 3;
+  const auto is_met = [&](const FittedNumbers& by, const Part::Number& one) {
+    const double given = by.answer(one.of->question, part.place);
+    return std::abs(given - one.answered->got) <= of_answers * std::abs(given);
+  };
+  std::vector<Change> inputs;
+  for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    if (const catalogue::Parameter& input = function.parameters[i];
+        input.words.empty() && input.range != catalogue::Range::half_order)
+      inputs.push_back({symbol_of(input.meaning), i, true, 1});
+  // The law with a number in place of its own, and an input that is cut off at this value.
+  const auto both_of = [&](const LawOfNumbers& changed, const FittedNumbers& number,
+                           const Change& input, double cut, bool is_above) {
+    FittedNumbers both{
+        2,
+        false,
+        true,
+        {number.values.front(), cut},
+        fmt::format("{}, and with {} = {:.6g} wherever it is {}: it is cut off there", number.text,
+                    input.symbol, cut, is_above ? "greater" : "less"),
+        {}};
+    both.answer = [changed, cut, is_above, at = input.place](const Question& asked,
+                                                             std::size_t place) {
+      Arguments arguments = asked.arguments;
+      arguments[at] = is_above ? std::min(arguments[at], cut) : std::max(arguments[at], cut);
+      const auto answer = changed.formula(arguments, changed.right);
+      return answer ? (*answer)[place] : unsaid;
+    };
+    return both;
+  };
+  for (const Change& one : changes_of(function, *law))
+    for (const Part::Number& probe : far_apart(wrong, most_screened)) {
+      const auto number = one.is_input ? std::nullopt : fitted(*law, {one}, {probe}, part.place);
+      if (!number || !number->is_plausible) continue;
+      std::vector<Part::Number> rest = wrong;
+      std::erase_if(rest, [&](const Part::Number& other) { return is_met(*number, other); });
+      if (wrong.size() - rest.size() < fewest_of_each || rest.size() < fewest_of_each) continue;
+      LawOfNumbers changed = *law;
+      changed.right[one.place] = round_number(number->values.front());
+      for (const Change& input : inputs) {
+        const double given = rest.front().input(input.place);
+        const auto factor = fitted(changed, {input}, {rest.front()}, part.place);
+        const double cut = factor ? round_number(factor->values.front() * given) : unsaid;
+        if (!factor || !is_of_few_digits(cut)) continue;
+        FittedNumbers both = both_of(changed, *number, input, cut, cut < given);
+        if (std::all_of(wrong.begin(), wrong.end(),
+                        [&](const Part::Number& all) { return is_met(both, all); }))
+          return {std::move(both)};
+      }
+    }
+  return {};
+}
+
+namespace {
+
+// Three numbers of a law, or two beside a change of it, and how much they leave of the wrong
+// answers' logarithms where these are sums of the numbers' steps.
+struct Several {
+  const LawWithChange* beside;  // null: no change
+  std::vector<Eigen::Index> numbers;
+  double left;
+};
+
+// The slopes of the answers' logarithms by each number, all of one length; 0: there is none.
+Eigen::MatrixXd slopes_by_numbers(const LawOfNumbers& law, const std::vector<Change>& changes,
+                                  const std::vector<Part::Number>& answers, std::size_t place) {
+  Eigen::MatrixXd slopes(static_cast<Eigen::Index>(answers.size()),
+                         static_cast<Eigen::Index>(law.right.size()));
+  for (Eigen::Index k = 0; k < slopes.cols(); ++k) {
+    const ChangedLaw changed{law, {changes[static_cast<std::size_t>(k)]}};
+    for (Eigen::Index i = 0; i < slopes.rows(); ++i) {
+      const Question& asked = answers[static_cast<std::size_t>(i)].of->question;
+      slopes(i, k) = std::log(changed.answer(asked, Eigen::VectorXd::Constant(1, probed), place) /
+                              changed.answer(asked, Eigen::VectorXd::Zero(1), place));
+    }
+    const double length = slopes.col(k).norm();
+    slopes.col(k) =
+        length > 0 ? Eigen::VectorXd(slopes.col(k) / length) : Eigen::VectorXd::Zero(slopes.rows());
+  }
+  return slopes;
+}
+
+// What is left of the square of `off` beyond two or three columns of length 1, of which all
+// products are known. Columns that are nearly alike, or of nothing, say nothing.
+constexpr double least_apart = 1e-9;
+double left_beyond(Eigen::Index i, Eigen::Index k, const Eigen::MatrixXd& products,
+                   const Eigen::VectorXd& along, double off) {
+  const double alike = products(i, k), apart = products(i, i) * products(k, k) - alike * alike;
+  if (apart < least_apart) return INFINITY;
+  return off -
+         (along[i] * along[i] - 2 * alike * along[i] * along[k] + along[k] * along[k]) / apart;
+}
+double left_beyond(const std::array<Eigen::Index, 3>& columns, const Eigen::MatrixXd& products,
+                   const Eigen::VectorXd& along, double off) {
+  const Eigen::Matrix3d among = products(columns, columns);
+  const Eigen::Vector3d of = along(columns);
+  const Eigen::LDLT<Eigen::Matrix3d> solver(among);
+  return solver.vectorD().minCoeff() < least_apart ? INFINITY : off - of.dot(solver.solve(of));
+}
+
+std::vector<Several> likely_ones(const std::vector<LawWithChange>& changed,
+                                 const Eigen::MatrixXd& slopes,
+                                 const std::vector<Part::Number>& answers, std::size_t place) {
+  constexpr std::size_t most_tried = 40;
+  constexpr double most_left = 0.05;  // of the square of what is off
+  std::vector<Several> all;
+  const Eigen::MatrixXd products = slopes.transpose() * slopes;
+  double whole = 0;
+  const auto add = [&](const LawWithChange* beside) {
+    Eigen::VectorXd off(slopes.rows());
+    for (Eigen::Index i = 0; i < off.size(); ++i) {
+      const Part::Number& one = answers[static_cast<std::size_t>(i)];
+      const double given = beside == nullptr ? one.answered->expected->high
+                                             : beside->law.value(beside->law.results[place],
+                                                                 one.of->question.arguments);
+      off[i] = std::log(one.answered->got / given);
+    }
+    if (!off.allFinite()) return;
+    if (beside == nullptr) whole = off.squaredNorm();
+    const Eigen::VectorXd along = slopes.transpose() * off;
+    const double square = off.squaredNorm(), most = most_left * whole;
+    for (Eigen::Index i = 0; i < slopes.cols(); ++i)
+      for (Eigen::Index k = 0; k < i; ++k)
+        if (beside != nullptr) {
+          const double left = left_beyond(k, i, products, along, square);
+          if (left < most) all.push_back({beside, {k, i}, left});
+        } else {
+          for (Eigen::Index m = 0; m < k; ++m)
+            if (const double left = left_beyond({m, k, i}, products, along, square); left < most)
+              all.push_back({beside, {m, k, i}, left});
+        }
+  };
+  add(nullptr);
+  for (const LawWithChange& one : changed)
+    if (whole > 0) add(&one);
+  std::sort(all.begin(), all.end(),
+            [](const Several& a, const Several& b) { return a.left < b.left; });
+  all.resize(std::min(all.size(), most_tried));
+  return all;
+}
+
+}  // namespace
+
+std::vector<FittedNumbers> three_at_once(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  const auto terms = terms_for_several(part, wrong);
+  constexpr std::size_t fewest_answers = 12, most_answers = 24;
+  if (!terms || wrong.size() < fewest_answers) return {};
+  Expression own = *terms;
+  const std::vector<Expression::Place> places = own.places_of_numbers();
+  const LawOfNumbers law = law_by_terms(*terms, numbers_of(*terms));
+  const std::vector<Part::Number> some = far_apart(wrong, most_answers);
+  const std::vector<LawWithChange> all = laws_with_one_change(part);
+  const Eigen::MatrixXd slopes =
+      slopes_by_numbers(law, changes_of(*part.function(), law), some, part.place);
+  if (!slopes.allFinite()) return {};
+  for (const Several& one : likely_ones(all, slopes, some, part.place)) {
+    Expression changed = one.beside == nullptr ? *terms : one.beside->law;
+    const std::vector<Expression::Place> now = changed.places_of_numbers();
+    const LawOfNumbers of = law_by_terms(changed, numbers_of(changed));
+    const std::vector<Change> changes = changes_of(*part.function(), of);
+    std::vector<Change> chosen;
+    for (const Eigen::Index number : one.numbers) {
+      const Expression::Place& place = places[static_cast<std::size_t>(number)];
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (now[i].node == place.node && now[i].slot == place.slot) chosen.push_back(changes[i]);
+    }
+    if (chosen.size() < one.numbers.size()) continue;
+    if (auto numbers = fitted_plausibly(of, chosen, wrong, part.place)) {
+      numbers->count = 3;
+      if (one.beside != nullptr) numbers->text = one.beside->text + ", and " + numbers->text;
+      return {std::move(*numbers)};
+    }
+  }
+  return {};
 }
 
 }  // namespace tribo::conformance

@@ -53,4 +53,10 @@ std::vector<FittedNumbers> fitted_numbers(const Part& part, const std::vector<Mi
 // give some wrong answers, all are looked at.
 std::vector<FittedNumbers> two_of_all_numbers(const Part& part);
 
+// A number that gives some of the wrong answers, beside an input that is cut off where it does not.
+std::vector<FittedNumbers> number_beside_cut(const Part& part);
+
+// Three numbers among all that a law by terms has, or two beside a change of the law.
+std::vector<FittedNumbers> three_at_once(const Part& part);
+
 }  // namespace tribo::conformance

@@ -66,7 +66,8 @@ void add_groups(const catalogue::Function& function, std::vector<Input>& all) {
                    {},
                    [&group](const Question& asked) { return group.value(asked.arguments); },
                    [&group, place](Question& asked, double value) {
-                     // A group is a power of its input.
+                     // A group is a power of its input, which may be 0.
+                     if (asked.arguments[place] == 0) asked.arguments[place] = 1;
                      const double now = group.value(asked.arguments);
                      catalogue::Arguments twice = asked.arguments;
                      twice[place] *= 2;
@@ -242,6 +243,14 @@ bool is_without(const Input& input, const Question& question) {
          is_left_out(question.asked->inputs, input.name);
 }
 
+// The number that the case before gives for the input; NaN: it gives none.
+double number_before(const Input& input, const Question& question) {
+  const nlohmann::json& before = question.asked->before;
+  if (before.is_null() || is_left_out(before, input.name)) return unsaid;
+  const nlohmann::json& value = before.at(pointer_to(input.name));
+  return value.is_number() ? value.get<double>() : unsaid;
+}
+
 // Whether so many digits are the number, to 1e-6 of it.
 bool is_of_digits(double value, int digits) {
   return std::abs(of_digits(value, digits) - value) <= 1e-6 * std::abs(value);
@@ -276,6 +285,13 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
                                                : 8,
           fmt::format("{} in place of {}", text, input.symbol),
           [factor, &input](const Question& question) { return factor * input.get(question); });
+    if (const auto familiar = familiar_times(factor, input.symbol);
+        familiar && text != input.symbol && !input.name.empty())
+      add(rank_of_familiar + 1,
+          fmt::format("{} in place of {} where it is given", *familiar, input.symbol),
+          [factor, &input](const Question& question) {
+            return (is_without(input, question) ? 1 : factor) * input.get(question);
+          });
   }
   if (input.kind == Kind::single || input.kind == Kind::each_plus)
     add(4,
@@ -299,6 +315,12 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         fewest);
   }
   if (input.kind != Kind::single) return;
+  const auto before = [&input](const Question& question) {
+    return is_without(input, question) ? number_before(input, question) : unsaid;
+  };
+  if (std::abs(before(asked) - value) <= 1e-5 * std::abs(value))
+    add(0, input.symbol + " of the question before where it is left out: it is kept", before, 1,
+        true);
   if (is_without(input, asked))
     add(
         1, fmt::format("{} = {:.6g} where it is left out", input.symbol, number),
@@ -606,6 +628,10 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
     add_changes(2);
     if (!is_one_factor) add_numbers(two_of_all_numbers(part));
     find_simplest();
+    if (!is_one_factor && first == nullptr) {
+      add_numbers(number_beside_cut(part));
+      find_simplest();
+    }
   }
   if (first == nullptr) return std::nullopt;
   return Misread{fmt::format("{}", fmt::join(texts, "; or with ")),
@@ -615,6 +641,14 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
                  first->change == nullptr
                      ? std::function<void(Question&)>()
                      : [inputs, change = first->change](Question& asked) { change(asked); }};
+}
+
+std::optional<Misread> three_changes(const Part& part) {
+  if (wrong_of(part).empty() || !vary(part)) return std::nullopt;
+  for (FittedNumbers& one : three_at_once(part))
+    if (gives({rank_of_odd, one.text, one.answer}, part))
+      return Misread{std::move(one.text), std::move(one.answer), {}};
+  return std::nullopt;
 }
 
 std::vector<Mistake> solved_insides(const Part& part) {

@@ -26,6 +26,9 @@ struct Misread {
 };
 std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake>& mistakes);
 
+// Three numbers of a law, or two beside another change of it, that give the wrong answers together.
+std::optional<Misread> three_changes(const Part& part);
+
 // "k = 1.03 where it is left out": the wrong answers are those to questions that leave this out,
 // and are right with another default. Empty: no input is so.
 std::string other_default(const Part& part);

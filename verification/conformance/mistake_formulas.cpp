@@ -636,6 +636,13 @@ constexpr NamedFormula formulas[] = {
        const auto oils = detail::index_oils(a[1]);
        return 100 * (oils.zero - 1e6 * a[0]) / (oils.zero - oils.hundred);
      }},
+    {"viscosity_index", "index_of_power_below_100", 0,
+     [](const Arguments& a, Constants) -> Value {
+       const auto oils = detail::index_oils(a[1]);
+       const double u = 1e6 * a[0], power = std::log(oils.hundred / u) / std::log(1e6 * a[1]);
+       if (!(u >= oils.hundred && u < oils.zero)) return viscosity_index(a[0], a[1]);
+       return (std::pow(10, power) - 1) / 0.00715 + 100;
+     }},
     // Numbers: what is raised to the power N, what is added, and what it is divided by.
     {"viscosity_index", "index_of_power", 3,
      [](const Arguments& a, Constants numbers) {

@@ -169,19 +169,22 @@ std::optional<double> first_power(std::vector<Error> errors, bool is_of_one) {
   return power;
 }
 
-// Whether the function's values come from an integral, a root or a series, as no sum of powers
-// does.
-bool has_numerics(const catalogue::Function& function) {
+// What stops too early where a function's values come from an integral, a root or a series, as no
+// sum of powers does; empty: they do not.
+std::string_view numerics_of(const catalogue::Function& function) {
+  if (function.name == "gaussian_moment") return "a quadrature or a series";
+  if (function.name == "persson_contact_area") return "a series";
+  if (function.name == "hertz_ellipse") return "a series or an iteration";
+  if (function.name == "load_sharing" || function.name == "starvation_ratio") return "an iteration";
   const std::optional<Expression> law = law_expression(function);
-  return !law ||
-         std::any_of(law->nodes.begin(), law->nodes.end(), [&](const Expression::Node& one) {
-           const bool is_input = std::any_of(function.parameters.begin(), function.parameters.end(),
-                                             [&](const catalogue::Parameter& input) {
-                                               return symbol_of(input.meaning) == one.name;
-                                             });
-           return (one.kind == Expression::Op::given && !is_input && one.name != "π") ||
-                  one.called == Expression::Call::error;
-         });
+  const bool is_given =
+      law && std::none_of(law->nodes.begin(), law->nodes.end(), [&](const auto& one) {
+        const bool is_input =
+            std::any_of(function.parameters.begin(), function.parameters.end(),
+                        [&](const auto& input) { return symbol_of(input.meaning) == one.name; });
+        return one.kind == Expression::Op::given && !is_input && one.name != "π";
+      });
+  return is_given ? "" : "a quadrature, a series or an iteration";
 }
 
 // The greatest error where that is small beside 1, though not beside small answers.
@@ -322,17 +325,18 @@ Growth growth_of(const Part& part) {
     best = with;
     const char* const good = is_of_one ? "values near 1 of" : up > down ? "small" : "large";
     const std::optional<double> power = first_power(errors, is_of_one);
-    found.is_numerics =
-        has_numerics(*part.function()) && (!power || std::abs(*power) >= least_power_of_numerics);
+    // An iteration that is ended after some steps leaves errors of any power.
+    const std::string_view numerics = numerics_of(*part.function());
+    found.is_numerics = !numerics.empty() && (numerics == "an iteration" || !power ||
+                                              std::abs(*power) >= least_power_of_numerics);
     found.cause = fmt::format("{}: numerics along {}", part.function()->name, variable.symbol);
     found.text = fmt::format(
         "The errors are nearly 0 for {} {}, and grow smoothly beyond, from {:.2g} to {:.2g} of the "
         "value{}: as of {}a term that is left out, or is another one, and is small for {} {}.",
         good, variable.symbol, from, to,
         power && !is_of_one ? fmt::format(", at first as its power {:.1f}", *power) : "",
-        found.is_numerics ? "a quadrature, a series or an iteration that stops too early, or of "
-                          : "",
-        good, variable.symbol);
+        found.is_numerics ? fmt::format("{} that stops too early, or of ", numerics) : "", good,
+        variable.symbol);
   }
   return found;
 }
@@ -348,9 +352,36 @@ bool are_digits_lost(const Part& part, const Variable& variable) {
                   middle_size(errors, errors.size() - third, errors.size())) < all_digits;
 }
 
+// "No error is above 0.00098 of the value …": errors of an iteration that stops at a tolerance,
+// which are anything up to it, in no order. Empty: they are larger, of one size, or in an order.
+std::string ended_early(const Part& part) {
+  const std::string_view numerics = numerics_of(*part.function());
+  if (!numerics.ends_with("iteration")) return {};
+  double greatest = 0;
+  for (const Variable& variable : variables_of(part.function())) {
+    const std::vector<Error> errors = errors_along(part, variable);
+    if (errors.empty() || errors.front().x == errors.back().x) continue;
+    const std::size_t tenth = errors.size() / 10;
+    std::vector<double> sizes;
+    for (const Error& one : errors) sizes.push_back(std::abs(one.relative));
+    std::sort(sizes.begin(), sizes.end());
+    greatest = sizes.back();
+    // As many small errors as large ones, and no order.
+    if (std::abs(correlation(errors)) > 0.5 || sizes[3 * tenth] > 0.5 * greatest ||
+        sizes[7 * tenth] < 0.4 * greatest)
+      return {};
+  }
+  if (greatest == 0 || greatest > small_error) return {};
+  return fmt::format(
+      "No error is above {:.2g} of the value, and they are anything up to that, in no order: as of "
+      "an iteration that stops where it changes by no more.",
+      greatest);
+}
+
 std::string scatter_of(const Part& part) {
   if (part.function() == nullptr || part.wrong.size() < fewest_scattered) return {};
   if (std::string fixed = fixed_width(part); !fixed.empty()) return fixed;
+  if (std::string ended = ended_early(part); !ended.empty()) return ended;
   double greatest = 0, best = 0;
   std::string grows;
   for (const Variable& variable : variables_of(part.function())) {

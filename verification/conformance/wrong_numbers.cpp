@@ -62,6 +62,14 @@ std::vector<Part::Number> wrong_of(const Part& part) {
   return wrong;
 }
 
+std::vector<Part::Number> far_apart(const std::vector<Part::Number>& numbers, std::size_t most) {
+  if (numbers.size() <= most) return numbers;
+  std::vector<Part::Number> some;
+  for (std::size_t i = 0; i < most; ++i)
+    some.push_back(numbers[i * (numbers.size() - 1) / (most - 1)]);
+  return some;
+}
+
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
   std::map<std::pair<std::size_t, std::string>, Part> parts;
   std::map<std::string, std::pair<std::size_t, std::size_t>> counts;  // explained, left

@@ -66,6 +66,8 @@ struct Part {
 
 // Those of all numbers of a part that are wrong and still to be told.
 std::vector<Part::Number> wrong_of(const Part& part);
+// At most so many of these, 2 or more, the first and the last among them.
+std::vector<Part::Number> far_apart(const std::vector<Part::Number>& numbers, std::size_t most);
 
 // The parts with wrong answers that are still to be told. After a named mistake a few wrong
 // answers, such as near a border, are not told.

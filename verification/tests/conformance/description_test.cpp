@@ -393,28 +393,45 @@ TEST(Following, IsSaidOfPointsThatUseTheWrongFunctionAndOfNoOthers) {
   expect_said(others, "It rests on", false);
 }
 
-// A wrong inlet thins films down to the floor of high summits, where the shares follow, too.
-TEST(Following, IsOfAllResultsOfStarvedPoints) {
-  const auto wrong_inlet = [](double y) { return y / (2 - y); };
-  const auto point = [&](const TestCase& asked, json& fields) {
+// Points whose film ratio is another one.
+Slip with_film_ratio(std::function<double(double)> of) {
+  return [of](const TestCase& asked, json& fields) {
     const Question question = question_of(asked);
     if (question.scene->supply.kind == SupplyKind::flooded) return;
     const MixedContact<long double> contact(*question.scene);
     const auto flooded = contact.flooded(question.scene->speeds[0]);
     auto inlet = contact.inlet(flooded);
-    inlet.film_ratio = wrong_inlet(static_cast<double>(inlet.film_ratio));
+    const double own = static_cast<double>(inlet.film_ratio), ratio = of(own);
+    if (own == ratio) return;
+    inlet.film_ratio = ratio;
+    inlet.collapsed = ratio == 0;
     const auto shares = contact.starved_shares(flooded, inlet, 1 - inlet.film_ratio);
     set_numbers(fields,
                 detail::in_double(contact.complete(flooded, inlet, shares, OutputSet::all())));
   };
+}
+
+// A wrong inlet thins films down to the floor of high summits, where the shares follow, too.
+TEST(Following, IsOfAllResultsOfStarvedPoints) {
+  const auto wrong_inlet = [](double y) { return y / (2 - y); };
   const std::string said = said_of({{"starvation_ratio",
                                      [&](const TestCase&, json& fields) {
                                        fields["value"] = wrong_inlet(fields["value"].get<double>());
                                      }},
-                                    {"operating_point", point}});
+                                    {"operating_point", with_film_ratio(wrong_inlet)}});
   expect_said(said, "This follows from starvation_ratio: with the answers that it gives there, ");
   expect_said(said, "wrong answers of operating_point are right.");
   expect_said(said, "None of the known mistakes gives these others", false);
+}
+
+TEST(Misread, IsAFloorOfTheFilmRatioInsideOfPoints) {
+  const std::string floor = "the film over the flooded one in the inlet = 0.1 wherever it is less";
+  expect_said(
+      said_of({{"operating_point", with_film_ratio([](double y) { return std::max(y, 0.1); })}}),
+      floor);
+  expect_said(said_of({{"operating_point",
+                        with_film_ratio([](double y) { return std::max(y, 0.05 + y / 2); })}}),
+              "the film over the flooded one in the inlet =", false);
 }
 
 // Moments of greenwood_tripp's load are wrong in a way that has no law.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Causes that no table has: other terms, factors and powers of a law, another end of an integral,
 // answers upside down. Solvers are written here anew, each with one slip.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -380,6 +381,29 @@ TEST(Bisections, ThatEndTooEarlyAreToldWithTheirSteps) {
         [](const In& in) { return starved(in, 12); }}});
 }
 
+TEST(Iterations, ThatStopAtAToleranceAreToldWithIt) {
+  const auto ended = [](double tolerance) {
+    return [=](const In& in) -> json {
+      TestCase asked;
+      asked.inputs = in.inputs;
+      asked.in_catalogue = catalogue::function_named("load_sharing");
+      const double root = right_numbers(question_of(asked))[0];
+      double low = in("flooded_film_parameter"), high = low + 60 + in.inputs.value("offset", 0.0);
+      while (high - low > tolerance * high) {
+        const double middle = (low + high) / 2;
+        (middle < root ? low : high) = middle;
+      }
+      return high;
+    };
+  };
+  const std::string said = said_of("load_sharing", ended(1e-3));
+  EXPECT_NE(said.find("as of an iteration that stops where it changes by no more"),
+            std::string::npos)
+      << said;
+  const std::string far = said_of("load_sharing", ended(0.1));
+  EXPECT_EQ(far.find("as of an iteration that stops where"), std::string::npos) << far;
+}
+
 // The least of these answers is the first one.
 TEST(Answers, ThatAreRoundedAreToldWithTheirStep) {
   for (const double step : {1.0, 0.1}) {
@@ -520,6 +544,81 @@ TEST(TwoChanges, OfWhichOneIsANumberAreToldTogether) {
   // An odd number is none that is written.
   const std::string odd = said_of("jkr_radius", jkr(1.5, 6, 3.0123456));
   EXPECT_EQ(odd.find("in place of"), std::string::npos) << odd;
+}
+
+TEST(TwoChanges, OfANumberAndACutAreToldTogether) {
+  const auto roelands = [](double scale_pressure, double most) {
+    return [=](const In& in) -> json {
+      const double scale = log(in("viscosity")) + 9.67;
+      const double z = in("pressure_viscosity") * scale_pressure / scale;
+      const double p = std::min(in("pressure"), most);
+      return in("viscosity") * exp(scale * (pow(1 + p / scale_pressure, z) - 1));
+    };
+  };
+  expect_told({{"roelands_viscosity",
+                "with 1.98e+08 in place of 1.96e+08, and with p = 1e+09 wherever it is greater: it "
+                "is cut off there",
+                roelands(1.98e8, 1e9)}});
+  const std::string odd = said_of("roelands_viscosity", roelands(1.9812345e8, 1e9));
+  EXPECT_EQ(odd.find("in place of"), std::string::npos) << odd;
+}
+
+// Moes' film of lines, with other numbers, and with U in place of 2U in M.
+Formula moes(double times_u, double of_elastic, double exponent) {
+  return [=](const In& in) -> json {
+    const double modulus = 2 * in("effective_modulus"), radius = in("reduced_radius");
+    const double u = 2 * in("speed") * in("viscosity") / (modulus * radius);
+    const double m = in("load_per_length") / (modulus * radius) / sqrt(times_u * u);
+    const double l = in("pressure_viscosity") * modulus * pow(u, 0.25);
+    const double ri = 3 / m, ei = of_elastic * pow(m, -0.2), rp = 1.287 * pow(l, exponent);
+    const double ep = 1.311 * pow(m, -0.125) * pow(l, 0.75);
+    const double s = (7 + 8 * exp(-2 * ei / ri)) / 5;
+    const double rigid = pow(pow(ri, 7.0 / 3) + pow(ei, 7.0 / 3), 3 * s / 7);
+    const double thick = pow(pow(rp, -3.5) + pow(ep, -3.5), -2 * s / 7);
+    return pow(rigid + thick, 1 / s) * radius * sqrt(u);
+  };
+}
+
+TEST(ThreeChanges, OfALawAreToldTogether) {
+  expect_told(
+      {{"moes_line",
+        "0.5 F/L/(E* R √U) in place of 0.5 F/L/(E* R √2U), and 2.261 in place of 2.621, and "
+        "L^0.75 in place of L^(2/3)",
+        moes(0.5, 2.261, 0.75)}});
+  const std::string odd = said_of("moes_line", moes(0.5, 2.2612345, 0.7512345));
+  EXPECT_EQ(odd.find("in place of"), std::string::npos) << odd;
+}
+
+TEST(OneFactor, OfAConstantThatIsRoundedIsToldWithIt) {
+  const auto summits = [](double constant) {
+    return [=](const In& in) -> json {
+      return {{"summit_density", constant * in("m4") / in("m2")}};
+    };
+  };
+  expect_told(
+      {{"summits_from_spectral_moments", "with 0.0306 π in place of 0.096225", summits(0.0306)}});
+  const std::string odd = said_of("summits_from_spectral_moments", summits(0.03061234567));
+  EXPECT_EQ(odd.find("in place of"), std::string::npos) << odd;
+}
+
+// Answers of a function where the words of an argument are not looked at.
+TEST(Words, ThatAreNotReadAreTold) {
+  for (const auto& [name, argument, words] :
+       {std::tuple{"nijenbanning_venner_moes", "exponent",
+                   "the exponent `ei_over_ri` where `ei_over_ep` is asked for"},
+        std::tuple{"nijenbanning_venner_moes", "bracket",
+                   "the bracket `three_halves` where `three_halves_of_s` is asked for"},
+        std::tuple{"load_sharing", "asperity",
+                   "the model `greenwood_tripp` where `greenwood_williamson` is asked for"}})
+    expect_told({{name, words, [name = name, argument = argument](const In& in) -> json {
+                    TestCase asked;
+                    asked.inputs = in.inputs;
+                    asked.inputs.erase(argument);
+                    asked.in_catalogue = catalogue::function_named(name);
+                    if (std::string_view(name) == "load_sharing")
+                      asked.inputs[argument] = "greenwood_tripp";
+                    return right_numbers(question_of(asked))[0];
+                  }}});
 }
 
 Formula moment_of(double (*read)(double d)) {
@@ -688,6 +787,63 @@ TEST(Mistakes, AreNoSetWhereAllAnswersAreOneNumber) {
   });
   EXPECT_NE(said.find("wrong answers are 1: a floor, a cap, a guard"), std::string::npos) << said;
   EXPECT_EQ(said.find("mistakes give together"), std::string::npos) << said;
+}
+
+// A default that is the number of the question before, as of a global variable or a mutable object.
+TEST(Defaults, ThatAreKeptFromTheQuestionBeforeAreTold) {
+  struct Kept {
+    const char *function, *input;
+    double by_default;
+    const char* words;
+  };
+  for (const Kept& one : {Kept{"hamrock_dowson_soft_minimum", "ellipticity", 1,
+                               "k of the question before where it is left out: it is kept"},
+                          Kept{"starvation_ratio", "damiens_exponent", 3,
+                               "of the question before where it is left out: it is kept"}}) {
+    for (const bool is_kept : {true, false}) {
+      double kept = one.by_default;
+      const std::string said = said_of(one.function, [&](const In& in) -> json {
+        const catalogue::Function& function = *catalogue::function_named(one.function);
+        json inputs = in.inputs;
+        if (!inputs.contains(one.input)) inputs[one.input] = is_kept ? kept : one.by_default + 0.5;
+        kept = inputs[one.input];
+        catalogue::Arguments arguments{};
+        for (std::size_t i = 0; i < function.parameters.size(); ++i)
+          arguments[i] =
+              argument_of(function.parameters[i],
+                          inputs.value(std::string(function.parameters[i].name), json()));
+        catalogue::Results results{};
+        function.value(arguments, results);
+        return results[0];
+      });
+      EXPECT_EQ(said.find(one.words) != std::string::npos, is_kept) << one.function << said;
+      EXPECT_EQ(said.find(fmt::format("{} where it is left out", one.by_default + 0.5)) !=
+                    std::string::npos,
+                !is_kept)
+          << one.function << said;
+    }
+  }
+}
+
+// Per cent for a part, or another unit, of an input whose default is right.
+TEST(Defaults, ThatAreRightStandBesideAnInputInAnotherUnit) {
+  expect_told({{"hamrock_dowson_soft_minimum", "with k/100 in place of k where it is given",
+                [](const In& in) -> json {
+                  return results_of("hamrock_dowson_soft_minimum", in, [](json& inputs) {
+                    if (inputs.contains("ellipticity"))
+                      inputs["ellipticity"] = inputs["ellipticity"].get<double>() / 100;
+                  })[0];
+                }}});
+}
+
+TEST(Cuts, OfARatioHoldWhereItIsZeroToo) {
+  expect_told({{"subsurface_shear", "with z/a = 0.05 wherever it is less: it is cut off there",
+                [](const In& in) -> json {
+                  return results_of("subsurface_shear", in, [](json& inputs) {
+                    inputs["depth"] = std::max(inputs["depth"].get<double>(),
+                                               0.05 * inputs["radius"].get<double>());
+                  })[0];
+                }}});
 }
 
 // Answers that are right in a way of their own, or wrong in one that none of these means knows, are
