@@ -532,6 +532,8 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes, bo
   const Growth growth = rests_on_wrong ? Growth{} : growth_of(part);
   if (!growth.text.empty() && growth.is_numerics)
     return {text + ' ' + growth.text, true, growth.cause, is_in_place};
+  if (const std::string ended = ended_early(part); !ended.empty() && !rests_on_wrong)
+    return {text + ' ' + ended, false, {}, is_in_place};
   if (const std::optional<Dependence> depends = dependence_of(part))
     return {text + ' ' + depends->text, false, {}, is_in_place};
   if (!growth.text.empty()) return {text + ' ' + growth.text, false, {}, is_in_place};

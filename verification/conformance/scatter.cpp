@@ -8,6 +8,8 @@
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -255,6 +257,52 @@ std::string halved_width(double step, double range) {
   return {};
 }
 
+// Answers that are whole parts, by halving, of 1 or of what each question gives: of an input, or of
+// 1 over it. Empty: no number of halvings gives all of them.
+std::string halved_bracket(const Part& part, const std::vector<const Part::Number*>& wrong) {
+  constexpr int fewest_halvings = 4, most_halvings = 30;
+  constexpr std::size_t fewest_of_each = 3;
+  constexpr double of_part = 1e-6;
+  struct Bracket {
+    std::string symbol;
+    std::function<double(const Question&)> width;
+  };
+  std::vector<Bracket> all{{"1", [](const Question&) { return 1.0; }}};
+  for (const Variable& one : variables_of(part.function()))
+    if (one.is_input)
+      for (const bool is_inverse : {false, true})
+        all.push_back(
+            {(is_inverse ? "1/" : "") + one.symbol, [one, is_inverse](const Question& asked) {
+               const double x = one.value(asked);
+               return is_inverse ? 1 / x : x;
+             }});
+  for (int halvings = fewest_halvings; halvings <= most_halvings; ++halvings) {
+    std::map<std::string, std::size_t> count;
+    std::vector<std::string> symbols;  // some answers need them: powers of 2 fit others too
+    std::size_t odd = 0;
+    const bool are_parts = std::all_of(wrong.begin(), wrong.end(), [&](const Part::Number* one) {
+      for (const Bracket& bracket : all) {
+        const double part_of = std::ldexp(bracket.width(one->of->asked), -halvings);
+        const double parts = one->answered->got / part_of;
+        if (!(part_of > 0) || std::abs(one->answered->error()) > 2 * part_of ||
+            !(std::abs(std::remainder(parts, 1)) <= of_part))
+          continue;
+        odd += std::abs(std::remainder(parts, 2)) > 0.5;
+        if (++count[bracket.symbol] == fewest_of_each) symbols.push_back(bracket.symbol);
+        return true;
+      }
+      return false;
+    });
+    if (are_parts && odd >= fewest_on_grid && symbols.size() <= 2)
+      return fmt::format(
+          "All {} wrong answers are whole multiples of 1/2^{} of {}, and at most two such steps "
+          "off: "
+          "as of a bisection from 0 to there that ends after some {} steps.",
+          wrong.size(), halvings, fmt::join(symbols, " or of "), halvings);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string grid_of(const Part& part) {
@@ -294,7 +342,7 @@ std::string grid_of(const Part& part) {
           base.symbol.empty() ? std::string() : (is_ratio ? " over " : " less ") + base.symbol,
           step, text.empty() ? ": they are rounded" : text);
     }
-  return {};
+  return halved_bracket(part, wrong);
 }
 
 Growth growth_of(const Part& part) {
@@ -341,6 +389,8 @@ Growth growth_of(const Part& part) {
   return found;
 }
 
+namespace {
+
 // Whether digits are lost: answers at one end of the variable have all digits of a double, and
 // they are fewer, the farther from it. A root that stops early leaves errors at both ends.
 bool are_digits_lost(const Part& part, const Variable& variable) {
@@ -352,36 +402,50 @@ bool are_digits_lost(const Part& part, const Variable& variable) {
                   middle_size(errors, errors.size() - third, errors.size())) < all_digits;
 }
 
-// "No error is above 0.00098 of the value …": errors of an iteration that stops at a tolerance,
-// which are anything up to it, in no order. Empty: they are larger, of one size, or in an order.
-std::string ended_early(const Part& part) {
-  const std::string_view numerics = numerics_of(*part.function());
-  if (!numerics.ends_with("iteration")) return {};
+// Whether there are as many small errors as large ones, and in no order along any variable; the
+// errors may be of 1 where the value is less. The greatest one, or 0.
+double greatest_in_no_order(const Part& part, bool is_of_one) {
   double greatest = 0;
   for (const Variable& variable : variables_of(part.function())) {
-    const std::vector<Error> errors = errors_along(part, variable);
+    std::vector<Error> errors = errors_along(part, variable);
     if (errors.empty() || errors.front().x == errors.back().x) continue;
-    const std::size_t tenth = errors.size() / 10;
     std::vector<double> sizes;
-    for (const Error& one : errors) sizes.push_back(std::abs(one.relative));
+    for (Error& one : errors) {
+      if (is_of_one) one.relative *= std::min(1.0, one.absolute / std::abs(one.relative));
+      sizes.push_back(std::abs(one.relative));
+    }
     std::sort(sizes.begin(), sizes.end());
+    const std::size_t tenth = errors.size() / 10;
     greatest = sizes.back();
-    // As many small errors as large ones, and no order.
     if (std::abs(correlation(errors)) > 0.5 || sizes[3 * tenth] > 0.5 * greatest ||
         sizes[7 * tenth] < 0.4 * greatest)
-      return {};
+      return 0;
   }
-  if (greatest == 0 || greatest > small_error) return {};
-  return fmt::format(
-      "No error is above {:.2g} of the value, and they are anything up to that, in no order: as of "
-      "an iteration that stops where it changes by no more.",
-      greatest);
+  return greatest;
+}
+
+}  // namespace
+
+std::string ended_early(const Part& part) {
+  if (part.function() == nullptr || part.wrong.size() < fewest_scattered ||
+      !numerics_of(*part.function()).ends_with("iteration"))
+    return {};
+  const bool has_unit = !results_of(part.function())[part.place].unit.empty();
+  for (const bool is_of_one : {false, true}) {
+    if (is_of_one && (has_unit || !fixed_width(part).empty())) continue;
+    const double greatest = greatest_in_no_order(part, is_of_one);
+    if (greatest == 0 || greatest > small_error) continue;
+    return fmt::format(
+        "No error is above {:.2g} of the value{}, and they are anything up to that, in no order: "
+        "as of an iteration that stops where it changes by no more, or after some steps.",
+        greatest, is_of_one ? ", or of 1 where the value is less" : "");
+  }
+  return {};
 }
 
 std::string scatter_of(const Part& part) {
   if (part.function() == nullptr || part.wrong.size() < fewest_scattered) return {};
   if (std::string fixed = fixed_width(part); !fixed.empty()) return fixed;
-  if (std::string ended = ended_early(part); !ended.empty()) return ended;
   double greatest = 0, best = 0;
   std::string grows;
   for (const Variable& variable : variables_of(part.function())) {

@@ -22,6 +22,11 @@ struct Growth {
 };
 Growth growth_of(const Part& part);
 
+// "No error is above 0.00098 of the value …": errors of an iteration that stops at a tolerance or
+// after some steps, which are anything up to it, in no order. Empty: they are larger, of one size,
+// or in an order, or the function has no iteration.
+std::string ended_early(const Part& part);
+
 // Answers that are whole steps from each other, as of a bisection that ends early, or of rounding:
 // "All 75 wrong answers are whole steps of 3.05e-05 from each other …". Empty: they are not.
 std::string grid_of(const Part& part);

@@ -404,6 +404,42 @@ TEST(Iterations, ThatStopAtAToleranceAreToldWithIt) {
   EXPECT_EQ(far.find("as of an iteration that stops where"), std::string::npos) << far;
 }
 
+// Bisections of brackets that each question gives itself, which end after some steps.
+TEST(Iterations, ThatEndAfterSomeStepsAreToldByTheirBrackets) {
+  const auto halved = [](double right, double low, double high, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      const double middle = (low + high) / 2;
+      (middle < right ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  };
+  const auto ratio = [&](int steps) {
+    return [=](const In& in) -> json {
+      TestCase asked;
+      asked.inputs = in.inputs;
+      asked.in_catalogue = catalogue::function_named("starvation_ratio");
+      const double right = right_numbers(question_of(asked))[0];
+      if (in.inputs.at("closure") != "starved_inlet") return right;
+      return halved(right, 0, std::min(1.0, 1 / in("flooded_over_inlet")), steps);
+    };
+  };
+  for (const int steps : {8, 15})
+    EXPECT_NE(said_of("starvation_ratio", ratio(steps))
+                  .find(fmt::format("are whole multiples of 1/2^{} of 1 or of 1/", steps + 1)),
+              std::string::npos)
+        << said_of("starvation_ratio", ratio(steps));
+  // A width that is of the root where it is large, and fixed where it is small.
+  const std::string said = said_of("load_sharing", [](const In& in) -> json {
+    TestCase asked;
+    asked.inputs = in.inputs;
+    asked.in_catalogue = catalogue::function_named("load_sharing");
+    const double right = right_numbers(question_of(asked))[0];
+    const double any = std::fmod(1e4 * std::sqrt(right), 1.0);
+    return right + 1e-3 * any * std::max(right, 1.0);
+  });
+  EXPECT_NE(said.find("of the value, or of 1 where the value is less"), std::string::npos) << said;
+}
+
 // The least of these answers is the first one.
 TEST(Answers, ThatAreRoundedAreToldWithTheirStep) {
   for (const double step : {1.0, 0.1}) {
