@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// True errors of a contender over certified or recomputed values.
+// True errors of a contender: the differences of its answers from certified or recomputed values.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct Errors {
   // the tolerance `engineering` of `verify`.
   std::size_t failures = 0;
   std::size_t no_numbers = 0;  // failures without a number
-  double max_ulp = 0;          // over the answers that are numbers, like the next two
+  double max_ulp = 0;          // this and the next two are over the answers that are numbers
   double p99_ulp = 0;
   double mean_ulp = 0;
 };

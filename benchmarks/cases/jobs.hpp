@@ -26,7 +26,7 @@ struct Measured {
   std::size_t points;         // solved by one call of run
   std::function<void()> run;  // all of it is timed
   std::function<Errors()> judge;
-  std::function<double()> evaluations{};  // a point; empty: none
+  std::function<double()> evaluations{};  // their number per point; empty: not counted
   std::function<double()> own_seconds{};  // CPU time of the last run, if in another process
 };
 
@@ -41,8 +41,8 @@ const std::vector<std::pair<std::string, std::string>>& job_titles();
 
 // d spread evenly over (0, 6), in a seeded random order.
 std::vector<double> moment_arguments(std::size_t count);
-// The errors over the certified rows (reference/exact) of the contender's order with from < d < to,
-// within the range that the contender claims.
+// The errors over the certified rows (reference/exact) of the contender's order whose argument d is
+// above `from` and below `to`, and lies in the range that the contender claims.
 Errors judge(const MomentContender& contender, double from = 0, double to = 6);
 // Each contender at the job of its order.
 std::vector<Measured> jobs_of(const std::vector<MomentContender>& contenders);
@@ -77,8 +77,8 @@ std::vector<Measured> jobs_of(const std::vector<RootContender>& contenders, Root
 const Scene& curve_scene();
 // Log-spaced over the scene's range, ascending.
 std::vector<double> curve_speeds(std::size_t count);
-// The films of `count` points at the speeds that the contender has chosen, against the same model
-// in long double.
+// The errors of the films at `count` speeds, compared with the same model in long double at the
+// speeds that the contender has written into its points. Collapsed films are not judged.
 Errors judge(const CurveContender& contender, std::size_t count = 200);
 // Each contender at both jobs.
 std::vector<Measured> jobs_of(const std::vector<CurveContender>& contenders);

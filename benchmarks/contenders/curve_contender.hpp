@@ -19,7 +19,7 @@ struct CurveContender {
   // Fills `points`, which the caller has resized.
   std::function<void(const Scene& scene, std::span<const double> speeds, OperatingPoints& points)>
       run;
-  bool is_slow;  // tens of microseconds a point
+  bool is_slow;  // takes tens of microseconds a point, so that fewer points are timed
 };
 
 OutputSet curve_outputs();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each call prepares the scene anew, as users do for a single curve. The root solvers of the other
-// families but SciPy's are given our film formula, starvation and friction, which is to their
-// advantage.
+// families get our film formula, starvation and friction, which is to their advantage; SciPy's
+// solver does not take part.
 #include <utility>
 
 #include "contenders/curve_contender.hpp"

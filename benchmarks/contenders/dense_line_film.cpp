@@ -98,7 +98,7 @@ ehl::LineFilm DenseNewton::run() {
       break;
     }
   }
-  // Where pressure is greatest it drives no part of the flow.
+  // The flow is taken where the pressure is greatest: its slope is 0 there and drives no flow.
   Index peak;
   now_.pressure.maxCoeff(&peak);
   const ehl::Balance balance = ehl::balance_of(contact_, now_.x, now_.pressure, now_.film, false);

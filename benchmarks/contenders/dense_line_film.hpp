@@ -14,8 +14,10 @@
 
 namespace tribo::benchmarks {
 
-// Makes of a change of pressure and separation the greatest half, quarter … that leaves a film, as
-// in model/ehl, or all of it. Gives the change; 1 where a part was made; NaN: no part will do.
+// Adds a part of a change of pressure and separation to the film `now`, as model/ehl does. The part
+// is all of the change, or what changes the pressure by at most 0.5, and is halved until the least
+// film is more than a fifth of what it was. Returns the greatest change where all was made, 1 where
+// a part was made, and NaN where no part above 1e-4 will do.
 template <class Film, class FilmOf>
 double damped_step(Film& now, const Eigen::VectorXd& change, double rise, const FilmOf& film_of) {
   const double greatest = change.cwiseAbs().maxCoeff();
@@ -41,9 +43,10 @@ class DenseNewton {
   DenseNewton(const ehl::LineContact& contact, const ehl::Numbers& x);
 
   void start_from(const ehl::LineFilm& film);
-  // Makes a step, damped as in model/ehl. Gives the change of the pressure; NaN: no step is made.
+  // Makes a step, damped by damped_step(), and returns what that function returns.
   double step();
-  // Makes steps until one changes the pressure by less than 1e-8, but at most 60.
+  // Makes steps until step() returns less than 1e-8, but at most 60. Otherwise the outcome of the
+  // film is not_converged.
   ehl::LineFilm run();
   std::size_t bytes() const;  // size of both matrices
 

@@ -31,7 +31,8 @@ struct EllipseContender {
   EllipseBatch counted{};  // counts pairs of integrals in Counted; empty if it uses none
 };
 
-// The axes' ratio k, and E of parameter 1 − 1/k², which the contact needs, too.
+// The axes' ratio k, and the second elliptic integral E of parameter 1 − 1/k²; the formulas of the
+// contact need both.
 struct AxesRatio {
   double ellipticity, second_integral;
 };

@@ -13,7 +13,7 @@ struct FilmAnswer {
   double central = std::numeric_limits<double>::quiet_NaN();
   double minimum = std::numeric_limits<double>::quiet_NaN();
   double at_greatest_pressure = std::numeric_limits<double>::quiet_NaN();
-  int steps = 0;  // Newton steps; of relaxation sweeps
+  int steps = 0;  // Newton steps, or sweeps of a relaxation
 };
 
 template <class Contact>
@@ -21,7 +21,8 @@ struct FilmWay {
   std::string family;
   std::string series;  // a diagram joins the ways of a series by a line
   std::string name;
-  // The number that a formula stands for; null: a solver, judged by the first two numbers.
+  // The number of FilmAnswer that a formula gives. Null for a solver, which is judged by `central`
+  // and `minimum`.
   double FilmAnswer::*quantity;
   std::function<FilmAnswer(const Contact& contact)> run;
 };

@@ -47,7 +47,7 @@ gsl_function gsl_view(Integrand& integrand) {
 }
 
 inline constexpr std::size_t gsl_intervals = 1000;
-// An end so far out that the part beyond it is below 1e-20 of F.
+// An upper end of the integral that is so far out that the part beyond it is below 1e-20 of F.
 inline double finite_end(double d) { return std::max(d, 0.0) + 10; }
 
 class GslWorkspace {

@@ -28,7 +28,8 @@ FilmAnswer answer_of(const ehl::LineContact& contact, const ehl::LineFilm& film)
   return answer;
 }
 
-// Each grid has twice the cells of the one before, and starts from its film.
+// Each grid has twice the cells of the grid before, and the solution on it starts from the film on
+// that grid.
 FilmAnswer on_one_grid(const ehl::LineContact& contact, int cells) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   ehl::LineFilm film = coarse.film;

@@ -73,15 +73,17 @@ std::vector<MomentContender> bessel_forms();
 std::vector<MomentContender> gauss_laguerre_rules(Settings settings);
 std::vector<MomentContender> splines(Settings settings);
 std::vector<MomentContender> published_fits();
-// SciPy's quad in a Python process of its own, which times itself: its start costs nothing here.
+// SciPy's quad in a Python process of its own. That process measures its own time, so that its
+// start is not counted.
 std::vector<MomentContender> scipy_moments();
 
 // F_{5/2}(d) = Γ(7/2)/√2π e^{−d²/4} U(3, d), with Weber's U(0, d) and U(1, d) in Bessel functions
 // of d²/4 (DLMF 12.7.10 and on) and two steps of the recurrence in its first argument.
 double bessel_moment(double d);
 
-// A fit from the literature, with the range that it claims. Beyond it the fit is used as 0, which
-// is how programs write it.
+// A fit from the literature, with the range of d that it claims. Where 4 − d is raised to a power,
+// the value beyond d = 4 is 0, because programs write it so; the other fits go on beyond their
+// range.
 struct PublishedFit {
   std::string_view name;
   Order order;

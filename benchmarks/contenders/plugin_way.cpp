@@ -23,7 +23,8 @@ constexpr int unset = -1;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double slow = 5e-6;  // seconds a case, beyond which fewer cases are timed
 
-// A number counts where its status is done, as in `verify`.
+// The number counts only if its status is TRIBOCHECK_DONE, as in `verify`; else it is NaN, or
+// not_offered.
 double answer_of(int status, double value) {
   if (status == TRIBOCHECK_NOT_OFFERED) return not_offered;
   return status == TRIBOCHECK_DONE && std::isfinite(value) ? value : no_number;
@@ -45,8 +46,8 @@ struct Room {
   std::vector<int> status;
 };
 
-// Calls a function of the plug-in at all cases of its arguments. False: the plug-in does not offer
-// it.
+// Calls a function of the plug-in for all cases of its arguments. Returns false if the plug-in does
+// not offer the function.
 bool ask(const PluginFunctions& functions, const char* function,
          std::span<const double* const> arguments, std::span<double> values,
          std::vector<int>& status) {

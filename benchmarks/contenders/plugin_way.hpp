@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Somebody's solver in a shared library (verification/conformance/tribocheck_plugin.h), as a
-// contender for the quantities that it offers. Its function is timed, with a look at each status; a
-// case without the status TRIBOCHECK_DONE has no number.
+// contender for the quantities that it offers. The call of its function is timed together with the
+// reading of each case's status. A case without the status TRIBOCHECK_DONE has no number.
 #pragma once
 
 #include <vector>

@@ -31,7 +31,8 @@ ehl::PointFilm coarse_film(const ehl::PointContact& contact, int cells) {
   return ehl::solve_from_nothing(contact, ehl::grid_for(contact, cells), {});
 }
 
-// Each grid has half the distances of the one before, and starts from its film.
+// Each grid has half the node distances of the grid before, and the solution on it starts from the
+// film on that grid.
 FilmAnswer on_one_grid(const ehl::PointContact& contact, int cells) {
   const int coarsest = coarsest_cells(contact);
   ehl::PointFilm film = coarse_film(contact, coarsest);

@@ -12,11 +12,12 @@ namespace tribo::benchmarks {
 // The numbers of a film; NaN where it is not solved.
 FilmAnswer film_numbers(const ehl::PointContact& contact, const ehl::SolvedPoint& solved);
 
-// All ways, from coarse to fine; our own last. Those of textbooks begin with the film of our
-// coarsest grid: Newton's method on grids of up to 2500 nodes, relaxation with up to 3000 sweeps.
+// All ways, from coarse to fine; our own last. The textbooks' ways begin with a coarse film of
+// ours: relaxation, with up to 3000 sweeps, with the film on our coarsest grid; Newton's method, on
+// grids of up to 2500 nodes, with the film on a grid of half as many cells.
 std::vector<FilmWay<ehl::PointContact>> point_film_ways(const ehl::PointContact& contact);
 
-// The cells of our coarsest grid on the length that pressure reaches, and our film there.
+// The number of cells that our coarsest grid has on the length that pressure reaches.
 int coarsest_cells(const ehl::PointContact& contact);
 
 }  // namespace tribo::benchmarks

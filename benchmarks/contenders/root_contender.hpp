@@ -30,8 +30,8 @@ using RootRun = std::function<void(const RootCases&, std::span<double> film_para
 struct RootContender {
   std::string family;
   std::string name;
-  // Gives the function that is timed. Where it keeps data of one surface for all its calls, they
-  // are made here, from the first case.
+  // Returns the function that is timed. If that function uses data of one surface in all its calls,
+  // `prepare` makes the data from the first case, and their making is not timed.
   std::function<RootRun(const RootCases&)> prepare;
   // The number of moments that these cases take; a moment with its derivative counts once. Empty:
   // moments are not counted.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equation that every root contender solves, with any way to F_{5/2}.
+// The equation that every root contender solves; F_{5/2} is computed by any function that is given.
 #pragma once
 
 #include <cmath>
@@ -62,7 +62,8 @@ struct Bracket {
   double low, high, at_low, at_high;
 };
 
-// A bracket from λ₀, where the residual is not negative, upward in doubled steps.
+// A bracket of the root: it starts from λ₀, where the residual is not negative, and goes upward in
+// steps that are doubled until the residual is not positive.
 template <class Residual>
 Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
   Bracket bracket{root_case.flooded, root_case.flooded, residual(root_case.flooded), 0};
@@ -83,7 +84,8 @@ Bracket bracket_over_roughness(const RootCase& root_case, const Residual& residu
   return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
 }
 
-// Makes a contender from `solve` of one case, and from `counted`, which counts moments too.
+// Makes a contender from `solve`, which solves one case, and `counted`, which solves it and counts
+// the moments in Counted.
 template <class Solve, class CountedSolve>
 RootContender one_by_one(std::string family, std::string name, Solve solve, CountedSolve counted) {
   return {std::move(family), std::move(name),

@@ -19,8 +19,8 @@ using Eigen::VectorXd;
 constexpr std::array<std::array<int, 2>, 6> stencil{
     {{-2, 0}, {-1, 0}, {0, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-// Relaxation: the part of a line's change that is made, of the missing load that moves H₀, and the
-// band of a line's matrix.
+// For relaxation: the part of a line's change that is made, the part of the missing load by which
+// H₀ moves, and the number of diagonals on each side of the main one in a line's matrix.
 constexpr double change_part = 0.4, load_part = 0.05;
 constexpr int band = 3;
 
@@ -64,7 +64,8 @@ double TextbookPointFilm::missing_load(const VectorXd& pressure, double separati
   return numbers_.load - areas_.dot(pressure) - inlet_.load_outside(now_.grid, separation);
 }
 
-// A node is free if a change of this node alone would leave pressure there.
+// A node is free if a change of its own pressure that balances its equation would leave the
+// pressure above 0.
 bool TextbookPointFilm::is_free(const ehl::PlaneBalance& balance, Index node) const {
   const double own = numbers_.deflection * ehl::film_of_rectangle(0, 0, now_.grid.dx, now_.grid.dy);
   return now_.pressure[node] > balance.surplus[node] / (balance.diffusion[node] + 1.5 * own);

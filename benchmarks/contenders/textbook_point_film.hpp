@@ -21,18 +21,19 @@ class TextbookPointFilm {
 
   // Fills the matrix of influences, N² entries, if it is not filled yet.
   void fill_kernel();
-  // Makes a step of Newton's method, damped as in model/ehl, by Eigen's PartialPivLU, in N³
-  // operations. Gives the change of the pressure; NaN: no step is made.
+  // Makes a step of Newton's method by Eigen's PartialPivLU, in N³ operations, damped by
+  // damped_step(), and returns what that function returns.
   double newton_step();
   // Makes steps until one changes the pressure by less than 1e-6, but at most 40.
   ehl::PointFilm newton();
   // The bytes of the matrix of influences and of Newton's.
   std::size_t newton_bytes() const;
 
-  // Relaxes line after line along X (Gauss–Seidel); where pressure hardly drives liquid, a change
-  // at a node takes a quarter of itself from each neighbour, so that its film stays near. The film
-  // follows after each sweep, by Fourier transforms. Ends where a sweep changes the pressure by
-  // less than 1e-6 of the load, but after at most so many sweeps. Source: C. H. Venner, A. A.
+  // Relaxes line after line along X (Gauss–Seidel). Where pressure hardly drives liquid, a quarter
+  // of each change at a node is taken from each neighbour, so that the film changes near the node
+  // alone. After each sweep the film is computed anew by Fourier transforms. Ends where a sweep
+  // changes the pressure by less than 1e-6 of the load and less than 1e-5 of the load is missing,
+  // or after `most_sweeps` sweeps with the outcome not_converged. Source: C. H. Venner, A. A.
   // Lubrecht: Multilevel Methods in Lubrication. Elsevier (2000), chapter 6, on one grid.
   ehl::PointFilm relaxed(int most_sweeps);
 

@@ -86,8 +86,8 @@ Workloads moment_workloads() {
       in_batch("log_moment_batch", log_gaussian_moment)};
 }
 
-// --- The root of load sharing: of many surfaces (wide) and of one, by the point and in batches. A
-// step evaluates the moment and its slope once.
+// --- The root of load sharing for many surfaces (wide) and for one, point by point and in batches.
+// The counted steps evaluate the moment and its slope once each.
 
 constexpr std::size_t roots = 1024;
 constexpr auto asperities = AsperityModel::greenwood_tripp;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work that no sweep can avoid, written for these outputs alone: it prepares scenes, solves
-// points and finds onsets. Inputs are made beforehand, and results are not stored.
+// The work that no sweep can avoid, written for film and onset alone: it prepares scenes, solves
+// points and finds onsets. The inputs are made beforehand, and no results are written to files.
 #pragma once
 
 #include <span>
@@ -15,7 +15,8 @@ namespace tribo::benchmarks {
 
 class Alone {
  public:
-  // The film at the scene's one speed or a drawn one, or the onset at the film maximum.
+  // Solves for the film at the scene's one speed or at a drawn speed. Where the sweep asks for an
+  // onset, it solves for the speed, film and film parameter of the onset at the film maximum.
   explicit Alone(const sweep::SceneSweep& sweep);
 
   // inputs: case by case, as CaseGenerator makes them.

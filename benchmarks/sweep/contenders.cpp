@@ -61,7 +61,7 @@ class NewParts {
       whole.swap(chunks_);
       part = parts_++;
     }
-    // Threads write at once, and no two of them the same file.
+    // Threads write at the same time, but no two threads write to the same file.
     constexpr std::uint64_t most_threads = 256;
     const std::string path = folder_.file("part" + std::to_string(part % most_threads));
     sweep::PartFile file(path);
@@ -137,7 +137,7 @@ void set_points(benchmark::State& state, std::size_t points) {
 
 // --- One thread: the needed work alone, and the sweep.
 
-// From values to results, by Alone or by the sweep's own CaseSolver.
+// Times the way from drawn values to results, by Alone or by the sweep's own CaseSolver.
 template <class Solver>
 void solve_cases(const Subject& subject, benchmark::State& state) {
   Solver solver(subject.scene());
@@ -175,8 +175,8 @@ void draw(const Subject& subject, benchmark::State& state) {
   set_points(state, subject.cases());
 }
 
-// A step of Alone on a block that was solved already. The last step has to give the results again,
-// else the step did not do its work.
+// Times one step of Alone on a block that was solved before. If the step gives results, they are
+// overwritten beforehand, and it has to give the same results again; else the contender fails.
 enum class Gives { nothing, results };
 Contender stage(Gives gives, std::function<void(Alone&, const Subject&, std::span<double>)> step) {
   return [gives, step = std::move(step)](const Subject& subject, benchmark::State& state) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep, the work that no sweep can avoid, and the sweep's stages, as Google Benchmarks
-// "sweep/contender". The counter `points` says how many points an iteration has.
+// Registers with Google Benchmark, under the names "sweep/contender", whole sweeps, the work that
+// no sweep can avoid, and the stages of a sweep. The counter `points` says how many points an
+// iteration has.
 #pragma once
 
 #include <string_view>

@@ -50,8 +50,8 @@ Json environment() {
           {"instruction_set", instruction_set()}};
 }
 
-// Writes the tables of gnuplot. Returns parts of the baseline with a commit of their own, because
-// they can be measured alone. `films`: line_film or point_film.
+// Writes the tables for gnuplot. Returns the parts of the baseline that are about these films; they
+// have a commit of their own, because they can be measured alone. `films`: line_film or point_film.
 Json film_parts(const Arguments& arguments, const std::string& films, const Rows& errors,
                 const Rows& growth) {
   Json parts{
@@ -104,7 +104,7 @@ void write_json(const std::string& path, const Json& parts) {
 struct Chosen {
   std::vector<Measured> jobs;
   bool are_all_jobs, ranges, line_film, point_film;
-  Json baseline = Json::object();  // as it is, where a part of it stays
+  Json baseline = Json::object();  // the old one, if parts of it are kept; else empty
 };
 
 std::regex expression(const std::string& text) {
@@ -143,7 +143,7 @@ Chosen chosen_by(const Arguments& arguments) {
   return chosen;
 }
 
-// Into the tables of gnuplot, and as parts of the baseline.
+// Measures the chosen jobs, writes the tables for gnuplot, and returns the parts of the baseline.
 Json work_parts(const Arguments& arguments, Chosen& chosen, const Effort& effort) {
   step("error against work");
   const Rows work = errors_against_work(std::move(chosen.jobs), effort);
@@ -165,7 +165,8 @@ Json work_parts(const Arguments& arguments, Chosen& chosen, const Effort& effort
   return parts;
 }
 
-// A part of the baseline stays where not all of its jobs were measured.
+// Writes all that was measured. A part of the baseline is left unchanged where not all of its jobs
+// were measured.
 void write_all(const Arguments& arguments, Chosen chosen, const Effort& effort) {
   Json& baseline = chosen.baseline;
   Json parts = Json::object();

@@ -13,11 +13,13 @@
 
 namespace tribo::benchmarks {
 
-// True error against CPU time and evaluations, of contenders that can run here: job, family,
-// series, name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures, no_numbers, judged.
+// True error against CPU time and evaluations, for the contenders that can run here. The columns:
+// job, family, series, name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures, no_numbers,
+// judged.
 Rows errors_against_work(std::vector<Measured> offered, const Effort& effort);
 
-// Greatest error of each way to F_{5/2} in ulp, by ranges of d.
+// The greatest error in ulp and the number of failures of each way to F_{5/2}, by ranges of d. Ways
+// that run in another process are left out.
 Rows errors_by_range();
 
 template <class Contact>
@@ -50,16 +52,19 @@ std::vector<JudgedFilm<ehl::PointContact>> judged_points(Eigen::Index greatest_n
 Rows point_film_errors(const std::vector<JudgedFilm<ehl::PointContact>>& contacts,
                        const Effort& effort);
 
-// The columns of line_film_growth(): the matrix of influences, a step of Newton's method, and the
-// memory that was in use at most, of ours up to so many nodes; cells of the half plane.
+// The columns of line_film_growth() for point contacts, with the cells of the half plane. Our
+// solver is measured on grids of up to `greatest_nodes`, and its bytes are the most that it added
+// to the memory of this process; the bytes of the textbooks' solver are those of its matrices.
 Rows point_film_growth(Eigen::Index greatest_nodes = 80'000);
 
-// threads, ns: the time on the clock for each of several circles that so many threads solve beside
-// each other, to 1e-3 at M = 20 and L = 5; on one thread, on two, and so on while cores are left.
+// The columns threads, ns: the time on the clock divided by the number of circles that the threads
+// solve beside each other, to 1e-3 at M = 20 and L = 5; on 1, 2, 4, … threads, up to the number of
+// cores.
 Rows point_films_on_threads(int films_a_thread = 4);
 
-// solver, quantity, exponent, uncertainty, from_cells, to_cells: least squares of the logarithms of
-// a growth over the cells, from 512 cells on; the uncertainty is its standard error.
+// The columns solver, quantity, exponent, uncertainty, from_cells, to_cells: each exponent is the
+// slope of a least-squares fit of ln(quantity) over ln(cells), from 512 cells on, and the
+// uncertainty is its standard error.
 Rows film_exponents(const Rows& growth);
 
 }  // namespace tribo::benchmarks

@@ -53,7 +53,7 @@ double bytes_in(const std::string& what) {
   throw std::runtime_error("/proc/self/status has no " + what);
 }
 
-// The bytes that some work adds at most to what this process holds.
+// The most memory, in bytes, that some work adds to the memory of this process at any time.
 double most_bytes(const std::function<void()>& work) {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << 5;  // the most of before is forgotten
@@ -89,7 +89,7 @@ std::vector<JudgedFilm<ehl::PointContact>> judged_points(Eigen::Index greatest_n
   std::vector<JudgedFilm<ehl::PointContact>> all;
   for (const auto& [load_number, material_number] : {std::pair{20., 5.}, {200., 10.}}) {
     const ehl::PointContact contact = ehl::barus_point(load_number, material_number, radius_ratio);
-    // No tolerance is so small: all grids are solved that are allowed.
+    // The tolerance is too small to be reached, so that all allowed grids are solved.
     const ehl::SolvedPoint solved =
         ehl::solve_point_film(contact, {.tolerance = 1e-9, .greatest_nodes = greatest_nodes});
     if (solved.outcome != ehl::Outcome::solved) throw std::runtime_error(solved.reason);

@@ -9,7 +9,7 @@
 
 namespace tribo::benchmarks {
 
-// Each row is a JSON object, all with the same keys; null: no entry.
+// Each row is a JSON object, and all rows have the same keys. A value is null where there is none.
 using Rows = std::vector<nlohmann::ordered_json>;
 
 // Rounds to four digits: a measured number holds no more.

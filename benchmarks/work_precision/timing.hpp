@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// CPU time of many calls, interleaved, so that a disturbance meets all alike.
+// CPU time of many functions, whose calls are interleaved, so that a disturbance affects all of
+// them alike.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +20,9 @@ struct Timed {
   std::function<double()> own_seconds{};  // CPU time of the last call, if in another process
 };
 
-// CPU seconds of a call of each function: the median of `rounds` rounds. In a round each function
-// is called, in a new random order, until `least` seconds have passed.
+// CPU seconds of a call of each function: the median of `rounds` rounds. Each round goes through
+// the functions in a new random order, and calls each until it has used `least` seconds of CPU
+// time; a function with `own_seconds` is called once.
 std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least);
 
 double cpu_seconds();  // used by this process

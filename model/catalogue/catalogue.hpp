@@ -84,8 +84,9 @@ inline constexpr std::size_t most_parameters = 10, most_results = 6;
 using Arguments = std::array<double, most_parameters>;
 using Results = std::array<double, most_results>;
 
-// A number that several arguments make together, as the exponent αp, and its range in contacts on
-// earth, generously: certified cases reach both ends, and a program may guard itself beyond.
+// A number that several arguments make together, such as the exponent αp, and a generous range of
+// it in contacts on earth. Certified cases reach both ends of the range; a program may refuse
+// numbers beyond it.
 struct Combination {
   std::string_view name;  // "load_number"
   std::string_view meaning;
@@ -124,8 +125,9 @@ struct Function {
   std::optional<Refusal> (*refusal)(const Arguments& arguments) = nullptr;
   const FilmLaw* film_law = nullptr;  // of a film law: its row
   std::span<const Combination> combinations = {};
-  // The same of many points, each legal, by columns (columns.hpp), with the same bits and no NaN.
-  // Null: no way is faster than point by point. No refusal() goes with it.
+  // The same for many points, whose arguments are all legal, by columns (columns.hpp), with the
+  // same bits and no NaN. Null: no way is faster than point by point. A function with refusal() has
+  // no values().
   void (*values)(std::size_t count, const Column* argument, double* const* result) = nullptr;
 };
 // Whether a contact on earth can have these arguments: each number and each combination of them is

@@ -55,7 +55,7 @@ bool are_legal(const Parameter& parameter, const Column& column, std::size_t cou
                      [&](double number) { return is_legal(parameter, number); });
 }
 
-// The first parameter that is not legal, or why all are not together.
+// The first parameter whose argument is not legal, or why legal arguments are not legal together.
 struct Fault {
   const Parameter* parameter = nullptr;
   std::optional<Refusal> refusal = {};

@@ -14,7 +14,8 @@
 namespace tribo::catalogue {
 namespace {
 
-// Is it known which ellipticities a film law was fitted to? A circle any law of points was.
+// Is it known whether a film law was fitted to this ellipticity? Every law of points was fitted to
+// circles.
 bool is_range_known(const FilmLaw& law, double ellipticity) {
   return ellipticity == 1 || law.least_ellipticity > 0;
 }

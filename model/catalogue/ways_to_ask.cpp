@@ -11,8 +11,8 @@
 namespace tribo::catalogue {
 namespace {
 
-// E* = 1/((1 − 0.5²)/E* + (1 − 0²)/(4E*)), without a rounding; the bodies are as unlike as they can
-// be, so that an answer shows who takes one of them for both.
+// E* = 1/((1 − 0.5²)/E* + (1 − 0²)/(4E*)), without a rounding; the two bodies differ strongly, so
+// that a solver that takes one of them for both gives a wrong answer.
 Arguments bodies_of(const Arguments& modulus) { return {modulus[0], 0.5, 4 * modulus[0], 0}; }
 double modulus_of(const Arguments& bodies, std::size_t /*place*/) {
   return tribo::effective_modulus(bodies[0], bodies[1], bodies[2], bodies[3]);

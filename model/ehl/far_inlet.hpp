@@ -5,10 +5,10 @@
 //
 //   (g³f′)′ − 9g³f = −λ̄ cos φ, f′(0) = 0, and f = f′ = 0 where the film breaks.
 //
-// f is P. L. Kapitza's λ̄ cos φ/((3 + 2R_x/R_y)g²) and a multiple of the solution without a right
-// side; of circles that is cosh 3φ, and the film breaks at tan φ = −3 tanh 3φ, 108.4°. A grid that
-// ends at this pressure, and not at 0, may be far smaller. Source: P. L. Kapitza: Hydrodynamic
-// theory of lubrication during rolling. Zh. Tekh. Fiz. 25 (1955) 747.
+// f is the sum of P. L. Kapitza's λ̄ cos φ/((3 + 2R_x/R_y)g²) and a multiple of the solution of the
+// homogeneous equation. For circles this solution is cosh 3φ, and the film breaks at 108.4°, where
+// tan φ = −3 tanh 3φ. A grid that ends at this pressure, and not at 0, may be far smaller. Source:
+// P. L. Kapitza: Hydrodynamic theory of lubrication during rolling. Zh. Tekh. Fiz. 25 (1955) 747.
 #pragma once
 
 #include <vector>

@@ -13,7 +13,8 @@
 
 namespace tribo::ehl {
 
-// `missing`: the liquid that a gap lacks which is filled in part; empty where none is.
+// `missing`: in a gap that is filled in part, the liquid that each node lacks; empty for a flooded
+// contact.
 struct FilmState {
   Eigen::VectorXd pressure, film;
   double separation = 0;
@@ -155,8 +156,9 @@ class FilmNewton {
     return part > least_part ? part : 0;
   }
 
-  // Makes what is left after a whole step by its equations too, which takes no new factors, until
-  // at most `most_left` is left, or as long as each time much less is left.
+  // After a whole step, goes on with the change that is still left, by the equations of that step,
+  // which need no new factors. Ends once less than `most_left` is left, or where a further change
+  // does not leave much less than the one before.
   template <class Linear>
   void go_on_by(const Linear& linear, double most_left) {
     double size = problem_.size_of(left_);

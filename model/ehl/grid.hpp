@@ -34,7 +34,8 @@ struct Scales {
   double outlet_end;  // behind the end of the film
   double reach;       // how far pressure reaches from the middle, at least: 1 or more
 };
-// A film number of the right size: the greatest of the four limits that Moes' formula joins.
+// A film number of the right size, from the four limits that Moes' formula joins (moes_line.hpp):
+// the greatest of RI, EI and the lesser of RP and EP, with rounded constants.
 double expected_film(const LineContact& contact);
 // The inlet is so long that its end changes the film by 3e-7 at most. This change falls with the
 // second power of the inlet's length.

@@ -26,8 +26,9 @@ LineFilm solve_from(const LineContact& contact, const Numbers& x, const Eigen::V
                     double separation, const NewtonLimits& limits, const Watch& watch);
 
 // Starts from the pressure of dry contact over a film of the expected thickness, and follows the
-// film in time until it is steady. If it does not come to rest, a liquid whose viscosity rises less
-// is taken, and then Newton's method follows the rise.
+// film in time until it is steady. If the film does not come to rest, the solver starts again with
+// a liquid whose viscosity rises less with pressure; then the rise grows in strides, each solved by
+// Newton's method.
 LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales& scales,
                             const Watch& watch);
 

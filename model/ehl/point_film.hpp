@@ -25,7 +25,8 @@ struct PointFilm {
   double last_change = 0;  // of the pressure, in the last step
 };
 
-// A film H of the right size, or below it, before the contact is solved: of a circle's limits.
+// A film H of the right size, or below it, before the contact is solved: from the limits for a
+// circle.
 double expected_film(const PointContact& contact);
 // How far pressure reaches from the middle along X, at least: 1, or more where the bodies hardly
 // flatten.

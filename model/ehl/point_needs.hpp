@@ -23,9 +23,9 @@ PointNeeds needs_of(const PointContact& contact, const PointOptions& options = {
 // measured by `make point-survey`: nearly all is the factors of the preconditioner, a node's share
 // of which grows a little with the grid; small grids take less.
 double point_memory(Eigen::Index nodes);
-// Seconds of one core, of a starved contact with its flooded film: of the 200 contacts of `make
-// point-survey` nine in ten took 0.6 to 1.7 times as long on the machine that made it, all 0.25
-// to 3.5 times.
+// Seconds of one core; for a starved contact they include its flooded film. On the machine that ran
+// `make point-survey`, nine in ten of its 200 contacts took 0.6 to 1.7 times as long, and all took
+// 0.25 to 3.5 times as long.
 double point_seconds(const PointContact& contact, Eigen::Index nodes);
 
 }  // namespace tribo::ehl

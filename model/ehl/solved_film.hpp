@@ -31,24 +31,26 @@ struct Beside {
 // An error is the greatest of some differences, each times its share. of_last: the last change of
 // Richardson's value from grid to grid (where errors are regular, a fifteenth of it is left); its
 // two changes before that count less, each by the factor `falling`. of_change: the last change of
-// the value itself. of_waver: the difference of the grid beside from what the second order says of
-// it, which shows how much an unresolved spike makes the values waver. The shares of films
-// (solved_film.cpp) are chosen, not derived: so that the error held on each grid of 220 random
-// contacts. `make film-survey` judges them by 300 others.
+// the value itself. of_waver: the difference between the value on the grid beside and the value
+// that the second order predicts there; it shows how much an unresolved spike makes the values
+// waver. The shares of films (solved_film.cpp) are chosen, not derived: so that the error held on
+// each grid of 220 random contacts. `make film-survey` judges them by 300 others.
 struct Caution {
   double of_last = 0.5, falling = 0.125, of_change = 0.022, of_waver = 0;
   // The value is Richardson's where the observed order lies between these.
   double least_order = 1.5, greatest_order = 2.6;
-  // A share of the last change of the value, and a quarter of it of the change before, where the
-  // order does not lie there and a grid stands beside; 0: such a grid tells nothing then.
+  // Used where the order does not lie between these and there is a grid beside: the error is at
+  // least this share of the last change of the value, and a quarter of this share of the change
+  // before. 0: the grid beside is not used then.
   double of_irregular = 0;
 };
 
-// From the values on grids that halve the cells: at least three. Where the observed order is near
-// the second, the value is Richardson's and the error the greatest of the shares; the last change
-// of Richardson's value counts three times where it is the only one and no grid stands beside. Else
-// the value is the last one and the error one and a half times the sum of its last two changes; or,
-// by of_irregular, Richardson's with shares of these changes.
+// From the values on at least three grids, each of which halves the cells; with fewer values all
+// numbers are NaN. Where the observed order is near the second, the value is Richardson's and the
+// error the greatest of the shares; the last change of Richardson's value counts three times where
+// it is the only one and no grid stands beside. Else the value is the last one and the error one
+// and a half times the sum of its last two changes; or, by of_irregular, Richardson's with shares
+// of these changes.
 Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {},
                      const Beside& beside = {});
 

@@ -36,8 +36,8 @@ struct SolvedPoint {
 
 // The solver was tried from the first to the second number, and refuses contacts below the first.
 inline constexpr double least_point_load_number = 1, greatest_tried_point_load_number = 5000;
-// Layers of liquid that are solved, over expected_film() of the flooded contact: a thicker one all
-// but floods the contact, and of a thinner one the film is all but the layer.
+// The range of H_oil that is solved, over expected_film() of the flooded contact. A thicker layer
+// nearly floods the contact; with a thinner layer the film is nearly as thick as the layer.
 inline constexpr double least_layer = 0.05, greatest_layer = 6;
 
 // A grid that is too short is made longer by the first number, once more and once more, while it
@@ -52,8 +52,8 @@ PlaneGrid grid_for(const PointContact& contact, int cells, double longer = 1);
 inline constexpr int most_coarsest_grids = 3;
 
 // The cells of the coarsest grid that is tried after one of `cells` that led to no film, or whose
-// three grids left too great an error: half as many again, or as many as leave three grids; 0 where
-// there is no room for a tenth more.
+// three grids left too great an error: half as many again, or fewer, so that three grids stay
+// within the greatest number of nodes; 0 where there is no room for a tenth more cells.
 int more_cells(const PointContact& contact, int cells, const PointOptions& options);
 
 // Error of each film: its Estimate, from three grids or more and from a larger one. Where the

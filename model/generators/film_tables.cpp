@@ -10,8 +10,9 @@
 // corners are. Pieces over L or over its root, flatter slopes, and
 // pieces without the formula were each further from films solved between the rows.
 //
-// The rows of starved films give the ln γ by which Damiens' film would be theirs, as cubic splines
-// along ln r, along ln(1 + L) and along ln M, where the rows of all r, L and M are.
+// Each row of a starved film gives the ln γ at which Damiens' formula has this film. Between the
+// rows ln γ is a cubic spline along ln r, along ln(1 + L) and along ln M, where the rows of all r,
+// L and M are there.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

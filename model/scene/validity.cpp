@@ -61,15 +61,16 @@ struct State {
   detail::SceneNumbers<double> numbers;
   HertzContact<double> hertz;
   detail::SpeedSpan speeds;
-  // The points that are judged, of film, shares and area: at the slowest and the fastest speed, and
-  // of a film that starves at some before. None without a speed or a film law.
+  // The operating points that are judged: at the slowest and the fastest speed, and, where the
+  // inlet starves the film, at some speeds in between. Empty without a speed or a film law.
   std::vector<OperatingPoint<double>> points = {};
-  // The least Λ at these points, of faces whose roughness is known by Rq alone.
+  // The least Λ above 0 at these points, where Rq alone is known of the faces.
   double lambda_ratio = not_assumed;
   // A(0), where the film of one of these points lets it matter.
   double share_without_film = not_assumed;
-  // The greatest r = h_ff/h_oil at these points, of the closure whose film collapses at 1, and of
-  // r below 1 the greatest film by damiens over that by this closure.
+  // For the closure flooded_inlet, whose film collapses at r = 1: the greatest r = h_ff/h_oil at
+  // these points; and the greatest film by damiens over the film by flooded_inlet where r is below
+  // 1.
   double flooded_over_inlet = not_assumed, film_by_damiens = not_assumed;
 
   void add(const MixedContact<double>& contact, OperatingPoint<double> point) {
@@ -106,8 +107,8 @@ struct State {
   }
 };
 
-// The least of a number over the points that is above 0: a film of 0 has collapsed, and the outputs
-// say so.
+// The least value above 0 that a number takes over the points. A film of 0 is left out: it has
+// collapsed, and the outputs say so.
 double least_of_points(const State& state, double OperatingPoint<double>::*number) {
   double least = not_assumed;
   for (const OperatingPoint<double>& point : state.points)
@@ -115,7 +116,8 @@ double least_of_points(const State& state, double OperatingPoint<double>::*numbe
   return least;
 }
 
-// The point with the most of a number, of those at which friction makes heat, and that number.
+// The greatest value of a number over the points at which friction makes heat, and the point where
+// it is taken.
 struct Hottest {
   double value = not_assumed;
   OperatingPoint<double> point = {};
@@ -223,7 +225,8 @@ double smaller_radius(const Scene& scene, double Body::*radius, double of_gap) {
   return std::min(std::abs(first.*radius), std::abs(second.*radius));
 }
 
-// The semi-axis of the contact over the radius of a body in its direction; the greatest.
+// The greatest ratio of a semi-axis of the contact to the smaller radius of the bodies in its
+// direction.
 double slope_at_edge(const State& state) {
   const double along = state.hertz.semi_axis_x /
                        smaller_radius(state.scene, &Body::radius_x, state.numbers.radius_x);
@@ -251,8 +254,8 @@ RegimeOfFilm regime_of_film(const State& state) {
   return furthest;
 }
 
-// The larger radius across the motion over the smaller one, of two faces that are both convex or
-// of which one is concave; not of flat ones.
+// The larger radius across the motion over the smaller one, for two convex faces (are_convex), or
+// where one face is concave; not for flat faces.
 double radius_ratio(const State& state, bool are_convex) {
   const auto& [first, second] = state.scene.bodies.bodies;
   const double one = std::abs(first.radius_y), other = std::abs(second.radius_y);
@@ -261,21 +264,22 @@ double radius_ratio(const State& state, bool are_convex) {
   return std::max(one, other) / std::min(one, other);
 }
 
-// That of two convex faces that would be a ball in its groove if one of them were concave, with the
-// groove's radius or its diameter.
+// The radius ratio of two convex faces, where it would fit a ball in its groove, with the groove's
+// radius or its diameter: one face was perhaps meant to be concave.
 double convex_groove(const State& state) {
   const double ratio = radius_ratio(state, true);
   const bool is_near = ratio <= greatest_groove_ratio;
   return is_near || (ratio > 2 && ratio <= greatest_diameter_ratio) ? ratio : not_assumed;
 }
 
-// That of a ball in its groove; of a groove that is far wider no slip is known.
+// The radius ratio of a ball in its groove; a groove that is far wider is not judged.
 double concave_groove(const State& state) {
   const double ratio = radius_ratio(state, false);
   return ratio <= greatest_diameter_ratio ? ratio : not_assumed;
 }
 
-// The fastest speed at which there is a film to heat. A solved film is there at each.
+// The fastest speed at which there is a film that can be heated. A solved film exists at every
+// speed.
 double fastest_with_film(const State& state) {
   if (state.solves_film()) return state.speeds.high;
   double fastest = not_assumed;
@@ -321,8 +325,8 @@ std::string advice_on_law(const State& state) {
   return std::string(state.shape == ContactShape::line ? of_lines[regime] : of_points[regime]);
 }
 
-// A(0) with the summits' offset of so many faces, of summits whose offset is that of one face by
-// default though both are rough alike (Greenwood and Tripp).
+// A(0) if `planes` faces bring the offset of the summits. Judged only for Greenwood and Tripp's
+// model, where both faces are rough alike and the scene does not give the number of faces.
 double share_of_planes(const State& state, int planes) {
   const Surface& surface = state.scene.surface;
   const bool are_alike = surface.has_moments() || surface.has_alike_faces;
@@ -761,9 +765,9 @@ OutputSet validity_outputs(const Scene& scene) {
   return outputs;
 }
 
-// Adds the points that are judged. A film that starves thins again at high speed: there limits on
-// film and heat are also those of the speeds before, the last that has a film, and the 1st, 3rd,
-// 7th … before it, as the film changes fastest next to its collapse.
+// Adds the points that are judged. A film that starves becomes thinner again at high speed.
+// Therefore the last speed that has a film is judged too, and the 1st, 3rd, 7th … speed before it:
+// the steps are small next to the collapse, where the film changes fastest.
 void add_points(State& state) {
   const MixedContact<double> contact(state.scene);
   const auto film_at = [&](double speed) {

@@ -53,7 +53,9 @@ HWY_INLINE V film_at_unit_speed(D d, const FilmLaw& law, const detail::SceneNumb
   return hn::Div(film, scene.summit_height_sd);
 }
 
-// ln M, L and ln(λ/Ĥ) at 1 m/s, and of a law that joins limits ln λ by each, with H₀₀'s in the end.
+// Numbers at 1 m/s of a law without fixed exponents. For solved films: ln M, L and, in
+// at_unit_speed, ln(λ/Ĥ). For a law that joins limits: ln λ by each limit; at_unit_speed is ln(λ/Ĥ)
+// for lines, and ln λ by H₀₀ for points.
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE void add_film(D d, ContactShape shape, const FilmLaw& law,
                            const detail::SceneNumbers<V>& scene, detail::FilmNumbers<V>& film,
@@ -134,8 +136,9 @@ HWY_INLINE void add_hertz(D d, ContactShape shape, const detail::SceneNumbers<V>
   contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
 }
 
-// Are the numbers of a contact within the bounds of sharing_method.hpp? So is 0, where it is legal.
-// Each number of SceneNumbers that is multiplied, divided by or raised to a power stands here.
+// Are the numbers of a contact within the bounds of sharing_method.hpp? The number 0 counts as
+// within, where it is legal. The offset of the summit planes, μ_b and Damiens' γ are not looked at
+// here.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, ContactShape shape, const detail::SceneNumbers<V>& scene,
                                    const detail::ContactNumbers<V>& contact) {

@@ -71,8 +71,8 @@ struct Kernels {
   // the kernels' range, the floor that this gives is not valid.
   void (*prepare)(const ContactWords& words, const SceneNumbers<double>* scenes,
                   ContactNumbers<double>* contacts, std::size_t count);
-  // ln λ of a law without fixed exponents at ln γ, and its slopes by ln u and by ln γ; and the film
-  // with its shares.
+  // film_of: λ of a law without fixed exponents at a speed and ln γ, with d ln λ/d ln u and d ln
+  // λ/d ln γ. stiffened: the flooded film with its shares.
   FilmOfSpeed (*film_of)(const FilmLaw& law, const ContactNumbers<double>& contact, double speed,
                          double log_stiffening);
   LoadShares<double> (*stiffened)(const ContactWords& words, const ContactNumbers<double>& contact,

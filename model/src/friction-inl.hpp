@@ -37,7 +37,8 @@ HWY_INLINE V inverse_hyperbolic_sine(D d, V x) {
   return logarithm_of_one_plus(d, hn::Add(x, hn::Div(square, hn::Add(one, root))));
 }
 
-// τ/τ_E of a film's shear stress, at a separation > 0 and a sliding speed ≥ 0.
+// τ/τ₀: the shear stress of a film over eyring_stress, at a separation > 0 in m and a sliding speed
+// ≥ 0 in m/s.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V relative_shear_stress(D d, FluidShear law, const detail::ContactNumbers<V>& contact,
                                    V log_thickening, V sliding_speed, V separation) {

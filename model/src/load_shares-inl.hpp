@@ -68,9 +68,9 @@ HWY_NOINLINE Shares<V> shares_without_exponent(D d, Order order,
           hn::IfThenElseZero(is_above, above.fluid)};
 }
 
-// Is the film above a high floor so stiff that A is determined better by its share of the load than
-// by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp, which is more than
-// `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp at most.
+// Is the film above a high floor so stiff that A is determined better by 1 − A, the film's share of
+// the load, than by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp, which is
+// more than `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp at most.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_stiff(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                 V lambda, const Shares<V>& shares, double least) {
@@ -78,14 +78,14 @@ HWY_INLINE hn::Mask<D> is_stiff(D d, Order order, const detail::SurfaceNumbers<V
   if (HWY_LIKELY(hn::AllFalse(d, is_high))) return is_high;
   const V q_lambda = hn::Mul(lambda, hn::Set(d, order == Order::five_halves ? 0.5 : 1.0));
   const V moves = hn::Mul(hn::Mul(q_lambda, hn::Sub(lambda, surface.offset)), shares.asperity);
-  // Beyond two floors A is nothing.
+  // Where λ is above twice the floor, A is negligible.
   return hn::And(hn::And(is_high, hn::Lt(lambda, hn::Add(surface.floor, surface.floor))),
                  hn::Gt(moves, hn::Mul(shares.fluid, hn::Set(d, least))));
 }
 
 // The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b, where an ulp of λ moves 1 − A
-// by 1/e ulp; A is 1 less that, or that at λ, whichever an ulp moves less above a high floor. Where
-// e = 0, those at the greater of λ₀ and the floor.
+// by 1/e ulp; A is computed from this 1 − A where it is below 1/2 or the film is stiff
+// (is_stiff()), else from λ. Where e = 0, the shares are those at the greater of λ₀ and the floor.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
                                     const detail::SurfaceNumbers<V>& surface, V flooded, V lambda) {

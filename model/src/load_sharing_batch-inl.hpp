@@ -331,8 +331,8 @@ HWY_INLINE hn::Mask<D> may_be_below_floor(D d, const FilmLaw& law, const Asperit
   return hn::Gt(at.share, hn::Set(d, 0.99));
 }
 
-// The same with a surface for each point, whose floor is found only where λ₀ may be below it; else
-// the root, which is not below λ₀, does not ask for it.
+// The same with a surface for each point. The floor of a surface is computed only where λ₀ may be
+// below it; elsewhere the root, which is not below λ₀, does not need the floor.
 template <class D>
 HWY_INLINE std::size_t roots_of_surfaces(D d, Order order, const FilmLaw& law,
                                          const double* stiffness, const double* offset,

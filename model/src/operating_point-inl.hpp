@@ -92,8 +92,9 @@ HWY_INLINE InletLanes<D> inlet_of(D d, const detail::ContactWords& words,
 // a/(1 + e a A/(1 − A)): up to the limit that is 1 + 6e ulp of it, 5 for soft bodies.
 inline constexpr double stiff_film = 6;
 
-// A at λ less `fall`, from A at λ, argument = λ − δ ≥ 0: what F_p gains is known to more digits
-// than F_p itself, as d² − d*² is the fall times d + d*.
+// A at the film λ − `fall`, from A at λ; argument = λ − δ ≥ 0. With d = λ − δ and d* = d − `fall`,
+// the ratio of the two F_p is known to more digits than each F_p, because d² − d*² is the fall
+// times d + d*.
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE V share_below(D d, Order order, const V& asperity, const V& argument, const V& fall) {
   const V less = hn::Min(fall, argument), lower = hn::Sub(argument, less);
@@ -104,8 +105,8 @@ HWY_NOINLINE V share_below(D d, Order order, const V& asperity, const V& argumen
 }
 
 // The shares at the starved film λ*: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
-// the flooded film's distance, which its fluid share gives, less λ(1 − y): no difference of near
-// equals.
+// computed as the distance of the flooded film from the floor, which its fluid share gives, minus
+// λ(1 − y). This avoids a difference of nearly equal numbers.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                     const Flooded<V>& flooded, const Starvation<D>& inlet,

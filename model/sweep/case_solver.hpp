@@ -64,7 +64,7 @@ class CaseSolver {
   std::optional<InletLaw<double>> inlet_law_;
   std::vector<double> speeds_;
   std::vector<Output> asked_;
-  bool has_rq_alone_ = false;    // though outputs of summits are asked for
+  bool has_rq_alone_ = false;    // Rq alone is known, and outputs of summits are asked for
   OutputSet solved_;             // what points must have for these outputs
   std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow
   OperatingPoints points_;

@@ -56,10 +56,11 @@ struct ComparedResults {
   std::uint64_t differing() const;
 };
 
-// Numbers differ where Difference::size exceeds the tolerance, with a tolerance of 0 where any bit
-// differs. At most `most` differences are listed; all are counted. Throws std::invalid_argument
-// where the results cannot be compared, as they have other scenes, numbers of cases or columns, and
-// std::runtime_error where one cannot be read. Memory does not grow with the number of cases.
+// Numbers differ where Difference::size exceeds the tolerance; with a tolerance of 0 they differ
+// where any bit does. At most `most` differences are listed; all are counted. Throws
+// std::invalid_argument where the results cannot be compared, as they have other scenes, numbers of
+// cases or columns, and std::runtime_error where one cannot be read. Memory does not grow with the
+// number of cases.
 ComparedResults compare_results(const ResultFile& first, const ResultFile& second, double tolerance,
                                 std::size_t most);
 

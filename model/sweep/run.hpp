@@ -35,7 +35,7 @@ struct RunSettings {
   int threads = 0;     // of each rank; 0: as many as the machine has, 1 under mpirun
   std::optional<Shard> shard;
   bool resume = false;     // go on with parts that are there
-  bool join = false;       // go on with such parts, and help a process that owns the output
+  bool join = false;       // as resume, but also help a process that owns the output already
   bool force = false;      // throw away parts and the result that are there
   bool mixed_fma = false;  // go on with parts of another arithmetic
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread

@@ -8,8 +8,9 @@
 //                (Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, eq. 16); c is any
 //                constant, here the value at the nominal case, so that little cancels
 //   total        T_i = E[(f(A) − f(AB_i))²]/(2V)   (Jansen 1999; there eq. 19)
-// A group in which any value is undefined is left out. Where these are more than a few, the others
-// are no chance choice of the draws, and indices of them would be of other inputs: there are none.
+// A group in which any value is undefined is left out. Where more than a few groups are left out,
+// the others are no random sample of the draws, and indices from them would describe other inputs:
+// then no indices are given.
 #pragma once
 
 #include <array>

@@ -10,8 +10,8 @@
 namespace tribo::reference {
 namespace {
 
-// Inputs: F, w, E* and R. The root of the cubic, and by the force at a radius, which by
-// the balance of energy is 4E*a^3/(3R) - sqrt(8 pi w E* a^3).
+// Inputs: F, w, E* and R. First the root of the cubic in a^3; then the radius a at which the force,
+// which by the balance of energy is 4E*a^3/(3R) - sqrt(8 pi w E* a^3), is F.
 Ball jkr_radius(const Balls& x) {
   const Ball adhesive = 3 * ball_pi() * x[1] * x[3];
   const Ball bracket = x[0] + adhesive + sqrt(2 * adhesive * x[0] + adhesive * adhesive);

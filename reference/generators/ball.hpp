@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thin value type over Arb's real balls (FLINT): midpoint and radius, every operation an
-// enclosure. Comparisons are certain: a < b only where every point of a is below every point of b.
-// Where neither a comparison nor its opposite is certain, the answer is no, and is counted.
+// A thin value type over Arb's real balls (FLINT): a ball is a midpoint and a radius, and the
+// result of every operation encloses the exact result. Comparisons are certain: a < b is true only
+// where every point of a is below every point of b. Where neither a comparison nor its opposite is
+// certain, the comparison is false, and undecided_comparisons counts it.
 #pragma once
 
 #include <arb.h>
@@ -15,8 +16,9 @@ namespace tribo::reference {
 
 inline constexpr slong ball_precision = 320;  // bits
 
-// Comparisons of this thread that were not certain either way. Code for plain numbers takes one
-// branch after such a comparison, perhaps the wrong one, and may not enclose the true result.
+// The number of comparisons in this thread that were not certain either way. Code for plain numbers
+// takes one branch after such a comparison, perhaps the wrong one, so that its result may not
+// enclose the true one.
 inline thread_local std::uint64_t undecided_comparisons = 0;
 
 class Ball {
@@ -72,7 +74,7 @@ class Ball {
   }
   // The nearest double to the midpoint.
   double nearest() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
-  // No point of the ball is above it.
+  // A double that no point of the ball is above.
   double upper_bound() const {
     arf_t bound;
     arf_init(bound);
@@ -81,7 +83,7 @@ class Ball {
     arf_clear(bound);
     return result;
   }
-  // Bits of relative accuracy, n where the radius is 2^−n of the midpoint.
+  // The bits of relative accuracy: n where the radius is 2^−n times the midpoint.
   slong accurate_bits() const { return arb_rel_accuracy_bits(x_); }
   // `digits` significant decimal digits, the last of which may be off by one.
   std::string decimal(slong digits) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shape of Hertz' ellipse in ball arithmetic, and the complete elliptic integrals that it
-// needs, by two ways that share nothing: Arb's arithmetic-geometric means, and Carlson's
-// duplication.
+// The shape of Hertz' ellipse in ball arithmetic, in two ways that share no computation: the
+// complete elliptic integrals come from Arb's arithmetic-geometric means in one way, and from
+// Carlson's duplication in the other.
 #pragma once
 
 #include <acb_elliptic.h>
@@ -58,7 +58,7 @@ struct EllipseShape {
   Ball k, first, second;  // k, K, E
 };
 
-// Bisection on (k²E − K)/(K − E) = α, integrals by arithmetic-geometric means.
+// Solves (k²E − K)/(K − E) = α by bisection, with the integrals by arithmetic-geometric means.
 inline EllipseShape shape_by_bisection(const Ball& alpha) {
   if (alpha == 1) return {Ball(1), ball_pi() / 2, ball_pi() / 2};
   const auto parameter = [](const Ball& k) { return 1 - 1 / (k * k); };
@@ -71,7 +71,8 @@ inline EllipseShape shape_by_bisection(const Ball& alpha) {
   return {k, first_integral(parameter(k)), second_integral(parameter(k))};
 }
 
-// Newton's method on ln(k²B/D) = ln α in t = ln k, with a proof by signs.
+// Solves ln(k²B/D) = ln α by Newton's method in t = ln k. Opposite certain signs at both ends of
+// the result prove it; throws std::runtime_error where they cannot be had.
 inline Associated shape_by_newton(const Ball& alpha) {
   const Ball target = log(alpha);
   const std::optional<Ball> t = zero_by_newton(

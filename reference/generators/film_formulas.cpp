@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films by formulas that are no rows of numbers, and the reduction of a film by heat.
+// Films by formulas that do not have the form of film_laws.hpp, and the reduction of a film by
+// heat.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace tribo::reference {
 namespace {
 
-// H of M and L, and h.
+// h from Moes' film number H, which depends on M and L.
 Ball moes_film(const Balls& x) {
   const Ball &speed = x[0], &viscosity = x[1], &alpha = x[2], &load = x[3], &modulus = x[4],
              &radius = x[5];
@@ -46,8 +47,8 @@ Ball moes_film_by_logarithms(const Balls& x) {
   return film * x[5] * exp(ln_2u / 2);
 }
 
-// H of M, L and D by reading: 0 or 1 for x and for the first bracket (a public transcription has
-// each), and h.
+// h from the film number H, which depends on M, L and D. A reading has 0 or 1 for the exponent and
+// for the first bracket: each of these forms stands in a public transcription of the formula.
 struct MoesReading {
   std::size_t exponent, bracket;
 };

@@ -6,8 +6,8 @@
 
 namespace tribo::reference {
 
-// h/R = C U^a G^b W^c (1 − m e^{−nk}): C in thousandths, a, b and c in parts of q, m and n in
-// hundredths.
+// h/R = C U^a G^b W^c (1 − m e^{−nk}), in whole numbers: C is `constant`/1000, the exponents are
+// a/q, b/q and c/q, and m and n are in hundredths.
 struct Law {
   const char *name, *definition, *id;
   bool is_of_lines;
@@ -15,7 +15,8 @@ struct Law {
   std::uint64_t seed;
   int rows;
 };
-// Those that scenes name come first, in the order of film_formula_words (tribo/film_laws.hpp).
+// The laws that scenes can name come first, in the order of film_formula_words
+// (tribo/film_laws.hpp).
 inline constexpr Law laws[] = {
     {"hamrock_dowson_central", "h0 = 2.69 R U^0.67 G^0.53 W^-0.067 (1 - 0.61 exp(-0.73k))", "f",
      false, 2690, 1000, 670, 530, -67, 61, 73, 505, 120},

@@ -16,9 +16,10 @@
 
 namespace tribo::reference {
 
-// With Roelands' viscosity and a compressible liquid M and L do not fix the film. So the tables
-// have one liquid: α = 20/GPa and Roelands' z = 0.6, between bodies of steel; the speed then makes
-// L, and the load M, of a line (R_y/R_x = ∞) or a point.
+// With Roelands' viscosity and a compressible liquid, M and L alone do not determine the film. The
+// tables therefore have one liquid, with α = 20/GPa and Roelands' z = 0.6, between bodies of steel.
+// The speed follows from L, and the load from M, of a line where radius_ratio = R_y/R_x is
+// infinite, and else of a point.
 inline constexpr const char* compressible_liquid =
     "Roelands with z = 0.6 and alpha = 20/GPa, density by Dowson and Higginson, E* = 115.4 GPa";
 inline ehl::FilmConditions compressible_conditions(double load_number, double material_number,
@@ -39,7 +40,7 @@ inline ehl::FilmConditions compressible_conditions(double load_number, double ma
           .radius_ratio = radius_ratio};
 }
 
-// The number and its error, in `unit`, each after a comma.
+// The number and its error, both multiplied by `unit`, each after a comma.
 inline std::string fields(const ehl::Estimate& e, double unit) {
   return fmt::format(",{:.9g},{:.2g}", e.value * unit, e.error * unit);
 }
@@ -53,8 +54,10 @@ inline std::vector<double> numbers_of(const std::string& row, std::size_t count)
   return values;
 }
 
-// Whether two rows begin with the same `keys` numbers, and agree in those that follow, up to
-// `count`, each within both errors. Bytes depend on how a machine and a compiler round.
+// Whether two rows begin with the same `keys` numbers, and agree in the numbers behind them. These
+// are pairs of a value and its error, up to column `count`; two values agree where they differ by
+// at most the sum of their errors. The texts are not compared, because their last digits depend on
+// how a machine and a compiler round.
 inline bool is_within_errors(const std::string& one, const std::string& other, std::size_t keys,
                              std::size_t count) {
   const std::vector<double> a = numbers_of(one, count), b = numbers_of(other, count);

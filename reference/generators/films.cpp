@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films of flooded, smooth contacts: laws that are rows of numbers.
+// Films of flooded, smooth contacts by the laws of film_laws.hpp, each of which is a row of
+// numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,8 +58,9 @@ Row row_of(const Law& law, const Contact& x, const char* region) {
           region};
 }
 
-// A contact at each end of each input and of U, G and W, as nearly as usual otherwise: so that the
-// bodies stay whole, the load goes with modulus and radius, or the radius with the load.
+// A contact at each end of each input and of U, G and W. The other inputs are as usual where
+// possible; but where the load, the modulus or the radius is at an end, the load or the radius goes
+// with it, so that the pressure stays one that bodies can bear.
 std::vector<Contact> contacts_at_ends(const Law& law, const Contact& usual) {
   const double power = law.is_of_lines ? 1 : 2;
   const auto load_number = [&](const Contact& x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes the tables of reference/exact, or makes a seeded sample of their rows again and compares
-// bytes.
+// their texts byte by byte.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>

@@ -240,8 +240,9 @@ class Collocation {
     return j;
   }
 
-  // Makes a part of a step, such that the film stays positive. Returns the greatest change, of P,
-  // of c or of X_e, of the whole step.
+  // Makes a part of a step of Newton's method, or all of it, so that the film stays positive.
+  // Returns the greatest change of P, c or X_e that the whole step would make; infinity where the
+  // equations have no finite solution, or where the part would be too small.
   double make_step(State& state) const {
     const VectorXd x = nodes(state.ends);
     const MatrixXd kernel = this->kernel(state.ends, x);
@@ -329,8 +330,9 @@ class Collocation {
   int degree_;
 };
 
-// Ends of elements that have equal shares in a density of three parts: the root of the pressure's
-// curvature, the slope of ln H, and the distance.
+// Ends of `count` elements, which have equal shares of a density. Half of the density goes with the
+// square root of the pressure's curvature, a quarter with the slope of ln H, and a quarter with
+// 1/(1 + |X|).
 Ends first_ends(const FilmStart& start, double inlet, double outlet, int count) {
   const auto x = start.x, p = start.pressure;
   std::vector<double> bend(x.size(), 0.0);
@@ -387,8 +389,8 @@ State first_state(const FilmStart& start, const Ends& ends, const VectorXd& node
   return state;
 }
 
-// Solves, and halves elements, until P is resolved on all. Returns false, and leaves the state,
-// where that is not possible.
+// Solves, and halves elements, until P is resolved on all of them. Where that is not possible, it
+// returns false and does not change the state.
 bool solve_resolved(const Collocation& way, const CollocationOptions& options, State& state,
                     int& steps) {
   const auto is_coarse = [&](const VectorXd& c) {

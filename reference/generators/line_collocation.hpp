@@ -33,14 +33,15 @@ struct FilmStart {
 struct CollocationOptions {
   int degree = 4;
   int elements = 60;         // at first; then elements are halved where P is not resolved
-  double resolution = 3e-4;  // most that an element's last polynomials may add to P
+  double resolution = 3e-4;  // the most that an element's two highest polynomials may add to P
   int most_elements = 160;
-  // How far upstream the elements begin, in X, or in √(2c) if that is more. The start has to reach
-  // as far.
+  // How far upstream the elements begin, in units of X, or in units of √(2c) where √(2c) > 1. If
+  // the start does not reach so far, they begin at its first node, and the stated errors do not
+  // cover that.
   double inlet = 100;
 };
 
-// NaN: there is no such number.
+// Both are NaN where there is no such number.
 struct CollocatedNumber {
   double value = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();  // estimated, absolute
@@ -57,8 +58,9 @@ struct CollocatedFilm {
   int steps = 0;                                            // Newton steps, in all
 };
 
-// The errors have three parts: the change by halving all elements, the rest of the changes with φ,
-// and the error of the inlet. A search that fails is repeated with more elements.
+// The errors have three parts: the change when all elements are halved, the changes that smaller φ
+// would still make, and the error of the inlet. A search that fails is repeated with more elements,
+// at most twice; then is_solved is false, and `reason` says why.
 CollocatedFilm collocate_line_film(const ehl::LineContact& contact, const FilmStart& start,
                                    const CollocationOptions& options = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the tables of reference/ehl, or makes a seeded sample of its rows again and compares them
-// within the errors that both state. The sample is of line_films.csv alone.
+// Makes the tables of line films in reference/ehl: line_films.csv, the films between its rows, or
+// those of a compressible liquid. Or it makes a seeded sample of the rows of line_films.csv again,
+// and compares them within the errors that both state.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -43,8 +44,8 @@ std::vector<Contact> contacts() {
   return all;
 }
 
-// The greatest difference of the second method's films, as a part of the sum of both errors; empty
-// where it did not solve the contact.
+// The greatest difference between the films of both methods, divided by the sum of both errors;
+// empty where the second method did not solve the contact.
 std::string part_of_errors(const tribo::ehl::LineContact& contact, const SolvedFilm& films) {
   // The start is a grid that does not show the spike too sharply.
   const tribo::ehl::LineFilm f = tribo::ehl::solve_line_film(contact).film;

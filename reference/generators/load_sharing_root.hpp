@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The root of ln λ − ln λ₀ + e ln(1 − A(λ)) = 0, e = 0.14 or of another film law, A = (K
-// F_p(λ−δ))^q, with a proof by signs, and by bisection in ball arithmetic as the second way.
+// The root of ln λ − ln λ₀ + e ln(1 − A(λ)) = 0 with A = (K F_p(λ−δ))^q; e is 0.14, or that of
+// another film law. The first way is Newton's method with a proof by signs, the second way is
+// bisection in ball arithmetic.
 #pragma once
 
 #include <functional>
@@ -44,7 +45,8 @@ inline int sign_at(const RoughContact& contact, const Ball& lambda0, const Ball&
   return sign(log(lambda) - log(lambda0) + contact.exponent * log1p(-share));
 }
 
-// Between λ(1 − 2^−bits) and λ(1 + 2^−bits) the residual changes sign for certain.
+// Whether it is certain that the residual changes its sign between λ(1 − 2^−bits) and
+// λ(1 + 2^−bits).
 inline bool is_proven(const RoughContact& contact, const Ball& lambda0, const Ball& lambda,
                       int bits) {
   const Ball step = pow(Ball(2), Ball(-bits));
@@ -65,8 +67,9 @@ inline Ball root_by_bisection(const RoughContact& contact, const Ball& lambda0) 
                 (lambda0 * fraction(1, 2)).midpoint(), upper_bound(contact, lambda0));
 }
 
-// Newton's method on the midpoints of A + w − 1, from the left end, then the proof. Where the floor
-// is the root to working precision the steps end there.
+// Newton's method on the midpoints of A + w − 1 with w = (λ₀/λ)^{1/e}, from λ₀, or from the floor
+// where A(λ₀) ≥ 1; then the proof. Throws std::runtime_error where there is no proof. Where the
+// floor is the root to working precision, the steps end there.
 inline Ball root_by_newton(const RoughContact& contact, const Ball& lambda0) {
   Ball lambda = lambda0.midpoint();
   if (contact.share(lambda) >= 1)  // below the floor: start from a coarse bracket of the floor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A polynomial on an element from −1 to 1, by its values at p + 1 nodes: the p left Radau points,
-// of which the first is −1, and 1; with its integral ∫ f(t) ln|z − t| dt.
+// A polynomial f of degree p on an element from −1 to 1, given by its values at p + 1 nodes: the p
+// left Radau points, the first of which is −1, and 1. All results are weights of these values,
+// among them those of ∫ f(t) ln|z − t| dt.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// F_n(d) = ∫_d^∞ (s−d)ⁿ φ(s) ds in ball arithmetic, by two ways that share nothing.
+// F_n(d) = ∫_d^∞ (s−d)ⁿ φ(s) ds in ball arithmetic, in two ways: by hypergeometric functions and by
+// quadrature.
 #pragma once
 
 #include <acb_calc.h>
@@ -26,7 +27,7 @@ inline Ball widened(Ball value, int twice_n, const Ball& ball) {
   return value;
 }
 
-// F_n at d > 10000 is at most e^{−d²/2}, below anything that it is compared with.
+// F_n at d > 10000: it is at most e^{−d²/2}, so that a ball around 0 encloses it.
 inline Ball nothing() {
   Ball result;
   const Ball bound = exp(Ball(-50000000));

@@ -89,8 +89,9 @@ void add_steps(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   for (const double ratio : {1.2, 0.9}) exchange(in.value[Inputs::supply], ratio);
 }
 
-// Two points at the ends of what friction meets: the exponent αp next to 70, where every field that
-// has a default has it, and η₀γ̇/τ₀ next to 1e4 of a starved, isoviscous film.
+// Two points at the ends of the ranges of friction. In the first one the exponent αp is next to 70,
+// and every field that has a default has it; in the second one, a starved film of constant
+// viscosity, η₀γ̇/τ₀ is next to 1e4.
 void add_ends(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   Inputs in;
   in.shape = shape;
@@ -126,7 +127,8 @@ void add_ends(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   scenes.push_back(in);
 }
 
-// The random ones, then those of each way of asking for the point.
+// The random inputs, then those of add_steps() and add_ends() for each shape, and for a second law
+// of circles.
 std::vector<Inputs> all_inputs() {
   std::vector<Inputs> scenes;
   Sampler sampler(505), shapes(507);

@@ -380,14 +380,14 @@ ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
       return found[n + 1][which] + part * (found[n + 1][which] - found[n][which]);
     };
     const double farther = found[1][which] - found[0][which];
-    // Its order is not observed: the meshes are too few.
+    // The order of convergence is not observed, because there are too few meshes: it is taken as 2.
     return ehl::Estimate{.value = richardson(2) + farther,
                          .error = 2 * std::fabs(richardson(2) - richardson(1)) +
                                   share * std::fabs(richardson(2) - found[3][which]) +
                                   std::fabs(farther) / 4};
   };
   result.central = number(0, 0.125);
-  result.minimum = number(1, 0.5);  // whose order is less regular
+  result.minimum = number(1, 0.5);  // the least film converges less regularly
   result.is_solved = true;
   return result;
 }

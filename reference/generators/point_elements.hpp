@@ -8,8 +8,9 @@
 // that they are ∂H/∂X = 0. So each test function w has τ ∂w/∂X added, times the whole residual,
 // ∂H/∂X − ∇·(ε∇P): τ = (coth Pe − 1/Pe)h/2 with Pe = ch²/ε (A. N. Brooks, T. J. R. Hughes:
 // Streamline upwind/Petrov–Galerkin formulations. Comput. Methods Appl. Mech. Eng. 32 (1982) 199),
-// where c and ε are those of the contact. ∇·(ε∇P) is of slopes of the second order at the nodes, as
-// bilinear functions have no second derivatives. Suction is held down by a penalty.
+// where c and ε are those of the contact. ∇·(ε∇P) is made of slopes at the nodes, by differences of
+// second order, because bilinear functions have no second derivatives. A penalty keeps P from
+// falling much below 0.
 #pragma once
 
 #include <limits>
@@ -34,11 +35,13 @@ struct ElementFilm {
   int steps = 0;                   // of Newton's method, in all
 };
 
-// The numbers are Richardson's of meshes with 1, 3/2 and 2 times the cells, with what twice the
-// reach would change: the load beyond falls as 1/reach. Their error is twice what Richardson's
-// value changed by, an eighth (least film: half) of what it adds to the finest mesh's, and a
-// quarter of the reach's change; it is chosen, not proven. Where Newton's method fails, as with
-// L = 10 at M = 50, L = 5 at M = 200, and L = 5 at M = 20 and R_y/R_x = 1/2, `reason` says so.
+// The numbers are Richardson's extrapolation from meshes with 1, 3/2 and 2 times the cells, plus
+// the change from half the reach to the reach: the load beyond the reach falls as 1/reach, so that
+// all of the rest would change the numbers by as much again. Their error is the sum of twice the
+// last change of Richardson's value, an eighth (least film: half) of what it adds to the value on
+// the finest mesh, and a quarter of the change by the reach; it is chosen, not proven. Where
+// Newton's method fails, as with L = 10 at M = 50, L = 5 at M = 200, and L = 5 at M = 20 and
+// R_y/R_x = 1/2, `reason` says so.
 // `contact` is flooded and incompressible.
 ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
                                          const ElementOptions& options = {});

@@ -207,7 +207,7 @@ std::vector<std::string> rows_of(const std::filesystem::path& file) {
   return rows;
 }
 
-// Writes the rows that are known, in their order. Those of the main table get the column of the
+// Writes the known rows in the order of the table. Rows of the main table get the column of the
 // second method, from point_films_second_method.csv beside the table.
 void write(const std::filesystem::path& file, Table table,
            const std::map<std::string, std::string>& known) {

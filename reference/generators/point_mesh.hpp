@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rectangular elements over the half plane Y ≥ 0, their sides longer and longer away from the
-// contact, and the film that a pressure adds on them: P is bilinear on each element, and ∬ P/r is
-// exact near a node's function, from the fourth integral of 1/r, and by Gauss' rule of two points
-// along each axis from seven of its sides on, where it is off by less than 2e-5.
+// Rectangular elements over the half plane Y ≥ 0, whose sides become longer away from the contact,
+// and the film that a pressure on them adds. P is bilinear on each element. Near a node ∬ P/r of
+// its function is exact, from the fourth integral of 1/r. Farther away than about seven of the
+// longest side beside the node it is computed by Gauss' rule of two points along each axis, with an
+// error below 2e-5.
 #pragma once
 
 #include <Eigen/Dense>
@@ -13,7 +14,8 @@ namespace tribo::reference {
 
 using Eigen::Index;
 using Nodes = std::vector<double>;  // rising
-// A row for each node that is lifted; 7 digits are enough, and half the memory.
+// A row for each node at which a film is added. Numbers are `float`, because 7 digits are enough
+// and take half the memory.
 using FilmMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -28,11 +30,13 @@ struct PointMesh {
   bool is_end(Index i, Index j) const { return i == 0 || i + 1 == nx() || j + 1 == ny(); }
 };
 
-// Nodes from −start to end, of them 0: `step` apart up to `even` on both sides, then as
-// width·sinh(fs/width) farther, where f is all but 1: so the ends do not depend on `step`.
+// Nodes from −start to end, one of them at 0. Up to `even` on both sides they are `step` apart.
+// Beyond, they lie at even + width·sinh(f(s − even)/width) for whole multiples s of `step`, where f
+// is close to 1 and is chosen such that the ends do not depend on `step`.
 Nodes graded(double start, double end, double even, double width, double step);
 
-// ∬ N/r at each node, of each node's function and its mirror image; 0 of those at the ends.
+// ∬ N/r at each node (row) for the function N of each node (column) and its mirror image in Y = 0.
+// Columns of nodes at the ends are 0.
 FilmMatrix film_matrix(const PointMesh& mesh);
 
 }  // namespace tribo::reference

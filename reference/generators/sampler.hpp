@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded inputs, the same on every platform: splitmix64, and inputs of 30 bits, so that a libm that
-// differs in the last one changes nothing.
+// Seeded inputs, the same on every platform: they come from splitmix64 and are rounded to 30 bits,
+// so that a math library whose results differ in the last bit changes nothing.
 #pragma once
 
 #include <cmath>

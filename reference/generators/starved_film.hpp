@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// y = h*/h_ff behind the four inlets, in ball arithmetic: solved for y itself (the model solves for
-// ψ).
+// y = h*/h_ff behind the four inlets, in ball arithmetic and in two ways.
 #pragma once
 
 #include <array>
@@ -36,7 +35,8 @@ inline Ball damiens_ratio(const Ball& r, const Ball& gamma) {
   return pow(1 + pow(r, gamma), -1 / gamma);
 }
 
-// First way: bisection on 1/r(y) − 1/r with a sign proof. y falls as fast as r^−4.
+// The second way: bisection in y, by certain signs, until inverse_ratio() is 1/r. The lower end of
+// the bracket is so small because y falls as fast as r^−4.
 inline Ball film_ratio_by_bisection(Inlet inlet, const Ball& r, const Ball& gamma) {
   if (inlet == Inlet::damiens) return damiens_ratio(r, gamma);
   if (inlet == Inlet::flooded_inlet && r >= 1) return Ball(0);
@@ -46,8 +46,8 @@ inline Ball film_ratio_by_bisection(Inlet inlet, const Ball& r, const Ball& gamm
                       low.midpoint(), high.midpoint());
 }
 
-// Second way: explicit where it can be (flooded_inlet by the arctangent, damiens by ρ = 1/r), else
-// Newton's method in ln ψ with a proof by signs.
+// The first way: explicit where that is possible (flooded_inlet by the arctangent, damiens by
+// ρ = 1/r), else Newton's method in ln ψ with a proof by signs.
 inline Ball film_ratio_by_inlet_length(Inlet inlet, const Ball& r, const Ball& gamma) {
   if (inlet == Inlet::damiens) {
     const Ball rho = 1 / r;
@@ -66,7 +66,7 @@ inline Ball film_ratio_by_inlet_length(Inlet inlet, const Ball& r, const Ball& g
     if (inlet == Inlet::printed_exponents) term = term / (y * sqrt(sqrt(y)));
     return log(r * (y + term));
   };
-  // r may be made of a root itself, which is known to no more bits than these.
+  // r may come from a root, which may be known to no more bits than the last of these.
   const std::optional<Ball> t = zero_by_newton(excess, (-log(r)).midpoint(), {240, 210, 170, 145});
   if (!t) throw std::runtime_error("no sign proof for a film ratio");
   return ratio_at(exp(*t));

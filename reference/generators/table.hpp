@@ -51,8 +51,9 @@ inline std::string line(const std::string& id, const Row& row) {
 
 using Balls = std::vector<Ball>;
 
-// The inputs on the way from one row to another, exchanged one after the other: by such neighbours
-// a solver is found that takes no notice of one input. Those that are the same are passed over.
+// The inputs on the way from one row to another: one number after the other is exchanged, and
+// numbers that are the same are skipped. Such neighbouring rows reveal a solver that ignores one of
+// its inputs.
 using Numbers = std::vector<double>;
 inline std::vector<Numbers> steps(Numbers from, const Numbers& to) {
   std::vector<Numbers> all{from};
@@ -64,8 +65,8 @@ inline std::vector<Numbers> steps(Numbers from, const Numbers& to) {
   return all;
 }
 
-// One input at each end of its reach, the others as they are: by such rows a solver is found that
-// cuts an input off, or fits a law to a part of the reach alone.
+// Rows with one input at an end of its reach, and the others as usual. Such rows reveal a solver
+// that limits an input, or whose law is fitted to only a part of the reach.
 struct Reach {
   std::size_t input;  // its place
   double least, greatest;
@@ -108,7 +109,8 @@ struct Table {
   void add(std::function<Row()> make) {
     add(fmt::format("{}{:04}", ids, rows.size()), std::move(make));
   }
-  // Two texts of a formula at the same inputs, and the condition by differences.
+  // Adds a row from a formula that is written in two ways, evaluated at the same inputs, with the
+  // condition number of the first by differences.
   void add(std::vector<std::string> words, std::vector<double> numbers, Formula first,
            Formula second, const char* region) {
     add([=] {

@@ -46,8 +46,9 @@ inline std::string joined(const std::vector<std::string>& rows) {
   return text;
 }
 
-// The texts of make(0), …, make(count − 1), on all cores. `block` neighbours stay on one thread,
-// which calls at_end() last. An error ends the program with its message after `prefix`.
+// The texts of make(0), …, make(count − 1), made on all cores. Each thread takes `block` neighbours
+// at a time, and calls at_end() when no more are left. An error is told on stderr after `prefix`,
+// and ends the program with exit code 1.
 template <class Make, class AtEnd>
 std::vector<std::string> made_on_all_cores(std::size_t count, std::size_t block,
                                            const std::string& prefix, Make&& make, AtEnd&& at_end) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Zeros of functions of balls, each found in one of two ways that have no step in common: bisection
-// by certain signs, and Newton's method with a proof by signs afterwards.
+// Zeros of functions of balls, in two ways: bisection by certain signs, and Newton's method with a
+// proof by signs afterwards.
 #pragma once
 
 #include <functional>
@@ -27,15 +27,16 @@ inline Ball bisect(const std::function<int(const Ball&)>& certain_sign, Ball low
   arb_union(result.get(), low.get(), high.get(), ball_precision);
   return result;
 }
-// The same for a function itself.
+// The same for a function in place of its sign.
 inline Ball zero_between(const std::function<Ball(const Ball&)>& function, const Ball& low,
                          const Ball& high) {
   return bisect([&](const Ball& x) { return sign(function(x)); }, low, high);
 }
 
-// The zero of an increasing function by Newton's method on midpoints from t, in steps of at most 2,
-// its slope a difference over 2^-120. The radius of the result is the first 2^−bits at whose ends
-// the function has certain and opposite signs; there is no result where no radius has them.
+// The zero of an increasing function by Newton's method on midpoints, from t. No step is longer
+// than 2, and the slope is a difference over 2^-120. The radius of the result is the first 2^−bits
+// for which the function is certainly negative at the lower end and certainly positive at the upper
+// one. Where no radius fulfils that, the result is empty.
 inline std::optional<Ball> zero_by_newton(const std::function<Ball(const Ball&)>& function, Ball t,
                                           std::initializer_list<int> bits) {
   const Ball h = pow(Ball(2), Ball(-120));

@@ -32,7 +32,8 @@ constexpr std::string_view source = "scene";
 bool is_speed(double speed) { return speed > 0 && std::isfinite(speed); }
 constexpr std::string_view speed_allowed = "a number above 0, in m/s";
 
-// Throws all faults of it, a line each.
+// The scene that was read. Throws std::invalid_argument with all its faults, a line each, where it
+// has any.
 Scene scene_of(SceneReading reading) {
   if (reading.scene) return std::move(*reading.scene);
   std::string faults;
@@ -96,10 +97,12 @@ class Columns {
     }
   }
 
-  // Names in place of the scene's own outputs; none where only the speed is asked for.
+  // The names of the outputs that are asked for, in place of the scene's own outputs; empty where
+  // only the speed is asked for.
   std::span<const std::string_view> names() const { return names_; }
 
-  // The first points of a batch, at these speeds.
+  // Puts the first points of a batch, which are at these speeds, into the columns from place
+  // `first` on.
   void put(std::size_t first, std::span<const double> speeds, const OperatingPoints& points,
            const SmoothContact* smooth) {
     for (std::size_t k = 0; k < results_.size(); ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the functions of tribocheck.h read requests and tell texts, without an exception.
+// How the functions of tribocheck.h read requests and write texts for the caller. No exception
+// leaves tell().
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +23,8 @@
 
 namespace tribo::bindings {
 
-// Where a text goes that the caller is told.
+// The caller's memory for a text: `size` bytes at `text`, and the place for the whole length, which
+// may be null.
 struct Told {
   char* text;
   std::size_t size;
@@ -37,7 +39,8 @@ struct Told {
   }
 };
 
-// Tells the text that `make` gives, with the code that it sets, or why it threw.
+// Writes the text that make(code) returns, and returns the code that `make` sets, at first
+// TRIBOCHECK_OK. Where `make` throws, it writes the reason and returns TRIBOCHECK_REFUSED.
 template <class Make>
 int tell(const Told& told, Make make) noexcept {
   try {
@@ -57,7 +60,8 @@ inline std::string refusal(std::string_view name, double number, std::string_vie
   return fmt::format("{}: {} is not allowed; allowed: {}", name, number, allowed);
 }
 
-// The members of a request, which are read once each; any other is refused.
+// The members of a JSON request. Each take function reads one member and removes it;
+// refuse_others() then refuses those that are left. All throw std::invalid_argument with one line.
 class Members {
  public:
   explicit Members(const char* text) : all_(nlohmann::json::parse(text, nullptr, false)) {
@@ -90,7 +94,8 @@ class Members {
     throw std::invalid_argument(refusal(name, number, allowed));
   }
 
-  // The first word stands for none; an empty one is not told.
+  // One of the allowed words; the first one where the request has no such member. An empty word is
+  // left out where an error lists the words.
   std::string take_one_of(const char* name, const std::vector<std::string>& allowed) {
     std::string value = take(name, allowed[0]);
     if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;

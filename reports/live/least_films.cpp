@@ -17,8 +17,8 @@ struct PackedFilms {
 };
 #include "least_films.inc"
 
-// The next code that packed() of make_live.py wrote: 0 where there is no number, 2n + 1 of a
-// difference n ≥ 0, −2n of one below. `byte` is moved behind it.
+// Reads the next code that packed() of make_live.py wrote, and moves `byte` behind it. The code is
+// 0 where there is no number; for a difference n it is 2n + 1 if n ≥ 0, and −2n if n < 0.
 long next_code(const unsigned char*& byte) {
   long code = 0;
   for (int shift = 0;; shift += 7) {

@@ -6,8 +6,8 @@
 
 namespace tribo::live {
 
-// ln Ĥ of the least film, within 1e-4 of the table that film_table() has for the program: so much
-// is a step of make_live.py (UNIT) in a film's value and slopes.
+// ln Ĥ of the least film, within 1e-4 of the table that film_table() gives in the program, because
+// make_live.py rounds the value and the slopes of each film to steps of that size (UNIT).
 const FilmTable& least_film_table(bool is_of_lines);
 
 }  // namespace tribo::live

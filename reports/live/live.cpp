@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model as the page calls it, in WebAssembly: one scene is held, and asked. Texts come back as
-// lines of cells between tabs, ended by a 0, numbers as doubles, row by row; both are valid until
-// the next call. Nothing throws. A text for a call stands in the room that live_room() gives.
+// The model as the page calls it, in WebAssembly. One scene is held at a time, and the calls ask
+// about it. A call returns either a text, which consists of lines of cells with tabs between them
+// and ends with a 0, or doubles, row by row. Both are valid until the next call. No call throws. A
+// text for a call is written into the memory that live_room() returns.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -164,8 +165,9 @@ TRIBOCHECK_CALL(live_fields) const char* live_fields() {
   return answer.c_str();
 }
 
-// Reads the TOML text in the room. The scene is held where no line begins with "error". Lines:
-// "error" or "warning", the field, the sentence.
+// Reads the TOML text in the memory of live_room(). The cells of a line are "error" or "warning",
+// the field, and the sentence. The scene is held if there is no line with "error"; else none is
+// held.
 TRIBOCHECK_CALL(live_read) const char* live_read() {
   answer.clear();
   held.reset();
@@ -181,8 +183,8 @@ TRIBOCHECK_CALL(live_read) const char* live_read() {
   return answer.c_str();
 }
 
-// The held scene's numbers and words, given or computed: path, value; and its shape and its range
-// of speeds.
+// The numbers and words of the held scene, given or computed, a line each: path and value. The
+// first lines are its id, its shape, and the ends of its range of speeds.
 TRIBOCHECK_CALL(live_values) const char* live_values() {
   answer.clear();
   if (!held) return answer.c_str();
@@ -232,9 +234,10 @@ TRIBOCHECK_CALL(live_outputs) const char* live_outputs() {
   return answer.c_str();
 }
 
-// `count` points at even steps of ln u, from `low` to `high` in m/s, both to the bit: each the
-// speed and then all outputs, of a word its place. NaN: undefined, or not asked because inputs of
-// friction are not there.
+// `count` points at even steps of the logarithm of the speed, from `low` to `high` in m/s, which
+// are hit to the bit. A row is the speed and then all outputs; a word is given by its place in the
+// list of words. NaN: the output is undefined, or the scene lacks the inputs of friction. Null
+// where no scene is held.
 TRIBOCHECK_CALL(live_points) const double* live_points(double low, double high, std::size_t count) {
   answer_numbers.clear();
   if (!held) return nullptr;
@@ -261,7 +264,7 @@ TRIBOCHECK_CALL(live_points) const double* live_points(double low, double high, 
   return answer_numbers.data();
 }
 
-// Why outputs are undefined at a speed: output, reason.
+// The outputs that are undefined at a speed, a line each: output, reason.
 TRIBOCHECK_CALL(live_undefined) const char* live_undefined(double speed) {
   answer.clear();
   if (!held) return answer.c_str();
@@ -335,9 +338,11 @@ TRIBOCHECK_CALL(live_films) const char* live_films(double speed) {
   return answer.c_str();
 }
 
-// The numbers of the map of regimes at a speed, g_V and g_E of a point, M and L of a line, and the
-// place of the regime there; then the places of the regimes on a grid of count × count logarithms,
-// from low to high, of the second number all, of the first the next.
+// The two numbers of the map of regimes at a speed (g_V and g_E of a point contact, M and L of a
+// line contact), and the place of the regime there in the list of live_regimes(). Then the places
+// of the regimes at the middles of count × count equal cells of the map, which reaches from x_low
+// to x_high in the decimal logarithm of the first number, and from y_low to y_high in that of the
+// second. The second number varies first.
 TRIBOCHECK_CALL(live_map)
 const double* live_map(double speed, double x_low, double x_high, double y_low, double y_high,
                        std::size_t count) {
@@ -374,8 +379,9 @@ TRIBOCHECK_CALL(live_regimes) const char* live_regimes() {
   return answer.c_str();
 }
 
-// The parameters and then the results of the function of the catalogue whose name is in the room:
-// "argument" or "result", name, unit, meaning. None: there is no such function.
+// The parameters and then the results of the function whose name is in the memory of live_room(), a
+// line each: "argument" or "result", name, unit, meaning. There are no lines where the catalogue
+// has no such function.
 TRIBOCHECK_CALL(live_function) const char* live_function() {
   answer.clear();
   const catalogue::Function* const function = catalogue::function_named(room);
@@ -387,8 +393,9 @@ TRIBOCHECK_CALL(live_function) const char* live_function() {
   return answer.c_str();
 }
 
-// The result of a function that the text in the room asks for: function, result, argument=number,
-// …; NaN: it has none.
+// One result of a function, which the text in the memory of live_room() asks for in the form
+// function,result,argument=number,…: NaN where there is no such function, and the first result
+// where the function has none of that name.
 TRIBOCHECK_CALL(live_value) double live_value() {
   std::string_view text = room;
   const catalogue::Function* const function = catalogue::function_named(cut(text, ','));
@@ -399,9 +406,9 @@ TRIBOCHECK_CALL(live_value) double live_value() {
   return result_of(function, output, asked);
 }
 
-// The certified rows in here, judged as `tribocheck verify` does: function, output, rows, the
-// greatest part of the bound that an error takes, the row with it. The bound is kept where that
-// part is at most 1.
+// The certified rows that this file includes, judged as `tribocheck verify` does. The cells of a
+// line: function, output, number of rows, the greatest ratio of an error to its bound, and the row
+// with that ratio. The bound is kept where the ratio is at most 1.
 TRIBOCHECK_CALL(live_verify) const char* live_verify() {
   struct Judged {
     std::string_view function, output, worst_row;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that the engine takes from SLEEF and Highway, for WebAssembly, where neither is:
-// the elementary functions are those of its C library (musl's: below 1 ulp, as SLEEF's), and the
-// instruction set is the one that it was compiled for.
+// The functions that the engine otherwise takes from SLEEF and Highway, for WebAssembly, which has
+// neither library. The elementary functions are those of its C library (musl; errors below 1 ulp,
+// as with SLEEF), and the instruction set is the one that the file was compiled for.
 #include <hwy/targets.h>
 
 #include <array>

@@ -23,8 +23,8 @@ TextTable statement_table(const reproduction::Ledger& ledger,
 // "10 of the paper's 17 claims are reproduced, 2 partly, 5 not"
 std::string verdict_sentence(const reproduction::Ledger& ledger,
                              const reproduction::NamedReading& reading);
-// The same counts for the other choices of E9, which nothing in the paper decides, and what
-// “partly” means.
+// The same counts for the other choices of E9, between which nothing in the paper decides, and a
+// sentence on the meaning of “partly”.
 std::string other_planes_sentence(const reproduction::Ledger& ledger);
 inline constexpr const char* arithmetic_words =
     "(arithmetic): follows from a formula as printed, whatever the model.";
@@ -78,7 +78,8 @@ std::string with_unit(const std::string& number, const std::string& unit);
 std::string asked(const reproduction::Item& item);
 // The computed number, or least … greatest over speeds.
 std::string computed(const reproduction::Item& item, const reproduction::ItemResult& result);
-// "4.19 times" the paper's number; of a comparison "at 72.5 % of speeds", where it holds.
+// The computed number over the paper's, as "4.19 times"; for a comparison the part of the speeds at
+// which it holds, as "at 72.5 % of speeds".
 std::string against_the_paper(const reproduction::Item& item,
                               const reproduction::ItemResult& result);
 // The verdict, with why there is no number, or that the verdict is not decided.

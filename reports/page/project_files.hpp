@@ -49,9 +49,10 @@ struct ReportPlaces {
   std::string shown(const std::filesystem::path& file) const;
 };
 
-// The project is the nearest folder with reports/page/render and reference/published above the
-// current folder, or else above the program; an installed program has both in share/tribocheck
-// beside it. Throws ReportError where there is no current folder.
+// The usual folders. The project is the nearest folder with reports/page/render and
+// reference/published above the current folder, or else above the program. Where there is none, the
+// program is taken as installed: its files are in share/tribocheck of its prefix. Throws
+// ReportError where there is no current folder.
 ReportPlaces usual_places();
 
 // usual_places() with the folders that `options` names. Throws ReportError if the folder of the
@@ -70,8 +71,9 @@ struct ReferenceFiles {
 };
 ReferenceFiles reference_files(const std::filesystem::path& given);
 
-// Replaces the file that is there, unless told otherwise, or the one that a symbolic link there
-// leads to (output_behind_links()). Both throw protocol::OutputFailed.
+// Writes the file as a whole. It replaces a file that is there, or the one that a symbolic link
+// there leads to (output_behind_links()), if `replaceable` allows that. write_file() and
+// make_folder() throw protocol::OutputFailed.
 void write_file(const std::filesystem::path& target, std::string_view content,
                 const sweep::Replaceable& replaceable = {.any = true, .only = {}});
 void make_folder(const std::filesystem::path& folder);

@@ -17,8 +17,8 @@ struct Rendering {
 // Debian's own Python has Debian's packages; another one that is first in PATH often has not.
 std::string python();
 
-// Runs render/`script` with these arguments. Where Python or one of its packages is missing, the
-// one line in `undrawn` says so.
+// Runs render/`script` with these arguments. Where Python or one of its packages is missing, or
+// where the script fails, `written` is empty and the one line in `undrawn` says so.
 Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments);
 

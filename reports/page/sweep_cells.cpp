@@ -41,7 +41,7 @@ ColumnResult::Value value_of(const std::vector<double>& numbers, std::size_t wid
   return value;
 }
 
-// The grid values of a cell, whose grids' last one varies first.
+// The grid values of a cell. From cell to cell the last grid varies first.
 std::string where_text(const sweep::SceneSweep& sweep, std::uint64_t cell) {
   std::string text;
   for (std::size_t v = sweep.variables.size() - sweep.drawn(); v-- > 0;) {

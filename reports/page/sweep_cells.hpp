@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of a sweep that crosses grids with distributions, for each set of grid values: the
-// summaries of a scene are over all of them.
+// The results of a sweep that crosses grids with distributions, separately for each set of grid
+// values; the summaries of a scene are over all sets together.
 #pragma once
 
 #include <cstdint>

@@ -28,8 +28,8 @@ bool is_grid(const sweep::SceneResult& scene) {
          std::ranges::all_of(scene.inputs, is_number);
 }
 
-// The places of the speeds that are drawn: all, but of two fields, which have a map at each speed,
-// the first, the middle and the last one.
+// The places of the speeds that are drawn. With one field these are all speeds; with two fields,
+// which need a map for each speed, the first, the middle and the last one.
 std::vector<std::size_t> drawn_speeds(const sweep::SceneResult& scene) {
   const std::size_t count = scene.speeds.size();
   if (scene.inputs.size() == 2 && count > 3) return {0, count / 2, count - 1};

@@ -24,13 +24,14 @@ struct ReadableUnit {
 };
 ReadableUnit readable_unit(const std::string& unit, double greatest);
 
-// The numbers, the words and the Sobol indices of each scene; of grids crossed with distributions a
-// row for each set of grid values, and below them one of all. `cells`: of each scene.
+// The numbers, the words and the Sobol indices of each scene. Where grids are crossed with
+// distributions, there is a row for each set of grid values, and below them a row for all sets
+// together. `cells` has an element for each scene.
 std::vector<TextTable> sweep_tables(const sweep::SweepResult& result,
                                     const std::vector<SweepCells>& cells);
 
-// A row for each scene, column and speed, and below them those of each set of grid values; what is
-// undefined is empty.
+// A row for each scene, column and speed, and below these the rows of each set of grid values. A
+// cell is empty where its number is undefined.
 std::string sweep_csv(const sweep::SweepResult& result, const std::vector<SweepCells>& cells);
 
 // All there is but the cases themselves; what is undefined, and an unbounded end, is null.

@@ -181,8 +181,9 @@ const sweep::Bounded& quantile(const ColumnResult::Value& value, double level) {
   return place < value.quantiles.size() ? value.quantiles[place] : none;
 }
 
-// Words are the places 0 to 3. The histogram tells how often 0 was there, as it lies a thousand
-// octaves from all others; count, sum and sum of squares tell the rest.
+// Words are stored as their places 0 to 3. The count of 0 is known from the histogram, whose bin of
+// 0 lies a thousand octaves below all others; the other counts follow from the count, the sum and
+// the sum of squares.
 std::vector<std::uint64_t> word_counts(const ColumnResult::Value& value, std::size_t words) {
   std::uint64_t zeros = 0;
   for (const auto& bin : value.histogram)

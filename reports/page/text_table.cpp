@@ -46,8 +46,8 @@ std::size_t total_of(const std::vector<std::size_t>& widths) {
   return std::accumulate(widths.begin(), widths.end(), gap * (widths.size() - 1));
 }
 
-// Each column is as wide as its cells, or, where that is more than `most` together, narrower: first
-// headings are wrapped at words, then the widest texts; numbers never are.
+// Each column is as wide as its cells. Where all columns together would be wider than `most`, some
+// are narrower: first the headings are wrapped at words, then the widest texts; numbers never are.
 std::vector<std::size_t> column_widths(const TextTable& table,
                                        const std::vector<std::vector<std::string>>& cells,
                                        std::size_t most) {

@@ -11,21 +11,22 @@ namespace tribo::report {
 // Reads back to the same double; NaN for what is undefined.
 std::string exact(double value);
 
-// `digits` significant digits; −1.8 × 10⁻¹⁰, where the plain number would be long.
+// The number with `digits` significant digits; in the form −1.8 × 10⁻¹⁰ below 10⁻⁴ and from 10⁶ on.
 std::string rounded(double value, int digits);
 
 // The form of rounded(), with as many digits as it takes to read back to the same double.
 std::string unrounded(double value);
 
-// 12345678 as 12 345 678, with narrow blanks that do not break.
+// 12345678 as 12 345 678, with narrow spaces at which no line breaks; only from five digits on.
 std::string grouped(std::uint64_t count);
 
-// A cell of comma-separated values (RFC 4180, with "\n" as line end): quoted where it has to be,
-// and where a spreadsheet would take it for a formula, which it may do all the same.
+// A cell of comma-separated values (RFC 4180, with "\n" as line end). It is quoted where the format
+// demands it, and where a spreadsheet would take the text for a formula; some spreadsheets take
+// even quoted texts for formulas.
 std::string csv_text(std::string_view text);
 
-// Plain text where signs of Markdown, or of HTML and XML, would have a meaning. Control signs are
-// escaped as by printable(); HTML and XML keep line ends and tabs.
+// The text with the signs escaped that have a meaning in Markdown, or in HTML and XML. Control
+// signs are escaped as printable() does; HTML and XML keep line ends and tabs.
 std::string escape_markdown(std::string_view text);
 std::string escape_html(std::string_view text);
 

@@ -52,7 +52,7 @@ struct BenchArguments {
   bool has_plugin() const { return !plugins.empty(); }
 };
 
-// A limit, because the readers of expressions recurse with each bracket.
+// The length is limited because the code that reads a regular expression recurses at each bracket.
 constexpr std::size_t longest_filter = 1000;
 
 bool is_expression(std::string filter) {
@@ -149,7 +149,8 @@ Measurement measure_contenders(const BenchArguments& arguments) {
   if (end.start_error != 0)
     return Unmeasured{exit_failed, program.string() + " cannot be started: " +
                                        std::generic_category().message(end.start_error)};
-  // Its text, not its exit code, tells why it runs nothing: a plug-in may exit with any code.
+  // The text that tribocheck_bench printed, not its exit code, tells why it ran nothing: a plug-in
+  // may end it with any code.
   if (end.text == "no contender matches the filter\n")
     return Unmeasured{exit_bad, "--filter: no contender's job/family/name matches \"" +
                                     arguments.filter + "\"" + contenders_text(program)};
@@ -277,7 +278,8 @@ void write_results(const BenchArguments& arguments, const BenchReport& report,
   if (!arguments.junit.empty()) report::write_file(arguments.junit, bench_junit(report));
 }
 
-// The end of a run without results. A CI reads files, and not stderr: these say why.
+// Ends a run without results. A CI system reads files but not stderr, so the reason is also written
+// to the JUnit file and, in that format, to the Markdown output.
 int fail_unmeasured(const BenchArguments& arguments, const Unmeasured& failed,
                     OutputStream& output) {
   complain(failed.why);

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double accuracy_ratchet = 4;  // times the greatest error, or 1 ulp
+constexpr double accuracy_ratchet = 4;  // times the greatest error before, or times 1 ulp if more
 constexpr double time_ratio = 1.10;     // ratio of the medians
 constexpr double solver_ratio = 1.12;   // ratio of a solver's lower end to the median
 constexpr double told_ratio = 1.05;     // ratio of the medians
@@ -39,7 +39,7 @@ std::optional<double> optional_number(const json& row, const char* field) {
 constexpr auto time_fields =
     std::to_array<const char*>({"least_over_control", "median_over_control"});
 
-// Members that only rows of solvers have are "cases" and "measured".
+// A row as the baseline has it. Only rows of solvers have the members "cases" and "measured".
 json row_json(const BenchRow& row, const std::optional<double>& control) {
   json made{
       {"max_ulp", optional_json(row.max_ulp)},   {"judged", optional_json(row.judged)},
@@ -79,8 +79,8 @@ bool is_of_this_machine(const json& baseline) {
 // The comparison of a row with the baseline's row.
 class RowComparison {
  public:
-  // Without `compares_times` times are not compared: their control did not run, or on another
-  // machine.
+  // `compares_times` is false where the control did not run, or where the times of the baseline
+  // were measured on another machine.
   RowComparison(const BenchRow& row, const json& before, const std::optional<double>& control,
                 bool compares_times)
       : key(row.key()), before_(before), now_(row_json(row, control)) {
@@ -89,7 +89,8 @@ class RowComparison {
     compare_count("judged", "judged cases", -1);
     if (row.cases) compare_count("cases", "cases with an answer", -1);
     compare_error();
-    // Times of other cases are other times.
+    // If another number of cases has an answer, the times cannot be compared: the new ones are
+    // taken.
     const bool has_other_cases = row.cases && *row.cases != before.at("cases");
     if (!compares_times) return;
     if (has_other_cases)

@@ -20,19 +20,20 @@ namespace tribo::cli {
 // "g++ 12.2.0", of this program.
 std::string compiler_name();
 
-// The median of ratios, and an interval around it, which 95 of 100 such medians lie in.
+// The median of measured ratios, and an interval that holds the true median in 95 of 100 samples.
 struct Ratio {
   double median, low, high;
 };
 
-// From ranks, so that it asks for no law of the numbers. There is at least one.
+// The interval comes from ranks, so that no distribution of the numbers is assumed. `ratios` must
+// not be empty.
 Ratio ratio_of(std::vector<double> ratios);
 
 struct BenchRow {
   std::string job;
   std::string family;
   std::string name;
-  double ns;                         // a point: CPU time, the median of the repetitions
+  double ns;                         // CPU time per point, the median of the repetitions
   double least_ns;                   // the least of the repetitions
   std::optional<double> ratio = {};  // to the fastest of tribocheck's in this job and run
   // Empty if nothing was judged. Failures are cases without a number or off by more than 1e-6 times
@@ -79,10 +80,10 @@ struct RowNote {
 };
 
 struct BenchChanges {
-  std::vector<RowNote> worse;        // red; or, without a key, why nothing could be compared
+  std::vector<RowNote> worse;        // red; without a key: why rows or times are not compared
   std::vector<RowNote> gone;         // red, too: rows of the baseline that did not run
   std::vector<RowNote> slower;       // red if a second run says so too
-  std::vector<RowNote> told;         // slower by 5 % or more, but not so that it is red
+  std::vector<RowNote> told;         // slower by more than 5 %, but not enough to be red
   std::vector<RowNote> better;       // may be written into the baseline
   std::vector<RowNote> fresh;        // rows that the baseline does not have
   std::vector<std::string> remarks;  // why something is not compared
@@ -101,12 +102,13 @@ BenchChanges compare(const BenchResults& results, const nlohmann::json& baseline
 // Adds the changes from the second solver to the first.
 void compare_with_base(const BenchResults& results, BenchChanges& changes);
 
-// Writes what became better into the baseline, number by number, unless the row got worse in
-// anything. Returns a line for each change, and for each row that is not written as it got worse.
+// Writes new rows, and each number that became better, into `baseline`. A row in which anything got
+// worse or slower is left as it is. Returns a line for each change, and for each row that is left
+// because it got worse.
 std::vector<std::string> improve(nlohmann::json& baseline, const BenchResults& results);
 
 // The rows of this run as a baseline. Rows that were not asked for are taken over from `before`,
-// without their times where these are of another machine. `before` may be null.
+// but without their times if these were measured on another machine. `before` may be null.
 nlohmann::json new_bench_baseline(const BenchResults& results, const nlohmann::json& before,
                                   const IsAsked& is_asked);
 

@@ -102,8 +102,8 @@ auto named(const Measuring& solver, Work&& work) {
   }
 }
 
-// One start of all solvers, and laps in turns: function by function, and the solvers of each beside
-// each other, in the other order each second time.
+// Starts all solvers once and times laps, function by function. For each function the solvers take
+// turns, and every second time in the opposite order.
 class Start {
  public:
   Start(const SolverRun& run, std::vector<Measuring>& solvers, bool is_first,
@@ -176,7 +176,9 @@ BenchRow row_of(const Measuring& solver, std::size_t place, bool are_plugins) {
   return row;
 }
 
-// Laps of both solvers that stand beside each other.
+// The ratio of the times of the first solver to those of the second, from laps that were measured
+// beside each other; empty where there is one solver, or where the second does not offer the
+// function.
 std::optional<Ratio> over_base(const std::vector<Measuring>& solvers, std::size_t place) {
   if (solvers.size() < 2) return std::nullopt;
   const std::string& name = solvers[0].functions[place].name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The speed of somebody's solver, of a subject or of a plug-in, or of two of them in turns, each
-// beside a control; it needs no tribocheck_bench.
+// Measures the speed of somebody's solver (a subject or a plug-in), or of two solvers in turns,
+// each beside a control. This does not need the program tribocheck_bench.
 #pragma once
 
 #include <functional>

@@ -16,7 +16,8 @@ namespace tribo::cli {
 struct Command {
   CLI::App* app;                          // owned by the program's CLI::App
   std::function<int(OutputStream&)> run;  // gives the exit code
-  // The options that the command would ignore, asked after parsing; empty: it ignores none.
+  // Called after parsing: returns the options that the command would ignore. Empty if the command
+  // ignores none.
   std::function<std::vector<Ignored>()> ignored = {};
 };
 

@@ -69,8 +69,9 @@ struct Contact {
 
 class FilmRun {
  public:
-  // Claims the files of fields and of films that are kept, so that a place where they cannot be is
-  // told before the solve. Throws sweep::RunRefused where something else is there.
+  // Claims the file for fields and the file in which films are kept, so that the user is told
+  // before the solve if a file cannot be there. Throws sweep::RunRefused where something else is
+  // there.
   FilmRun(const FilmArguments& arguments, std::size_t total, OutputStream& output)
       : arguments_(arguments),
         total_(total),
@@ -216,8 +217,8 @@ std::string span(const std::string& from, const std::string& up_to) {
   return from == up_to ? from : from + " to " + up_to;
 }
 
-// Contacts of a scene at speeds one after the other that are refused for one reason, whose numbers
-// may differ.
+// Contacts of one scene, at speeds that follow each other, which are refused for the same reason;
+// the numbers in the reason may differ.
 class RefusedContacts {
  public:
   // Tells those so far where this contact is not one of them.

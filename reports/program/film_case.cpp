@@ -135,8 +135,8 @@ void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved,
   }
 }
 
-// The laws of point contacts and further readings of them, of which no text at hand tells the
-// liquid, beside the films of a flooded contact.
+// Sets the laws of point contacts, and further readings of them, beside the films of a flooded
+// contact. The liquid that these laws were fitted to is not known.
 void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
                         const ehl::SolvedPoint& flooded) {
   const double unit = ehl::scale_of(c).film;
@@ -296,7 +296,9 @@ ehl::Integrand shear_stress_of(const Scene& scene, const ehl::FilmConditions& co
       };
 }
 
-// Sets what remains of the integral of that stress: `area` is a unit of X, of points of X and Y.
+// Sets friction from the integral of `stress` over X, or over X and Y for points. `area` turns the
+// integral into SI units: a unit of X in m, for points its square in m². Where `stress` is empty,
+// it sets why there is no friction.
 void set_friction(FilmCase& film, const ehl::Integrand& stress, const ehl::Estimate& integral,
                   double area, const ehl::FilmConditions& conditions) {
   if (stress)
@@ -364,7 +366,8 @@ FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& se
   constexpr double program = 12e6;  // bytes, without any contact
   if (conditions.is_line()) {
     const ehl::LineContact contact = ehl::contact_of(conditions);
-    // As measured, with the liquid that formulas were fitted to, which is solved as well.
+    // Time and memory are fits to measurements. They include the film of the liquid that formulas
+    // were fitted to, which is solved as well.
     const auto on = [](int grids) {
       const double nodes = std::ldexp(64, grids - 1) + 1;
       return FilmNeeds::Grids{grids, nodes, 1e-4 * nodes * std::fmax(1, nodes / 1000),

@@ -18,8 +18,8 @@ namespace tribo::cli {
 struct FilmSettings {
   std::string viscosity;                   // barus or roelands; empty: the scene's own
   std::string density = "incompressible";  // or dowson_higginson
-  // Relative, of the three films; 0: 1e-4 of a line, 1e-3 of a circle or an ellipse, whose least
-  // film may be off by three times as much.
+  // The relative error that the three films may have. 0 stands for 1e-4 for a line, and 1e-3 for a
+  // circle or an ellipse, whose least film may be off by three times as much.
   double tolerance = 0;
   bool with_fields = false;  // keep the fields of a circle or an ellipse
   bool is_flooded = false;   // the inlet, whatever supply the scene has
@@ -123,7 +123,7 @@ FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& se
 // the same key are the same.
 std::string key_of_film(const Scene& scene, double speed, const FilmSettings& settings);
 
-// Whether a scene that was read with SceneUse::film is a line contact.
+// Whether a scene is a line contact; it has to be read with SceneUse::film.
 bool is_of_line(const Scene& scene);
 
 // Called before every step of Newton's method; the work stops where it returns false.
@@ -133,7 +133,8 @@ using FilmWatch = std::function<bool(int cells, int step)>;
 FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
                     const FilmWatch& watch);
 
-// format: "table", "csv" or "json". In CSV rows of profiles take the place of rows of films.
+// Writes films in a format: "table", "csv" or "json". With profiles, CSV has the rows of the
+// profiles in place of the rows of the films.
 class FilmWriter {
  public:
   FilmWriter(std::string_view format, bool with_profile, Text& text);

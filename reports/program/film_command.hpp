@@ -9,7 +9,8 @@
 
 namespace tribo::cli {
 
-// Writes the fields of a case to an open file, as HDF5 or as CSV.
+// Writes the fields of a case to the file `path`, as CSV or as HDF5. Throws std::runtime_error
+// where it cannot be written.
 using WriteFields = void (*)(const FilmCase& film, const std::string& path, bool is_csv);
 
 // `write`: null in the program that leaves the option --fields to the other.

@@ -173,8 +173,8 @@ void append_closures(Text& to, const FilmCase& film) {
                 fmt::format("{:+.2f}", 100 * one.deviation)});
 }
 
-// Tells what the numbers mean for an oil, whose film is that which the formulas of such an oil were
-// held to.
+// Tells what the numbers mean for an oil, from the solved film of the oil that the formulas were
+// fitted to.
 std::string note_on_oil(const FilmCase& film) {
   constexpr std::string_view options = "`--viscosity roelands --density dowson_higginson`";
   const auto of_oil = std::ranges::find_if(film.formulas, [](const FormulaFilm& formula) {

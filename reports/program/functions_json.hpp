@@ -14,7 +14,7 @@ namespace tribo::cli {
 // The names of parameters, in their order.
 std::vector<std::string_view> names_of(std::span<const catalogue::Parameter> parameters);
 
-// The line of JSON that asks for the example of a function.
+// The JSON request that asks a function for its example.
 nlohmann::ordered_json example_of(const catalogue::Function& function);
 
 // One function, by reference/schemas/function.schema.json, and all of them.

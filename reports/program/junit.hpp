@@ -31,8 +31,9 @@ struct JunitSuite {
 
 std::string junit_xml(const JunitSuite& suite);
 
-// A run of `command` ("verify") that could judge nothing, for this reason: one test that is an
-// error. `errors` are the last lines that the subject wrote to stderr. And the same in Markdown.
+// The JUnit XML of a run of `command` ("verify" or "bench") that could judge nothing, for the
+// reason `why`: one test that ended with an error. `errors` are the last lines that the subject
+// wrote to stderr. The second function gives the same in Markdown.
 std::string junit_of_error(const std::string& command, const std::string& why,
                            const std::vector<std::string>& errors);
 std::string markdown_of_error(const std::string& command, const std::string& why,

@@ -18,8 +18,9 @@ struct KeptFilm {
 
 class KeptFilms {
  public:
-  // Opens the file or makes it. Throws sweep::RunRefused where something else is there, or where
-  // another process has it; std::runtime_error where it cannot be read or made.
+  // Opens the file or makes it. Throws sweep::RunRefused where something else is there, where a
+  // line is no kept film, or where another process uses the file; std::runtime_error where the file
+  // cannot be read or made.
   explicit KeptFilms(const std::string& path);
 
   // The film of a contact, which is named by all that its text depends on; null: it is not kept.

@@ -191,7 +191,7 @@ std::optional<ColumnName> column_named(std::string_view plain) {
   return std::nullopt;
 }
 
-// The same of a name that its symbol may follow, as in "rolling speed U".
+// The same for a name behind which its symbol may stand, as in "rolling speed U".
 std::optional<ColumnName> column_name(std::string_view plain) {
   constexpr std::size_t longest = 60;
   auto known = column_named(plain);
@@ -390,7 +390,8 @@ class MeasuredReader {
              allowed_names(asked_) + ", each with its unit, as film [nm]");
   }
 
-  // Where a file has the sliding speed alone.
+  // A remark for a file without a speed that has a column for the sliding speed; empty where it has
+  // no such column.
   std::string sliding_remark() const {
     const auto is_sliding = [](const DataColumn& column) {
       return plain_name(parts_of(column.heading).name).starts_with("sliding speed");
@@ -401,8 +402,8 @@ class MeasuredReader {
                : "";
   }
 
-  // Compares a cell with the scene's number. An empty one, or a text, tells nothing. Returns
-  // whether it is another number.
+  // Returns whether a cell has another number than the scene. A cell that is empty or a text is not
+  // compared.
   bool is_other(DataColumn& column, std::string_view cell) const {
     auto number = number_in(with_point(cell), column.unit, column.held->unit);
     const double own = *column.held->value_of(scene_);

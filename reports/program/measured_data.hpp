@@ -29,7 +29,8 @@ struct MeasuredNumber {
 struct MeasuredPoints {
   std::vector<MeasuredNumber> numbers;
   std::vector<std::string> ignored;  // headings of the columns that are not read
-  // Columns that a scene has a number for, as its load, and which of their rows have another.
+  // A line for each column that a scene has a number for, such as the load, and in which some rows
+  // have another number.
   std::vector<std::string> contradictions;
 };
 
@@ -46,7 +47,7 @@ struct Comparison {
   double deviation_percent = 0;  // (computed − measured)/measured; NaN where there is none
   bool is_outside = false;       // of the speeds of the scene's curve
 
-  // Is the measured contact that of the scene, and where the model has a film?
+  // Was the contact of the scene measured, at a speed of its curve at which the model has a film?
   bool is_on_curve() const {
     return !measured.has_other_conditions && !is_outside && computed.undefined.empty() &&
            !(deviation_percent <= -100);

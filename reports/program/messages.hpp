@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that a command tells: its results, by the stream of the protocol's answers, lines on stderr,
-// and its exit code. Bad input is one line for each thing that is wrong, and an exit code of its
-// own.
+// All that a command tells: its results, which go through the output stream of the protocol, lines
+// on stderr, and its exit code. Bad input gives one line for each thing that is wrong, and its own
+// exit code.
 #pragma once
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that are numbers, and options that a command would ignore: each option has its effect, or
-// is refused by one line.
+// Options that are numbers, and options that a command would ignore: an option either has an
+// effect, or one line refuses it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,9 +19,10 @@ struct Ignored {
   std::string why;  // "without --subject", "beside --show": ends the sentence of the refusal
 };
 
-// The refusal of the first given option that would be ignored: an option of the table, one in front
-// of a subcommand, or one without a value, as an unset variable of a shell gives it. Empty where
-// there is none. An option whose value may be empty expects 0 to 1 values.
+// The refusal of the first given option that would be ignored, empty where there is none. Refused
+// are options of the table, options in front of a subcommand, and options whose value is empty, as
+// when a variable of the shell is not set. An option whose value may be empty has to be declared
+// with 0 to 1 values.
 std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& table);
 
 // A limit of time that an option gives in seconds.

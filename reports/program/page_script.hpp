@@ -10,8 +10,8 @@
 
 namespace tribo::cli {
 
-// Runs the script, writes what it says on stdout, and returns its exit code. Where python3 is
-// missing, a line says that there can be no `made`.
+// Runs the script, writes its text to stdout, and returns its exit code. Where python3 is missing,
+// a line says that no `made` (the word for what the script makes) can be made.
 int run_page_script(const std::filesystem::path& script, const std::vector<std::string>& arguments,
                     const char* made, OutputStream& output);
 

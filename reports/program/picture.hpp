@@ -12,8 +12,8 @@ namespace tribo::cli {
 // `subject` tells in words what is drawn.
 void add_picture_option(CLI::App& app, std::string& picture, const std::string& subject);
 
-// Has render/`script` draw the JSON `data`. Complains of what was drawn and of what was not.
-// Returns whether the picture was drawn.
+// Lets render/`script` draw the JSON `data` into the file `picture`. Tells on stderr what was
+// drawn, and why something was not. Returns whether the picture was drawn.
 bool draw_picture(const std::string& script, std::string_view data, const std::string& picture);
 
 }  // namespace tribo::cli

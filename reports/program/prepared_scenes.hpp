@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The changes that the options of a command make in a scene, for the program and for the library of
-// other languages. Each function returns why the scene cannot be taken; empty if it can.
+// other languages. The prepare functions return why the scene cannot be taken, or an empty text if
+// it can.
 #pragma once
 
 #include <string>
@@ -11,12 +12,12 @@
 
 namespace tribo::cli {
 
-// Puts the speeds of the scene's Stribeck curve in place of its own: those of a list, the least
-// first; of a range as many, evenly in their logarithm.
+// Replaces the speeds of the scene by those of its Stribeck curve. A list is sorted, the least
+// speed first; a range keeps its number of speeds, which are spaced evenly in their logarithm.
 std::string prepare_curve(Scene& scene);
 
-// Puts one speed, 0: the scene's own, and the settings into a scene that was read with
-// SceneUse::film.
+// Puts one speed in m/s (0 keeps the scene's own speeds) and the settings into a scene that was
+// read with SceneUse::film.
 std::string prepare_film(Scene& scene, double speed, const FilmSettings& settings);
 
 // Whether FilmSettings::is_flooded changes a scene, and why it is refused where it changes none.

@@ -115,9 +115,9 @@ struct Offered {
   bool answers_at_end_of_input = false;
 };
 
-// Asks three cases of each function, which shows whether answers come at the end of the input
-// alone. Where they come at once, more are asked, as a function that is offered in part skips many
-// of them: all cases of the functions that are named, else some of each function.
+// Asks three cases of each function, which shows whether answers come only at the end of the input.
+// If they come at once, more cases are asked, because a function that is offered in part skips
+// many: all cases of the functions that are named, else some cases of each function.
 Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
                    const std::vector<TestCase>& cases) {
   conformance::Limits limits;

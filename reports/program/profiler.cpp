@@ -35,7 +35,7 @@ bool is_python(const std::string& program) {
   return fs::path(program).filename().string().starts_with("python");
 }
 
-// Their own work would be shown in place of the solver's.
+// Whether a program is an interpreter: its own work would be shown in place of the solver's.
 bool is_interpreter(const std::string& program) {
   constexpr auto known = std::to_array<std::string_view>(
       {"sh", "bash", "dash", "octave", "octave-cli", "julia", "java", "node", "perl", "ruby", "lua",

@@ -14,11 +14,11 @@ class Profiler {
  public:
   enum class Tool : std::uint8_t { callgrind, perf, cprofile };
 
-  // One of --plugin and --subject is given, the other one is empty. `tool`, of what is compiled:
-  // callgrind or perf; empty: callgrind, or perf where callgrind alone is missing. Throws
-  // std::invalid_argument with one line where it cannot be measured: it is not there, it is an
-  // interpreter of another language, only the shell can read its command line, or the tool is not
-  // installed.
+  // One of --plugin and --subject is given, and the other one is empty. `tool` is for compiled
+  // solvers: callgrind or perf; empty: callgrind, or perf if only callgrind is missing. Throws
+  // std::invalid_argument with one line where the solver cannot be measured: the solver is missing,
+  // its program is an interpreter of another language than Python, only the shell can read its
+  // command line, or the tool is not installed.
   Profiler(const std::string& plugin, const std::string& command, const std::string& tool);
 
   Tool tool() const { return tool_; }
@@ -46,7 +46,7 @@ class Profiler {
   Tool tool_ = Tool::callgrind;
   std::string plain_;
   std::vector<std::string> words_;  // of the solver's command
-  std::size_t tool_place_ = 0;      // of the tool's words, in front of this one of them
+  std::size_t tool_place_ = 0;      // the tool's words are put in front of this one of words_
   std::string own_object_;          // the library or program, without links
   std::string module_;              // of Python's -m
 };

@@ -36,11 +36,11 @@ class StepLine {
 struct ProgressStyle {
   const char* what = "points";
   std::size_t steps_between_looks = 1024;  // looks at the clock
-  bool results_come_at_end = false;        // else a terminal with the results shows nothing
+  bool results_come_at_end = false;        // else nothing is shown if stdout is a terminal
 };
 
-// Steps counted: shown only where nothing else is written to the same terminal, and only once they
-// have taken a second. Its line is wiped at the end.
+// Counts steps. The count is shown only where nothing else is written to the same terminal, and
+// only after a second. Its line is wiped at the end.
 class Progress {
  public:
   explicit Progress(std::size_t total, const ProgressStyle& style = {});
@@ -59,8 +59,8 @@ class Progress {
   StepLine line_{std::chrono::seconds(1), std::chrono::milliseconds(200)};
 };
 
-// Tells once, in a line on stderr, how long some cases will take where that is more than 10 s: from
-// the time between the first answer and those of the three seconds after it.
+// Tells once, in a line on stderr, how long all cases will take, if that is more than 10 s. The
+// forecast is made from at least 20 answers over at least 3 s.
 class Forecast {
  public:
   Forecast(std::size_t total, std::string_view advice) : total_(total), advice_(advice) {}

@@ -25,18 +25,20 @@ struct LoadedScenes {
   std::vector<Scene> scenes;  // the good ones, in their order
   bool all_good = true;
   Warnings warnings;      // of the good ones
-  bool is_noted = false;  // of a scene it was said that a part of it has no effect
+  bool is_noted = false;  // it was told that a part of some scene has no effect
 
-  // The exit code of a command that has written its results: exit_bad where a scene is no good,
-  // exit_failed by --strict where there was a warning.
+  // The exit code of a command that has written its results: exit_bad where a scene is not good;
+  // exit_failed where --strict is given and there was a warning, or a scene has a part without
+  // effect; else exit_done.
   int exit_code(const SceneArguments& arguments) const;
 };
 
 // Puts options of a command into a scene. Returns why the command cannot take it; empty if it can.
 using Prepare = std::function<std::string(Scene&)>;
 
-// Reads every scene and reports every error on stderr, and in one line the limits that they pass:
-// in short, where the command's results explain them.
+// Reads every scene, and reports every error on stderr, and in one line the limits that the scenes
+// pass. That line ends with the place where the limits are explained: the results of the command if
+// `results_explain`, else a command or a section.
 LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
                          const Prepare& prepare = {}, bool results_explain = false);
 // Adds --strict.

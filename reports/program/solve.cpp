@@ -81,7 +81,8 @@ ordered_json accepted_text(const Scene& scene) {
   return fmt::format("{}", fmt::join(scene.accepted, ", "));
 }
 
-// The value of a field as JSON. Of a range of speeds the least and the greatest.
+// The value of a field as JSON; null where the scene has none. For a range or a long list of
+// speeds, the fields speed.from and speed.to have the least and the greatest speed.
 ordered_json input_of(const Scene& scene, std::size_t field) {
   const FieldInfo& info = scene_fields()[field];
   if (info.type == FieldType::speeds) return list_text(scene.speeds);

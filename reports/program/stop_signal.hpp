@@ -4,14 +4,16 @@
 
 namespace tribo::cli {
 
-// From here on the first of these signals is only noted; the second one ends the process at once. A
-// file that reaches its size limit makes a write fail.
+// From here on the first signal of each kind is only noted, and a second one of the same kind ends
+// the process at once. A file that reaches its size limit makes a write fail, and does not end the
+// process.
 void watch_for_stop();
 
-// From here on these signals end the process at once again: the rest of the work is soon repeated.
+// From here on these signals end the process at once again, because little work is lost by that.
 void stop_at_once();
 
-// The signal that was noted, or 0. The exit code of a command that was stopped is 128 and this.
+// The number of the signal that was noted last, or 0. The exit code of a stopped command is 128
+// plus this number.
 int stop_signal();
 
 }  // namespace tribo::cli

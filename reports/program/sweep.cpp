@@ -49,7 +49,8 @@ struct SweepArguments {
 
 // --- Reading.
 
-// How to see a case beyond limits: the furthest, or any where only the ends of grids are known.
+// A sentence on how to see a case that goes beyond limits: the case that goes furthest, or any case
+// where only the ends of grids are known.
 std::string where_of(const std::string& file, const sweep::SceneSweep& sweep,
                      const std::vector<Validity>& passed) {
   const auto counted =

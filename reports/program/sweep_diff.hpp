@@ -21,7 +21,7 @@ struct SweepDiffArguments {
 // Adds the subcommand to `tribocheck sweep`.
 CLI::App* add_sweep_diff(CLI::App& sweep, SweepDiffArguments& arguments);
 
-// Returns the exit code; throws as sweep::compare_results().
+// Returns the exit code. Throws what sweep::compare_results() throws.
 int diff_sweeps(const SweepDiffArguments& arguments, OutputStream& output);
 
 }  // namespace tribo::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables with aligned columns. The columns are as wide as their widest cell can be, so rows can be
-// written as they come; the same rows as CSV or JSON for machines. Memory does not grow with their
-// number.
+// Tables with aligned columns, and the same rows as CSV or JSON for machines. A column is as wide
+// as its widest cell can be, so that each row can be written at once, and memory does not grow with
+// the number of rows.
 #pragma once
 
 #include <algorithm>
@@ -70,8 +70,9 @@ struct Column {
 // Rows of typed cells about one scene after the other.
 class RowWriter {
  public:
-  // Where it is told why a cell is undefined: below a table alone, or at the end of each row, in
-  // CSV as a column of its own. JSON tells it in each row.
+  // Where the reason of an undefined cell is told. `below`: below a table, and not in CSV.
+  // `in_rows`: at the end of the row in a table, and in a column of its own in CSV. JSON tells the
+  // reason in each row.
   enum class Reasons : std::uint8_t { below, in_rows };
 
   // The schema of the JSON, and its member that holds the rows.
@@ -89,8 +90,8 @@ class RowWriter {
   void note(std::string_view name, std::string_view reason) {
     if (is_table_) notes_.emplace_back(name, reason);
   }
-  // A cell for each column of the scene. Their texts are to stay until the call returns, but for
-  // Reasons::below until the next begin().
+  // Adds a row, with a cell for each column of the scene. The texts of the cells must stay valid
+  // until the call returns; with Reasons::below until the next begin() or finish().
   void add(std::span<const protocol::OutputValue> cells);
   // `members` stand at the end of the JSON document, after its rows.
   void finish(const nlohmann::ordered_json& members);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of validity as texts and as JSON: the table "is the model valid here?", and the warning of
-// the limits that scenes pass.
+// Limits of validity as texts and as JSON: the table "is the model valid here?", and the warning
+// about limits that scenes go beyond.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,7 +14,8 @@
 namespace tribo::cli {
 
 // A limit that is passed: "lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was
-// meant)", "hertz_pressure 6.8 GPa (at most 4 GPa)". In short without what it touches, and advice.
+// meant)", "hertz_pressure 6.8 GPa (at most 4 GPa)". The short form leaves out which results the
+// limit touches, and the advice.
 std::string passed_text(const Validity& limit, bool is_short = false);
 
 // The table of a scene: assumption, value here, limit, whether it holds, and the word to accept it.

@@ -119,8 +119,9 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
   });
 }
 
-// The forms of the command: our own model; a subject judged; cases of --show, with or without a
-// subject; and --save-cases without a subject.
+// The options that each form of the command would ignore. The forms: our own model is judged; a
+// subject is judged; cases are shown by --show, with or without a subject; and cases are saved by
+// --save-cases without a subject.
 std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
   const bool has_subject = asked.has_subject();
   const bool shows = !asked.shown.empty(), saves = !asked.saved_cases.empty();

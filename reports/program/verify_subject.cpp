@@ -199,7 +199,8 @@ void save_cases(const std::string& path, const std::vector<TestCase>& cases, Out
   output.flush();
 }
 
-// The end of a run that could judge nothing. A CI reads files, and not stderr: these say why.
+// Ends a run that could judge nothing. A CI system reads files but not stderr, so the reason is
+// also written to the JUnit file and, in that format, to the Markdown output.
 int fail_unjudged(const SubjectArguments& arguments, const std::string& why,
                   const std::vector<std::string>& errors, OutputStream& output) {
   complain(why);

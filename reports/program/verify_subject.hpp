@@ -15,8 +15,8 @@
 
 namespace tribo::cli {
 
-// All options of `tribocheck verify`; without a subject, and with no cases to show or to save, most
-// of them have to be as here.
+// All options of `tribocheck verify`. Where there is no subject, and no cases are shown or saved,
+// most of the options must have the default values below.
 struct SubjectArguments {
   std::string command;  // value of --subject
   std::string plugin;   // value of --plugin
@@ -57,8 +57,8 @@ struct JudgedBy {
   std::vector<conformance::Mistake> mistakes;  // that are known
   std::size_t sample = 0;                      // as cases_for() has it
 };
-// The verdict on the answers to these cases, with the diagnoses of what failed. What a case expects
-// becomes another reading of its law where the answers follow that.
+// The verdict on the answers to these cases, with the diagnoses of what failed. Where the answers
+// follow another reading of a law, the expected numbers in `cases` are changed to that reading.
 SubjectVerdict verdict_on(const std::string& subject, std::vector<conformance::TestCase>& cases,
                           conformance::Conversation conversation, const JudgedBy& by);
 

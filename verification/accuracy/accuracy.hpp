@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The model in double against the certified tables: for each quantity the number of cases, the
-// errors, the allowed errors and the verdict. |error| ≤ max(n ulp, k·condition·ε), n and k declared
-// beside the function.
+// errors, the allowed errors and the verdict. |error| ≤ max(n, k·condition) ulp is allowed, with
+// the n and k that are declared beside the function.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct QuantityResult {
   bool passed() const { return cases > 0 && worst_part_of_bound <= 1; }
 };
 
-// Runs every table in `folder` (reference/exact). Throws std::runtime_error where one cannot be
-// read.
+// Judges the model by every table in `folder` (reference/exact). Throws std::runtime_error where a
+// table cannot be read.
 std::vector<QuantityResult> check_accuracy(const std::string& folder);
 
 }  // namespace tribo::verification

@@ -15,7 +15,7 @@ namespace tribo::verification {
 // the place of its word. Throws std::runtime_error where a column or a word is not known.
 void for_each_field(const ReferenceRow& row, const std::function<void(std::size_t, double)>& take);
 
-// The place of a word in `words`. Throws std::runtime_error where it is none of them.
+// The place of a word in `words`, from 0. Throws std::runtime_error where it is none of them.
 double place_of(std::string_view word, std::span<const std::string_view> words);
 
 }  // namespace tribo::verification

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading tables of text: a line of column names, then rows, # before comments. The certified
+// Reads tables of text: a line of column names, then rows; # begins a comment line. The certified
 // tables of reference/exact are comma-separated, those of reference/published tab-separated.
 #pragma once
 

@@ -19,7 +19,7 @@ constexpr std::size_t flood = 1000;         // wrong answers between two right o
 constexpr std::size_t print_flood = 10000;  // lines between two answers
 constexpr int most_silent_failures = 2;     // before any answer
 
-// Why a subject is silent that prints answers: they wait in the buffer of its output.
+// A subject that prints answers may seem silent, because they wait in the buffer of its output.
 constexpr const char* may_not_flush =
     "; if it prints answers, it may not flush its output after each line";
 constexpr const char* half_a_line =
@@ -168,7 +168,7 @@ std::string Asker::why_never_answered() const {
   return why;
 }
 
-// False: no process is started, as some or all of the cases are given up.
+// Starts a process. False: it started none, because it gave up some or all of the cases.
 bool Asker::start() {
   if (!any_answer_ && silent_failures_ >= most_silent_failures) {
     give_up("it never answers");
@@ -203,7 +203,7 @@ void Asker::send() {
     asked_.push_back(to_ask_.front());
     to_ask_.pop_front();
   }
-  // One that reads a line ahead answers the last case at the end of its input.
+  // A subject that reads a line ahead answers the last case only when its input ends.
   if (at_once_ || (to_ask_.empty() && has_answered_)) process_->close_input();
 }
 
@@ -224,7 +224,7 @@ void Asker::step() {
     return fail(Outcome::died, "it closes its input", "closes its input");
   note_reading();
   if (waited > limit()) return late();
-  // It has read its cases and says nothing: perhaps it answers when its input ends.
+  // The subject has read its cases and is silent: perhaps it answers only when its input ends.
   const Limits& limits = questions_.limits;
   if (!has_answered_ && !at_once_ && !limits.flushes && waited > limits.one_case &&
       process_->unread() == 0)
@@ -262,7 +262,7 @@ void Asker::hear(const std::string& line) {
   if (is_greeted_ && found->second == questions_.greeting_case && has_answered_) return;
   const auto is_meant = [&](std::size_t i) { return questions_.case_of(i) == found->second; };
   while (!asked_.empty() && !is_meant(asked_.front())) {
-    // One that has just been answered may be about to be asked again.
+    // The case that was answered last may also be among the questions that ask again.
     if (found->second == last_heard_ || std::none_of(asked_.begin(), asked_.end(), is_meant))
       return stray(questions_.places[found->second],
                    fmt::format("{} is answered twice, or out of order", asked.id));
@@ -284,7 +284,8 @@ void Asker::note_block() {
     account.answers_at_end_of_input = true;
 }
 
-// Takes the member away by which a plug-in's process tells the place of a case in an array.
+// Where the answer was given (Reply::place). A plug-in's process tells it in the member `place`,
+// which this takes out of the answer.
 std::string Asker::place_of(json& answer) const {
   const auto told = answer.find("place");
   if (questions_.limits.flushes && told != answer.end() && told->is_string()) {
@@ -323,8 +324,8 @@ void Asker::note_first_answer(std::size_t question) {
   share_(to_ask_);
 }
 
-// A line that is no JSON object. If it names the next case it may be meant as the answer to it:
-// it is, unless the answer comes after it.
+// Hears a line that is no JSON object. If the line names the next case, it counts as a broken
+// answer to that case, unless a good answer to the case still comes.
 void Asker::hear_garbage(const std::string& line) {
   if (line.find_first_not_of(" \t") == std::string::npos) return;
   const auto names = [&](std::size_t place) {
@@ -387,14 +388,14 @@ void Asker::settle(Outcome outcome, json fields, std::string reason) {
   }
   questions_.reply(question) = {outcome, std::move(fields), std::move(reason)};
   if (questions_.is_repeat(question)) return;
-  // The first answer of a process comes after its start, which is not the function's.
+  // The time until a process gives its first answer contains its start, and is not counted.
   if (has_answered_ || outcome != Outcome::answered)
     account.seconds[questions_.group(question)] += taken.count();
   ++settled_;
   questions_.note_settled();
 }
 
-// The next case is to blame; those asked after it are asked again, of a new process.
+// The next case is to blame. The cases that were sent after it are asked again, of a new process.
 void Asker::fail(Outcome outcome, const std::string& reason, const std::string& end) {
   const bool any_asked = !asked_.empty();
   const std::size_t question = any_asked ? asked_.front() : questions_.greeting();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A subject asked its share of the questions, by one process at a time: started again where it ends
-// or falls silent, and given up where that leads nowhere.
+// Asks a subject a share of the questions, one process of it at a time. Where a process ends or
+// falls silent, another one is started; where that leads nowhere, the questions are given up.
 #pragma once
 
 #include <chrono>
@@ -23,13 +23,13 @@ namespace tribo::conformance {
 
 using Clock = std::chrono::steady_clock;
 
-inline constexpr std::size_t most_violations = 20;  // that are told; all are counted
+inline constexpr std::size_t most_violations = 20;  // so many are told, all are counted
 inline constexpr int most_starts = 25;
-std::string too_many_starts();  // why no more is asked
+std::string too_many_starts();  // the reason of cases that are not asked after so many starts
 
-// All questions to a subject, and their replies. A question is a number: that of its case; from the
-// number of cases on, one that asks a case again; and the last one, the greeting, asks a case that
-// another process has answered. Askers that run at the same time have only that one in common.
+// All questions to a subject, and their replies. A question is a number: below the count of cases
+// it asks that case, from there on it asks a case again, and the last one, the greeting, asks a
+// case that another process has answered. Askers that run at the same time share only the greeting.
 class Questions {
  public:
   Questions(const std::string& subject, const std::vector<TestCase>& all, const Limits& times,
@@ -41,10 +41,11 @@ class Questions {
   const TestCase& asked(std::size_t question) const { return cases[case_of(question)]; }
   // Failures in a row are counted within each function; all repeats together are like one function.
   std::string group(std::size_t question) const;
-  Reply& reply(std::size_t question);  // of none that is a greeting
-  // A case is not asked again where it cost the process the first time, or was not asked at all.
+  Reply& reply(std::size_t question);  // not for the greeting: it keeps none
+  // Whether the question would ask a case again that cost the process the first time, or that was
+  // given up then: such a question is left out.
   bool is_moot(std::size_t question) const;
-  // Asks those of the cases again that are to be, in the opposite order.
+  // The questions that ask again those of these cases that are to be asked twice, the last first.
   std::vector<std::size_t> repeats_of(const std::vector<std::size_t>& some) const;
 
   const std::string& command;
@@ -58,8 +59,8 @@ class Questions {
   std::size_t greeting_case = 0;
 };
 
-// Patience with a subject that ends or falls silent where it owes an answer: no more of a function
-// is asked once it does so three times in a row.
+// Patience with a subject that ends or falls silent where it owes an answer: after the third time
+// in a row within one function, the other questions to this function are given up.
 class Patience {
  public:
   void note_answer() { in_a_row_ = 0; }
@@ -76,7 +77,7 @@ class Patience {
   std::string group_, end_;
 };
 
-// A fact that was heard while the question of this place was the next to be answered.
+// A note on the subject's output, and the place of the question that was to be answered next.
 struct Heard {
   std::size_t place = 0;
   std::string text;
@@ -88,7 +89,7 @@ struct Breakdown {
   std::string errors;  // the end of its stderr
 };
 
-// All that an asker tells beside the replies.
+// All that an asker reports beside the replies.
 struct Account {
   std::vector<Heard> violations;  // the first few
   std::size_t violation_count = 0, print_count = 0;
@@ -103,21 +104,22 @@ struct Account {
   double cpu_seconds = 0;
 };
 
-// The reason where no answer came in time; of a process that has answered before, or of another.
-// `hint`: what may be wrong with it, which comes behind.
+// The reason where no answer came in time. The limit is another one before a process has answered.
+// `hint`, which ends the text, says what may be wrong with the subject.
 std::string late_text(const Limits& limits, bool has_answered, const std::string& hint);
 
 class Asker {
  public:
-  // Takes questions away that others are to ask, of those that are not sent yet.
+  // Takes those questions that other askers are to ask out of the list of unsent questions.
   using Share = std::function<void(std::deque<std::size_t>&)>;
 
-  // With `share`, which is called at the first answer, it finds out whether the subject ever
-  // answers. Without it another asker has found that it does.
+  // With `share`, which is called at the first answer, this asker finds out whether the subject
+  // ever answers. Without `share` another asker has found that the subject does.
   Asker(Questions& questions, std::deque<std::size_t> to_ask, Share share = {});
 
-  // A process that is greeted is then like one that has been asked before, and what it wrote until
-  // it answered is not told. False: it did not answer that, and was asked nothing else.
+  // Asks all questions. `is_greeted`: the greeting is asked first, so that the process is like one
+  // that has been asked before, and what it wrote until then is not reported. Returns false where
+  // the greeting got no answer: then nothing else was asked.
   bool run(bool is_greeted);
 
   Account account;

@@ -19,7 +19,7 @@ struct Place {
 };
 using Shares = std::map<Place, double>;  // parts of 1; what is missing belongs to nobody
 
-// To which lines the cost of each library's function belongs.
+// Finds the lines of the solver to which the cost of each library function belongs, by parts.
 class Owners {
  public:
   explicit Owners(const CallGraph& graph)

@@ -16,7 +16,8 @@ struct CallGraph {
   enum class Kind : std::uint8_t {
     own,      // of the solver
     library,  // of others; its cost belongs to the line of the solver that has called it
-    apart,    // reads questions and writes answers, or loads code: it and what it calls is left out
+    apart,    // of reading questions, writing answers or loading code: left out, with its part of
+              // the libraries
   };
   using Line = std::pair<std::string, std::uint64_t>;  // file and number; 0: not known
   struct Function {

@@ -10,8 +10,8 @@
 
 namespace tribo::conformance {
 
-// `kind_of` tells whose an object (a program or a shared library, by its path) is. Throws
-// std::runtime_error with one line where the text is no such file.
+// `kind_of` tells, by its path, whether an object (a program or a shared library) is the solver's
+// own. Throws std::runtime_error with one line where the text is no such file.
 CallGraph read_callgrind(std::istream& text,
                          const std::function<CallGraph::Kind(const std::string&)>& kind_of);
 

@@ -72,7 +72,8 @@ void kill_children() {
   ::closedir(processes);
 }
 
-// The children of a process that dies become the guard's: so it kills until there are none.
+// When a process dies, its children become the guard's. So the guard kills its children again and
+// again, until it has none.
 void end_all(pid_t program) {
   for (int i = 0; i < milliseconds_to_end; ++i) {
     pid_t ended = 0;
@@ -170,7 +171,7 @@ void close_ends(Ends& pipe) {
   close_end(pipe.writing);
 }
 
-// Adds what is there to a text, and closes the pipe where it has ended.
+// Appends to a text what can be read now, and closes the pipe at its end or at an error.
 void read_more(int& descriptor, std::string& to) {
   std::array<char, 65536> block{};
   const ssize_t count = ::read(descriptor, block.data(), block.size());

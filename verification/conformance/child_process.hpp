@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another program as a child process, with all processes that it starts. None of these outlives the
-// program, the object here or this process, however it ends: a process in between, the guard,
-// adopts what the program leaves behind, even in another session, and ends it all.
+// Another program as a child process, with all processes that it starts. They all end when the
+// program, the object here or this process ends, in whatever way: a process in between, the guard,
+// adopts the processes that the program leaves behind, even in another session, and ends them.
 #pragma once
 
 #include <sys/types.h>
@@ -16,7 +16,7 @@
 
 namespace tribo::conformance {
 
-// The files that the program gets as its stdin, stdout and stderr; −1: /dev/null.
+// The file descriptors that the program gets as its stdin, stdout and stderr; −1: /dev/null.
 struct ChildStreams {
   int input = -1, output = -1, errors = -1;
 };
@@ -64,7 +64,7 @@ class ChildProcess {
     all,     // lines go to its stdin and come from its stdout, and the end of its stderr is kept
     output,  // it reads /dev/null, and its errors go where ours go
   };
-  // As GuardedChild.
+  // Starts the program as GuardedChild does. Throws std::system_error where it cannot be started.
   ChildProcess(std::vector<std::string> command, Pipes pipes);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -78,17 +78,19 @@ class ChildProcess {
   void close_input();  // once all is written
 
   enum class Event : std::uint8_t { line, nothing, too_long_line, end_of_output };
-  // Waits up to `longest` for a line. end_of_output: the child's stdout is closed, or the child has
-  // ended and all that it wrote is read.
+  // Waits up to `longest` for a line; `nothing`: none has come. too_long_line: it is over 1 MiB.
+  // end_of_output: the child's stdout is closed, or the child has ended and all its output is read.
   Event next_line(std::string& line, Time longest);
 
-  // All that it writes until it ends; nothing where that takes longer than the limit. 0: no limit.
+  // All that the child writes until it ends; empty where it has not ended within the limit. A limit
+  // of 0 is none.
   std::optional<std::string> rest_of_output(Time limit);
 
   bool refuses_input() const { return refuses_input_; }
   void kill();
-  // "exits with code 3", "is killed by signal 11 (SIGSEGV, Segmentation fault)", with ", as its
-  // exit code 139 says" where a shell reports it so, "is still running".
+  // How the child has ended: "exits with code 3", "is killed by signal 11 (SIGSEGV, Segmentation
+  // fault)", the latter with ", as its exit code 139 says" where a shell reports the signal by its
+  // exit code. Or "is still running".
   std::string end_text();
   bool has_ended() { return child_->has_ended(); }
   int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
@@ -115,17 +117,17 @@ class ChildProcess {
 
 struct ChildEnd {
   int start_error = 0;   // an errno: it could not be started
-  int exit_code = -1;    // −1: a signal ended it
+  int exit_code = -1;    // −1: a signal ended it, or it was not started
   int signal = 0;        // the signal that ended it, or 0
-  bool is_late = false;  // it was ended, as it had not ended in time
-  std::string text;      // its output
+  bool is_late = false;  // it had not ended in time, and was killed
+  std::string text;      // its output; empty where it is late
 
   bool succeeded() const { return exited_with(0); }
   bool exited_with(int code) const { return !is_late && exit_code == code; }
 };
 
-// Runs a program to its end with Pipes::output, and /dev/null as its input. One that has not ended
-// within `limit` is ended, with all that it has started; 0: no limit.
+// Runs a program to its end with Pipes::output. A program that has not ended within `limit` is
+// killed, with all that it has started. A limit of 0 is none.
 ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit = {});
 
 }  // namespace tribo::conformance

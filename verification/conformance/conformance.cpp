@@ -29,7 +29,8 @@ double unit_in_last_place(double value) {
                   std::ldexp(1.0, value == 0 ? -1074 : std::ilogb(value) - 52));
 }
 
-// An answer to one quantity of a case; as it is here, one that is no answer to it.
+// The judgement on the answer to one quantity of a case. The defaults are the judgement on an
+// answer that is no number.
 struct Measured {
   std::string reason = {};  // where it fails
   Failure how = Failure::wrong;
@@ -77,8 +78,8 @@ bool is_loss(const Reply& answer) {
   return answer.outcome == Outcome::died || answer.outcome == Outcome::late;
 }
 
-// The worse of two answers to a case, field by field. A case that is skipped when it is asked again
-// has been answered nevertheless.
+// The worse of two answers to a case, field by field. Where a case was answered first and is
+// skipped when it is asked again, the first answer stands.
 Reply worse_of(const TestCase& asked, Reply first, const Reply& second,
                const Tolerance& tolerance) {
   const bool has_answer = second.outcome == Outcome::answered || second.outcome == Outcome::skipped;
@@ -140,12 +141,12 @@ Example example_of(const AskedQuantity& of, const Tolerance& tolerance) {
   return made;
 }
 
-// It ended, was late, or was given up before this case was asked.
+// The subject ended or was late at this case, or was given up before the case was asked.
 bool is_lost(const Reply& answer) {
   return is_loss(answer) || answer.outcome == Outcome::not_asked;
 }
 
-// The functions and fields that a subject offers, as all of its answers tell.
+// The functions and fields that a subject offers, as all its answers together show.
 class Offers {
  public:
   Offers(const std::vector<TestCase>& cases, const std::vector<Reply>& answers) {
@@ -159,8 +160,9 @@ class Offers {
     }
   }
 
-  // A field that no answer of its function has is not offered. Neither is a function of which all
-  // cases are skipped, but for those that the subject's end or silence has cost.
+  // A field is not offered where answers of its function came, but none has the field. A function
+  // is not offered where all cases are skipped except those that the subject's end or silence has
+  // cost.
   bool has(const AskedQuantity& of) const {
     const std::string& function = of.asked.function;
     if (fields_.contains(function + '.' + of.expected.field)) return true;
@@ -173,7 +175,8 @@ class Offers {
   std::set<std::string> fields_;              // "hertz_point.radius"
 };
 
-// The error of an answer; none where the quantity is not offered, for this reason.
+// The judgement on an answer. Empty where the case was skipped or the quantity is not offered: then
+// `why_not` gets the reason.
 std::optional<Measured> measured(const AskedQuantity& of, const Offers& offers,
                                  const Tolerance& tolerance, std::string& why_not) {
   if (of.answer.outcome == Outcome::skipped) {
@@ -205,7 +208,7 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const Offers& offers
   }
   const bool is_physical = of.expected.is_physical;
   if (found->part_of_bound > 1) {
-    // The first failure in the physical range is told, or else the first one of all.
+    // The reason is that of the first failure in the physical range, or else of the first of all.
     if (verdict.failed == 0 || (is_physical && verdict.failed_physical == 0))
       verdict.first_reason = fmt::format("{}: {}", of.asked.id, found->reason);
     const double error = of.expected.high != 0 ? found->relative : std::abs(found->got);
@@ -239,7 +242,7 @@ std::vector<QuantityVerdict> verdicts_on(const std::vector<TestCase>& cases,
   const Offers offers(cases, answers);
   std::vector<QuantityVerdict> verdicts;
   std::map<std::string, std::size_t> places;
-  // Lost cases come last, so that a reason and a worst case of the quantity's own go before theirs.
+  // Lost cases are added last: the reason and the worst case are rather those of another failure.
   for (const bool lost : {false, true})
     for (std::size_t i = 0; i < cases.size(); ++i)
       for (const Expected& expected : cases[i].expected) {
@@ -303,7 +306,7 @@ std::string text_of(const Stranger& one, std::size_t count, bool any_known) {
   if (!nearest.empty())
     hint = fmt::format("did you mean {}?", nearest);
   else if (any_known)
-    return {};  // it tells more than it was asked for
+    return {};  // the answers merely have more than was asked for
   else
     hint = fmt::format("{} {}", names.size() == 1 ? "its result is called" : "its results are",
                        fmt::join(names, ", "));

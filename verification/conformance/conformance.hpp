@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verdict on a subject, quantity by quantity, and the evidence for it that people need.
+// The verdict on a subject, quantity by quantity, with the evidence that lets people check it.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,16 @@ struct Tolerance {
   std::map<std::string, double> quantity;  // other relative errors, by quantity
 };
 Tolerance strict_tolerance();
-// Allows an error of 1e-6 of the value or 1e-30, and leaves out cases that are beyond engineering
-// (TestCase::is_extreme): for code that uses quadrature or fits.
+// Allows an error of 1e-6 of the value, times its condition, and never less than 1e-30; and leaves
+// out cases that are beyond engineering (TestCase::is_extreme): for code that uses quadrature or
+// fits.
 Tolerance engineering_tolerance();
-// "strict", "engineering", or the path of a file: lines "quantity relative", # before comments;
-// "default" for all that are not named. Throws std::runtime_error with one line.
+// The tolerance "strict", "engineering", or that of the file with this path. A line of the file has
+// a quantity, or "default" for all quantities that are not named, and a relative error above 0 and
+// below 1; # begins a comment. Throws std::runtime_error with one line.
 Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cases);
 
-// How far off an answer to this may be, absolute.
+// How far off the answer may be, in the unit of the value.
 double allowed_error(const TestCase& asked, const Expected& expected, const Tolerance& tolerance);
 
 enum class Verdict : std::uint8_t {
@@ -46,14 +48,14 @@ std::string_view name(Verdict status);
 enum class Failure : std::uint8_t {
   number,     // a finite number that is too far off
   wrong,      // NaN, an infinity, null, text where a number is wanted, or another word
-  no_answer,  // none came, or none for this field
+  no_answer,  // no answer came, or it lacks this field
 };
 
 struct FailedCase {
   std::string id;
   Failure how = Failure::no_answer;
   double error = 0;  // of a number: relative, or absolute where 0 is expected
-  // The subject ended or was late here, or was not asked any more as it had (Loss).
+  // The subject ended or was late at this case, or had done so before and was given up (Loss).
   bool is_lost = false;
 };
 
@@ -75,9 +77,10 @@ struct Example {
 
 // "3.2e-08 m, give or take 3.2e-14", or the word, or that it is undefined there.
 std::string expected_text(const Expected& expected, double allowed);
-// "2.3e-08 m", or "nothing" and why.
+// "2.3e-08 m", or "nothing" and the reason.
 std::string got_text(const Example& example);
-// "99.2 times as far off as is allowed"; empty where there is no number.
+// "99.2 times as far off as is allowed", or "0.5 of the error that is allowed"; empty where there
+// is no number.
 std::string error_text(const Example& example);
 
 struct QuantityVerdict {
@@ -91,25 +94,26 @@ struct QuantityVerdict {
   std::vector<FailedCase> failed_cases;
   std::string first_reason;   // of the first failure, or of the first skip
   std::string first_skipped;  // the first case that was skipped, and why: "h0012: no root"
-  // The greatest change of an answer that was asked again, relative, over the condition; infinite
-  // where one of both is no number. Of this quantity, and of all of its function.
+  // By how much an answer changed at most when its case was asked again, relative, over the
+  // condition; infinite where one of the two answers is no number. For this quantity, and for all
+  // quantities of its function.
   double change_asked_again = 0, change_of_function = 0;
 
   std::size_t judged() const { return held + failed; }
-  // Every case that fails is one that the subject's end or silence has cost.
+  // Whether cases fail, and each of them only because the subject ended or was silent.
   bool fails_by_losses_alone() const;
 };
 
 // "hertz_point" of "hertz_point.radius"; a function with one result is called as its quantity.
 std::string function_of(const std::string& quantity);
 
-// A case at which the subject ended, or gave no answer in time. It is one fault of the subject,
-// whatever number of quantities it costs a case.
+// A case at which the subject ended, or gave no answer in time; or the first of the cases that were
+// given up for one reason. It is one fault of the subject, however many quantities the case has.
 struct Loss {
   std::string id;        // of the case
   std::string function;  // that was asked
   std::string reason;    // "it is killed by signal 11 (SIGSEGV, Segmentation fault)"
-  // The strict tolerance is asked for, or contacts on earth have such inputs.
+  // Contacts on earth have such inputs, or the tolerance is the strict one.
   bool is_physical = true;
 };
 // "at case m0499 (gaussian_moment) and at 8 more: it is killed by signal 11 (SIGSEGV, Segmentation
@@ -138,8 +142,9 @@ struct ConformanceResult {
 ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
                         Conversation conversation, const Tolerance& tolerance);
 
-// The cases that a tolerance asks for: all but the strict one leave out the extreme cases. With a
-// sample every k-th of these, so that at most `sample` of each function remain, always the first.
+// The cases that a tolerance asks for: all but the strict one leave out the extreme cases. Where
+// `sample` is not 0, at most so many cases of each function remain: the first one, and others that
+// are spread evenly.
 std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance,
                                 std::size_t sample = 0);
 
@@ -151,7 +156,7 @@ std::optional<std::string> unknown_of(const std::vector<std::string>& required,
 // The message on one quantity.
 struct QuantityNote {
   std::string quantity;  // or "protocol", "subject", "anything"
-  std::string text;      // "hertz_point.radius: was held, is FAILED"
+  std::string text;      // "required, but FAILED: hertz_point.radius"
 };
 // The quantities that were asked for by name and are not held.
 std::vector<QuantityNote> missing_of(const std::vector<std::string>& required,

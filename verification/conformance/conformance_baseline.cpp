@@ -90,8 +90,8 @@ std::size_t held_without_mended(const QuantityVerdict& now, const json& before) 
                     [&](const HeldCase& one) { return !failed.contains(one.id); }));
 }
 
-// The worst of the cases that held before, too; nothing where that is not known, as some were
-// skipped then.
+// The worst of the cases that held before, too. Empty where it is not known which these are,
+// because more cases hold now: some of them were skipped before.
 std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& before) {
   const json& failed = before.at("failed");
   if (held_without_mended(now, before) > before.at("held").get<std::size_t>()) return std::nullopt;
@@ -102,8 +102,9 @@ std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& bef
 // takes other instructions. That is rounding, and no loss.
 bool is_more_than_rounding(double change) { return is_beyond_ratchet(change, 0); }
 
-// Answers of a function change now and then from one ask to the next, those of one quantity in this
-// run and those of another in that. A row without the member is of a function that is steady.
+// Whether answers of the function change when they are asked again. The member stands in the rows
+// of all quantities of the function, because now one of them changes and now another one. A row
+// without the member is of a steady function.
 bool is_unsteady(const json& row) { return row.value("unsteady", false); }
 void put_unsteady(json& row, bool is_so) {
   if (is_so)
@@ -195,8 +196,8 @@ Difference better_cases(const QuantityVerdict& now, const json& failed_before) {
   return found;
 }
 
-// Which cases have lost their answer: "; the first case without an answer is h0012: no root". Empty
-// where none has. The file does not tell which cases were skipped then.
+// "; the first case without an answer is h0012: no root"; empty where no more cases are skipped
+// than before. The file does not tell which cases were skipped then.
 std::string lost_answers(const QuantityVerdict& now, const json& before) {
   const auto skipped = before.at("skipped").get<std::size_t>();
   if (now.skipped <= skipped) return {};
@@ -253,7 +254,7 @@ Difference what_is_better(const QuantityVerdict& now, const json& before) {
 
 // --- Cases that the subject's end or silence has cost.
 
-// The quantity as it would be had the lost cases held that did not fail before.
+// The quantity as it would be if those lost cases that did not fail before had held.
 QuantityVerdict without_losses(const QuantityVerdict& now, const json& before) {
   QuantityVerdict mended = now;
   mended.change_asked_again = 0;  // the loss may be the change
@@ -294,7 +295,7 @@ std::vector<Loss> new_losses(const ConformanceResult& result, const json& baseli
   return found;
 }
 
-// The cases at which it was lost then, and is not any more.
+// The cases at which the subject ended or was late then, but not now.
 std::vector<std::string> mended_losses(const ConformanceResult& result, const json& baseline) {
   std::vector<std::string> found;
   for (const json& id : baseline.value("losses", json::array()))
@@ -314,7 +315,7 @@ json tolerance_json(const Tolerance& tolerance) {
   return content;
 }
 
-// The number of "verify-baseline/3"; of 2, which stood alone.
+// The number 3 of "verify-baseline/3". Schema 2 was written as the number alone.
 json schema_of(const json& baseline) {
   const json& written = baseline.at("schema");
   if (!written.is_string()) return written;
@@ -348,7 +349,8 @@ const json& quantities_of(const json& baseline) {
   return baseline.at("quantities");
 }
 
-// The rows of the baseline. Those of the oldest schema do not know what is steady.
+// The rows of the baseline. Files of the oldest schema do not tell which functions are steady:
+// their rows count as unsteady.
 json rows_of(const json& baseline) {
   json rows = quantities_of(baseline);
   if (schema_of(baseline) == oldest_schema)
@@ -400,7 +402,7 @@ std::string broken_text(const std::string& text) {
                      printable(std::string_view(text).substr(start, stop - start), longest_quoted));
 }
 
-// The file is no JSON: who has committed it can get it back.
+// The file is no JSON. A user who has committed it can restore it.
 struct Broken : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

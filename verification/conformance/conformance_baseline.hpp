@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verdicts on a subject in an earlier run, in a file that the subject's authors commit: a gate
-// for their CI.
+// The baseline: a file with the verdicts on a subject in an earlier run. The subject's authors
+// commit it, and their CI compares later runs with it.
 //
 // The file holds for each quantity how many cases were asked, held and skipped, the worst error of
 // those that held ("worst_error": relative, over the condition), and under "failed" each case that
@@ -8,8 +8,8 @@
 // another word …) or "no answer". "losses" are the cases at which the subject ended or was late.
 // "unsteady" stands where answers of the quantity's function changed by more than rounding when
 // they were asked again.
-// Each of these is a line, so that a diff can be read. Its head says which program wrote it, and
-// when; a file of schema 2 has neither that nor "losses", and is read too.
+// Each of these is a line of its own, so that a diff can be read. The head of the file says which
+// program wrote it, and when. A file of schema 2 has no such head and no "losses"; it is read, too.
 #pragma once
 
 #include <functional>
@@ -27,18 +27,19 @@ struct BaselineUse {
   std::string file;     // empty: none
   bool update = false;  // better results are written to it
   bool force = false;   // with `update`: worse results, too; and over any file
-  // Commands for messages: one makes it anew, the other gets the file back as it was.
+  // Commands that messages name: `renewal` makes the file anew, `restoration` gets it back.
   std::string renewal = {}, restoration = {};
 };
 
-// The file's content, read before the subject is asked; null where the file is to be written, or
-// where none is named. Throws std::invalid_argument with one line where there is no such file, and
-// where it is no JSON or `check` throws a std::runtime_error; with `force` it is null there.
+// The file's content, read before the subject is asked. Null where no file is named, and where
+// there is no file yet but `update` will write it. Throws std::invalid_argument with one line where
+// there is no file otherwise, and where it is no JSON or `check` throws a std::runtime_error; in
+// the two latter cases `force` makes it null.
 nlohmann::json usable_baseline(const BaselineUse& use,
                                const std::function<void(const nlohmann::json&)>& check);
 
 // "the baseline was written by tribocheck 0.9.0, which is newer than this 0.2.0: what it adds is
-// not judged"; empty where it is not newer. Of any baseline that tells its version.
+// not judged"; empty where it is not newer, or does not tell its version.
 std::string newer_version_text(const nlohmann::json& baseline);
 
 // "it is a baseline of schema 4, and this program has 3", and whether a newer program wrote it.
@@ -67,15 +68,15 @@ struct BaselineChanges {
   std::vector<BaselineChange> worse;
   std::vector<BaselineChange> better;  // worth writing down
   std::vector<BaselineChange> fresh;   // quantities that the file does not have, and do not fail
-  // Quantities that are no longer asked, as the file is of another version of this program. Where
-  // it is of the same version they are worse.
+  // Quantities of the file that are not asked any more, where another version of this program wrote
+  // the file. Where this version wrote it, such quantities are in `worse`.
   std::vector<BaselineChange> gone;
   std::vector<std::string> failed_already;  // quantities that failed then, and fail no worse now
   std::vector<std::string> lost;  // quantities that are worse by the subject's end or silence alone
 };
 
-// The verdicts as a baseline. With `before` not null only what improved on it is taken over, and
-// new quantities that do not fail; what is gone is left out.
+// The verdicts as a baseline. Where `before` is not null, the baseline stays as that is, but takes
+// over what improved and new quantities that do not fail, and leaves out quantities that are gone.
 nlohmann::json baseline_of(const ConformanceResult& result, const nlohmann::json& before);
 
 // Do two baselines hold a subject to the same?
@@ -94,11 +95,12 @@ void check_comparable(const nlohmann::json& baseline, const Tolerance& tolerance
 double greatest_as_before(double error);
 
 // Neither the worst error of what held, nor the error of any case that failed, may be worse than
-// 4·max(ε, what it was). Throws as check_comparable() does.
+// greatest_as_before() of it: 4·max(4ε, what it was). Throws as check_comparable() does.
 BaselineChanges compare(const ConformanceResult& result, const nlohmann::json& baseline);
 
-// Compares with the content that usable_baseline() gave; nothing where that is null, or where with
-// `force` it is not comparable. Throws std::invalid_argument with one line.
+// Compares with the content that usable_baseline() gave. Empty where that is null, or where it
+// cannot be compared and `force` is set; without `force` throws std::invalid_argument with one
+// line.
 std::optional<BaselineChanges> changes_since(const nlohmann::json& before, const BaselineUse& use,
                                              const ConformanceResult& result);
 

@@ -30,7 +30,7 @@ namespace {
 
 using nlohmann::json;
 
-// NaN, -inf, 1e999 … outside of texts.
+// The line with quotes around each NaN, -inf, 1e999 … that stands outside of texts.
 std::string with_quoted_non_numbers(const std::string& line) {
   std::string made;
   for (std::size_t i = 0; i < line.size();) {
@@ -94,8 +94,8 @@ class Helpers {
     }
   }
 
-  // Waits for all. The share of one that could not start, or whose process gave no answer, perhaps
-  // as another one was running, is asked now, when no other is.
+  // Waits for all helpers. Where a helper could not start, or its process gave no answer, perhaps
+  // because another process was running, its share is asked now, when no other process runs.
   std::vector<Account> accounts() {
     for (Helper& one : helpers_)
       if (one.thread.joinable()) one.thread.join();
@@ -127,9 +127,10 @@ class Helpers {
 
 // --- One conversation of all accounts.
 
-// The limits of patience are those of one process that is asked everything in order. Each asker saw
-// a part of its failures, and so asked more than that process would be: those replies are dropped.
-// Returns the number of starts, and leaves the failures that count.
+// The limits of patience hold for one process that is asked everything in order. Each asker saw
+// only a part of the failures, and so asked more than that process would be asked: the replies
+// beyond are dropped. Returns the number of starts, and leaves the failures that count in
+// `breakdowns`.
 int settle_in_order(Questions& questions, std::map<std::size_t, Breakdown>& breakdowns,
                     bool is_shared) {
   std::vector<std::size_t> order(questions.greeting());

@@ -41,10 +41,10 @@ enum class Outcome : std::uint8_t {
   answered,
   skipped,    // {"skip": reason}
   refused,    // {"error": …}
-  garbage,    // its answer is no JSON object
+  garbage,    // its answer is no JSON object, or the output is flooded
   missing,    // later cases were answered, this one not
   late,       // no answer within the limit of a case
-  died,       // the subject ended while this was the next to be answered
+  died,       // the subject ended, or closed a stream, when it owed this answer
   not_asked,  // it had died too often, or the limit of all cases was reached
 };
 
@@ -59,7 +59,8 @@ struct Reply {
 
 // An answer that was read, with its reason where it is none.
 Reply reply_of(nlohmann::json answer);
-// Answers are kept until all are judged. Of a longer one only the part that was asked for is kept.
+// Answers are kept until all are judged. Of an answer that is longer than this, in bytes, only the
+// part that was asked for is kept.
 inline constexpr std::size_t longest_kept_answer = 4096;
 
 struct Limits {
@@ -76,8 +77,8 @@ struct Manner {
   std::vector<std::size_t> again;  // cases, in rising order
 };
 
-// Wall time of the run, CPU time of all of the subject's processes, and wall time of each function:
-// from one answer to the next, where several processes are asked in all of them together.
+// Wall time of the run, CPU time of all of the subject's processes, and for each function the wall
+// time from one answer to the next, added up over all processes that are asked at once; in s.
 struct Durations {
   double run = 0, cpu = 0;  // s
   std::map<std::string, double> functions;
@@ -102,10 +103,11 @@ struct Conversation {
   Durations seconds;
 };
 
-// `progress` hears how many cases are settled. The cases alone decide which process is asked which;
-// but for durations, several processes give the conversation that one gives, if an answer depends
-// on its question alone. The cases of `again` are asked a second time at the end, of the process
-// that was asked them, in the opposite order; in what is judged they are no cases of their own.
+// Asks all cases. `progress` is called with the number of settled cases. Which process is asked
+// which case follows from the cases alone: several processes give the conversation that one process
+// gives, but for durations, if each answer depends on its question alone. At the end each process
+// is asked those of its cases that are in `again` a second time, in the opposite order; the second
+// answers do not count as further cases.
 Conversation ask(const std::string& command, const std::vector<TestCase>& cases,
                  const Limits& limits, const std::function<void(std::size_t)>& progress,
                  const Manner& manner = {});

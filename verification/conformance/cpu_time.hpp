@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // CPU time of other processes, to the nanosecond while they live, and of a fixed piece of work, the
-// control, over which times of solvers are told.
+// control: times of solvers are given as multiples of its time.
 #pragma once
 
 #include <sys/types.h>

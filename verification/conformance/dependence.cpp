@@ -20,10 +20,10 @@ namespace {
 constexpr std::size_t fewest_values = 12;  // different ones of the variable
 constexpr std::size_t fewest_of_form = 4;
 constexpr double same_factor = 1e-6;  // of the range of the logarithms of the factors
-// Squares of what neighbours do not let expect, of the squares of all changes: of the factors'
-// logarithms, and of their ranks, so that no few cases decide.
+// Greatest roughness() of a curve: of the factors' logarithms, and of their ranks, so that a few
+// cases do not decide.
 constexpr double most_rough = 2e-3, most_rough_ranks = 0.1;
-constexpr double as_good = 4;  // a variable that stands before may be rougher by this
+constexpr double as_good = 4;  // an earlier variable may be rougher by this factor
 
 struct Sample {
   double x, y;   // the variable, or its logarithm; the logarithm of the factor
@@ -34,7 +34,8 @@ double interpolated(const Sample& a, const Sample& b, double x) {
   return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
 }
 
-// Each sample but the ends by a line between its neighbours.
+// The squared distances of all inner samples from the line between their neighbours, added up, over
+// the squared distances of all samples from their mean.
 double roughness(const std::vector<Sample>& samples) {
   const auto count = static_cast<double>(samples.size());
   const double mean = std::accumulate(samples.begin(), samples.end(), 0.0,
@@ -112,7 +113,8 @@ std::optional<Curve> curve_of(const Part& part, const Variable& variable) {
   return curve;
 }
 
-// Through the four nearest samples, or fewer at the ends.
+// By a cubic through four samples about the value; at an end of the curve through the last four.
+// NaN beyond the ends.
 double factor_at(const Curve& curve, double value) {
   const double x = curve.scaled(value);
   const auto& samples = curve.samples;
@@ -146,7 +148,7 @@ std::string text_of(const Curve& curve, bool is_only_input) {
                      at(0), at(curve.samples.size() / 2), at(curve.samples.size() - 1));
 }
 
-// Forms of x with two numbers: a straight line in X of x and Y of y.
+// Forms of x with two numbers a and b, such that Y(y) = a + b X(x) is a straight line.
 struct Form {
   double (*of_x)(double);
   double (*of_y)(double);

@@ -21,12 +21,13 @@ struct Dependence {
 // numbers of few digits. Empty: neither is so.
 std::string form_of(const Part& part);
 
-// "All 36 wrong answers are 1 over the right ones.": also 1 less them, their roots or logarithms.
-// Empty: they are nothing of this.
+// "All 36 wrong answers are 1 over the right ones."; also 1 less the right ones, their roots,
+// powers or logarithms. Empty: the wrong answers are no such form.
 std::string form_of_right(const Part& part);
 
-// Empty where no variable alone determines the factor: where two cases with the same value have
-// different factors, or where the factor of a case is not what those of its neighbours let expect.
+// The one variable on which the factor depends. Empty where no variable alone determines it: where
+// two cases with the same value have different factors, or where the factor of a case lies far from
+// the line between its neighbours.
 std::optional<Dependence> dependence_of(const Part& part);
 
 }  // namespace tribo::conformance

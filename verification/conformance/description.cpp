@@ -125,8 +125,7 @@ std::optional<PowerLaw> fit_power_law(const Part& part, const NumberOf& number_o
   return std::nullopt;
 }
 
-// "F^+0.49 E*^-0.33", of the exponents that are not 0. Exponents are decimals, or fractions such as
-// 1/3.
+// "F^+0.49", or "F^(+1/3)" where the exponent is such a fraction.
 std::string power_in_words(const catalogue::Parameter& parameter, double exponent) {
   for (const int denominator : {1, 2, 3, 4, 6}) {
     const double numerator = exponent * denominator;
@@ -149,7 +148,7 @@ std::string powers_in_words(const catalogue::Function& function,
 
 // --- Where and how numbers are wrong
 
-// Inputs that vary.
+// The inputs that are numbers: neither words nor the order of a moment.
 std::vector<std::size_t> number_inputs(const Part& part) {
   std::vector<std::size_t> inputs;
   if (part.function() == nullptr) return inputs;
@@ -298,7 +297,8 @@ std::string constant_factor(const Part& part) {
   return known_factor(least);
 }
 
-// "All answers are too large by 1e-09, whatever they are": also by a number of times one input.
+// "All answers are too large by 1e-09, large or small as they are: a sum is added."; also by a
+// number times one input.
 std::string constant_sum(const Part& part) {
   constexpr double one_sum = 1e-6, of_double = 1e-15;  // of the sum, of the answers
   if (part.wrong.size() < fewest_cases) return {};
@@ -454,9 +454,9 @@ std::string kept_answers(const Part& part) {
       input, example, input);
 }
 
-// Whether an answer is wrong in cases alone that differ from the case before in one input, and by
-// which inputs the wrong ones begin; the chance of that by accident is small. A cache inside of a
-// solver does so, which keeps a part of the answer and looks for it without these inputs.
+// A sentence where wrong answers are only in cases that differ from the case before in one input,
+// which would hardly be so by chance, with the inputs at whose change they begin. So errs a solver
+// with a cache inside, which keeps a part of the answer and looks for it without these inputs.
 std::string kept_from_before(const Part& part) {
   std::vector<std::vector<std::string>> changed(part.all.size());
   double alike = 0, log_chance = 0, count = static_cast<double>(part.all.size());

@@ -11,7 +11,7 @@
 
 namespace tribo::conformance {
 
-inline constexpr double rounding = 1e-5;  // of logarithms: single precision too
+inline constexpr double rounding = 1e-5;  // of logarithms; so much counts as rounding
 
 // "27.5 % low everywhere": how the wrong numbers are off.
 std::string pattern(const Part& part);

@@ -31,9 +31,10 @@ constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr std::size_t fewest_followed = 3;
 constexpr double closeness_of_misread = 1e-4;
-// Points that are told by themselves beside those with a result wrong that is computed before.
+// The least number of points with other wrong results that are described by themselves, beside the
+// points whose wrong result is computed first; and their least share of the latter.
 constexpr std::size_t fewest_others = 3;
-constexpr double part_of_others = 0.25;  // of those
+constexpr double part_of_others = 0.25;
 
 // The functions from which a function's numbers are computed.
 std::vector<std::string> rests_on(const std::string& function) {
@@ -490,8 +491,9 @@ class Diagnoser {
     return text + unknown + (found_.empty() ? "numbers." : "others.");
   }
 
-  // The part with most wrong answers; of points the result that is computed first, if enough points
-  // are wrong in another one alone. These are told by themselves.
+  // Describes the result with most wrong answers, and other results whose cause is another one. Of
+  // points it describes the result that is computed first, if enough points are wrong in other
+  // results alone; those points are then described by themselves.
   void describe_rest() {
     std::vector<Part> parts = parts_left(cases_);
     if (parts.empty()) return;

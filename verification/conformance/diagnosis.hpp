@@ -12,13 +12,14 @@ namespace tribo::conformance {
 
 struct Diagnosis {
   std::string quantity;                     // the one that shows it most
-  std::vector<std::string> functions = {};  // whose answers it explains; the quantity's one first
+  std::vector<std::string> functions = {};  // whose answers it explains, that of `quantity` first
   std::vector<std::string> mistakes;  // names; none: only how the numbers are off. Several: any of
                                       // these gives the same numbers. "a + b": both at once
   std::size_t explained;              // wrong answers that it gives to the digit
   std::size_t wrong;                  // wrong answers of the function
   std::string text;                   // one sentence or two
-  // Functions with one cause share a helper that is wrong: that is told once. Empty: none is known.
+  // Functions with the same cause, as a wrong helper, become one diagnosis. Empty: no cause is
+  // known.
   std::string cause = {};
 };
 

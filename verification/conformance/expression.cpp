@@ -566,7 +566,8 @@ bool is_changed(const Part::Number& one, double given) {
   return !(std::abs(given - one.answered->expected->high) <= one.answered->allowed);
 }
 
-// Two other operands might make a circle.
+// Whether both edits can be made. Two edits that each put in another operand might make the law
+// refer to itself.
 bool can_stand_beside(const Edit& one, const Edit& other) {
   const bool is_same = one.node == other.node &&
                        (one.slot == other.slot || !one.whole.empty() || !other.whole.empty());
@@ -586,7 +587,8 @@ bool is_of_changed_law(const Part::Number& one, double given, double closeness) 
          std::abs(answered.got - given) <= std::max(closeness * own, answered.allowed_of(given));
 }
 
-// Whether a source may print the number: few digits, or a fraction. `closeness`: how sure it is.
+// Whether a source may print the number: it has few digits, or is a third, a seventh or the root of
+// such a number, or has a factor π beside. `closeness`: how near, relatively, that has to be.
 bool is_printed(double number, double closeness) {
   const auto is_of = [&](double x, int digits) {
     return std::abs(of_digits(x, digits) / x - 1) < closeness;
@@ -717,8 +719,8 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
       return is_of_changed_law(one, value_of(changed, one), closeness);
     });
   };
-  // A change that would make right results of the same case wrong is ruled out by them, unless none
-  // is left.
+  // Whether right results of the same case stay right. Changes that spoil such results are dropped,
+  // unless all changes do.
   const auto leaves_right = [&](const Expression& changed) {
     return std::all_of(probes.begin(), probes.end(), [&](const Part::Number& one) {
       const auto& numbers = one.of->numbers;

@@ -31,14 +31,16 @@ class WrongFunction {
   const std::string& name() const { return name_; }
   bool is_wrong_at(const Question& inner) const;
 
-  // Points in which this function is as the subject has it; null: it is not known well enough at
-  // this question to it. Of a film law its exponents may be in the load sharing, too.
+  // The mistake that points have if this function is as the subject has it; null where it is not
+  // known well enough at this question to the function. `is_shared_alike`: a film law's wrong
+  // exponents are in the load sharing, too.
   const Mistake* at_points(const Question& inner, bool is_shared_alike = false) const;
   // How closely at_points() is known, as a part of what it changes.
   double closeness() const { return closeness_; }
 
  private:
-  // One branch, with the place where it is wrong. Empty: wrong everywhere, or nobody knows where.
+  // The place where a result is wrong in one branch. Empty: it is wrong everywhere, or the place is
+  // not known.
   struct Branch {
     std::optional<WrongPlace> place;
   };

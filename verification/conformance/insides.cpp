@@ -93,7 +93,7 @@ void add_friction(std::vector<Inside>& all) {
   add("the mean pressure under τ in friction", Inner::replaced, of_contact(mean),
       &FrictionReading::mean_pressure, {},
       {{"shear-over-peak-pressure", peak_text, of_contact(peak)}});
-  // The last one, as it is computed from the others.
+  // This number of the sheared film comes last, because it is computed from the ones before.
   add("(ηγ̇/τ₀) in friction", Inner::factor, of_sheared_film(&ShearedFilm::shear_number),
       &FrictionReading::shear_number, "friction.fluid");
   all.push_back({"the mean pressure of the contact",

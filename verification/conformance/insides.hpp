@@ -46,8 +46,8 @@ std::string in_place_of(const std::string& other, const std::string& symbol);
 // Another value of the inside, where it is a number.
 Mistake mistake_of_inside(std::string name, std::string text, const Inside& inside, Get value);
 
-// A mistake for each number that may stand in place of an inside, and for the real area and the
-// number of summits by the other asperity model.
+// A mistake for each number that may stand in place of an inside, mistakes inside of points that
+// are no other number, and the real area and the number of summits by the other asperity model.
 std::vector<Mistake> mistakes_of_insides();
 
 }  // namespace tribo::conformance

@@ -34,7 +34,7 @@ Term add(Expression& law, Expression::Node node) {
   return {&law, law.nodes.size() - 1};
 }
 
-// Adds a term's node, times a number, to a sum; a factor's one, to a power, to a product.
+// Adds the term's node times a number to a sum, or to the power of the number to a product.
 void add_to(Expression::Node& node, const Term& term, double number) {
   if (!term.is_plain(node.kind)) return node.parts.push_back({term.place, number});
   if (node.kind == Op::sum)
@@ -130,7 +130,7 @@ class Writer {
     for (const Term& one : of) node.parts.push_back({one.place});
     return add(law_, std::move(node));
   }
-  // The law as it is where the result is the model's own.
+  // A node that is the model's own result, for where the law is no sum or product.
   Term own() {
     return add(law_, {Op::given, 0, {}, [of = &function_](const Arguments& a) {
                         catalogue::Results results{};

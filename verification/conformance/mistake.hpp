@@ -43,8 +43,8 @@ std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
 // Whether the function is the film law of certified operating points.
 bool is_film_of_points(std::string_view function);
 
-// All mistakes of the file, for single functions and for operating points. Throws
-// std::runtime_error with one line: file, entry, what is wrong.
+// All mistakes of the file, for single functions and for operating points, and those of
+// insides.hpp. Throws std::runtime_error with one line: file, entry, what is wrong.
 std::vector<Mistake> read_mistakes(const std::string& path);
 
 }  // namespace tribo::conformance

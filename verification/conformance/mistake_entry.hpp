@@ -21,8 +21,8 @@ namespace tribo::conformance {
 struct NumberChange {
   double times = 1;
   bool is_inverted = false;
-  std::optional<nlohmann::json> is;  // this number or word,
-  std::optional<double> value = {};  // which is this number of an argument or of a field
+  std::optional<nlohmann::json> is;  // the number or word that is taken in its place
+  std::optional<double> value = {};  // the same as a number: of a word its place in the list
   std::string by, over;              // arguments that a result is multiplied or divided by
 
   double of(double number) const {
@@ -75,9 +75,9 @@ void add_reading(const std::string& kind, Reading Question::*reading,
   };
 }
 
-// A wrong formula that entries have by its name: what is no change of an argument, of a result or
-// of the film's numbers. It gives the results of a function at its arguments, from the numbers of
-// the entry; empty: it says nothing of these arguments.
+// A wrong formula that entries name, for mistakes that are no change of an argument, of a result or
+// of the film's numbers. It gives the results of a function at its arguments, with the numbers of
+// the entry. Empty: the formula says nothing of these arguments.
 using FunctionFormula = std::optional<Numbers> (*)(const catalogue::Arguments& arguments,
                                                    std::span<const double> numbers);
 // Null where the function has no formula of this name that takes this count of `numbers`.
@@ -116,7 +116,7 @@ void scale_film(Scene& scene, double factor);
 // Multiplies the nominal area of the contact by a factor, with the film formula left as it is.
 void scale_area(Scene& scene, double factor);
 // Multiplies the stiffness K of the asperities by a factor, with the real area left as it is.
-// Returns by what the number of summits is to be multiplied to stay as it is.
+// Returns the factor that takes the number of summits back to what it was.
 double scale_stiffness(Scene& scene, double factor);
 
 // A mistake that several film laws have, in the film of an operating point by any of them.

@@ -186,8 +186,8 @@ void sort_by_what_they_explain(std::vector<Fit>& fits) {
   });
 }
 
-// The causes of the fewest mistakes, the one that explains most first. Quick: those alone that
-// nearly all probes are as.
+// The causes with the fewest mistakes, that which explains most answers first. `is_quick`: only
+// causes that give the answers of nearly all probes are looked at.
 std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mistakes,
                            std::size_t most, bool is_quick = false) {
   std::vector<Fit> best;

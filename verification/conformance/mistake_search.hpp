@@ -19,8 +19,8 @@ struct Cause {
   std::vector<Mistakes> choices;  // each of them gives these numbers; the first is the likeliest
   std::size_t changed = 0;        // answers that the first of them changes
   std::size_t met = 0;            // of those, answers that are as it gives them
-  std::vector<AnsweredNumber*> explains;  // wrong ones, unexplained so far; none: nothing was found
-  bool is_rough = false;                  // one mistake alone, and met to 0.2 % at most
+  std::vector<AnsweredNumber*> explains;  // the wrong answers that it explains; none: nothing found
+  bool is_rough = false;                  // one mistake, met to 0.2 % but not to 1e-5
   std::optional<std::size_t> left_out;    // a result that something else changes, too
 };
 

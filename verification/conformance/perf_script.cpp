@@ -26,7 +26,7 @@ std::string_view without_blanks(std::string_view text) {
   return first == text.npos ? std::string_view() : text.substr(first);
 }
 
-// A name can have blanks and brackets, too, an object has no blank in front of a bracket.
+// A name can also have blanks and brackets, but in an object no bracket has a blank before it.
 Frame frame_of(std::string_view text) {
   Frame frame;
   const auto [end, error] =
@@ -59,7 +59,7 @@ class Samples {
   }
 
   bool has_samples() const { return has_samples_; }
-  // By object, then by address: the function and the time.
+  // For each object, for each address in it: the name of the function, and the time in seconds.
   const std::map<std::string, std::map<std::uint64_t, std::pair<std::string, double>>>& times()
       const {
     return times_;

@@ -17,11 +17,12 @@ namespace tribo::conformance {
 inline constexpr auto perf_script_options =
     std::to_array<const char*>({"-F", "period,ip,sym,dso", "--no-inline"});
 
-// A sample of a clock is the time of the first of the solver's own lines on its stack, counted from
-// the innermost one: what a library does belongs to the line that has called it. The result has
-// these lines, in seconds, and no calls. `kind_of` tells whose an object (a program or a shared
-// library, by its path) is, and `lines_of` the lines of addresses in it, which perf itself looks up
-// one by one, in seconds. Throws std::runtime_error with one line where the text has no samples.
+// The time of a sample belongs to the innermost of the solver's own lines on its stack: what a
+// library does belongs to the line that has called it. The result has the time of these lines, in
+// seconds, and no calls. `kind_of` tells, by its path, whether an object (a program or a shared
+// library) is the solver's own. `lines_of` gives the lines of addresses in an object; perf itself
+// would look them up one by one, which takes seconds. Throws std::runtime_error with one line where
+// the text has no samples.
 CallGraph read_perf_script(
     std::istream& text, const std::function<CallGraph::Kind(const std::string&)>& kind_of,
     const std::function<std::vector<CallGraph::Line>(

@@ -279,7 +279,7 @@ std::optional<WrongPlace> needed_conditions(CountedNumbers numbers,
       }};
 }
 
-// "in one case, lt0064, where ν₂ = 0"
+// "wrong in lt0064, the only case where ν₂ = 0"
 WrongPlace single_cases(const CountedNumbers& numbers,
                         const std::vector<Circumstance>& conditions) {
   std::string ids;

@@ -13,12 +13,12 @@ namespace tribo::conformance {
 
 struct WrongPlace {
   std::string text;                            // "right up to d = 5, wrong from 5.2 on"
-  std::function<bool(const Question&)> holds;  // for questions whose answers are wrong
+  std::function<bool(const Question&)> holds;  // true of questions there; may be empty
 };
 
-// Empty: wrong and right answers are not apart in anything. Wrong answers that are explained are
-// left out. A border stands between the last right case and the first wrong one; two in a hundred
-// cases, and a tenth of the right or the wrong ones, may lie on the wrong side of it.
+// Empty where nothing divides wrong answers from right ones. Wrong answers that are explained are
+// left out. A border stands between the last right case and the first wrong one. At most 2 % of the
+// cases, and 10 % of the right or the wrong ones, whichever are fewer, may lie on its wrong side.
 std::optional<WrongPlace> place_of_wrong(const Part& part);
 
 }  // namespace tribo::conformance

@@ -133,8 +133,9 @@ void keep_answered(const PluginFunctions& functions, std::vector<Question>& ques
   questions = std::move(answered);
 }
 
-// How many times as long as a call that was made before one of new cases takes: the same but for a
-// part in 1e9 of one number. They are made in turns, for some milliseconds at most.
+// The time of a call with new cases over the time of the same call made again. New cases differ
+// from the ones before by a part in 1e9 of one number. Both calls are made in turns, up to 15
+// times, until together they have taken 0.1 s.
 double new_over_asked(Block& block, const std::vector<Question>& questions) {
   constexpr std::size_t most_pairs = 15;
   constexpr double long_enough = 0.1;  // s

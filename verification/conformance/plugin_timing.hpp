@@ -11,16 +11,17 @@
 namespace tribo::conformance {
 
 // Loads the plug-in, and reads questions from stdin. Each empty line ends a block; all questions of
-// a block are of one function. The plug-in is called with the whole block as arrays, again and
-// again for some milliseconds, and one line answers:
+// a block are of one function. A function is called with the whole block as arrays, operating
+// points are solved one by one, again and again for some milliseconds; then one line answers:
 //
 //   {"answered": 32, "seconds": 1.9e-8, "wall": 1.9e-8, "control": 2.3e-9, "new_over_asked": 1.01}
 //
 // `answered`: the questions for which it has a result, or says that there is none; they alone are
 // timed. `seconds`: CPU time for one of them; `wall`: the same by the clock; `control`: CPU time of
-// the control (cpu_time.hpp), before and after; `new_over_asked`: the time of new cases over that
-// of the same asked again, far above 1 where the plug-in keeps answers. {"error": …}: the block
-// cannot be asked. Throws PluginRefused. Returns an exit code.
+// a unit of the control (cpu_time.hpp), the mean of before and after; `new_over_asked`: the time of
+// new cases over that of the same cases asked again, far above 1 where the plug-in keeps answers.
+// Where no question is answered, the line has "answered" alone. {"error": …}: the block cannot be
+// asked. Throws PluginRefused. Returns the exit code 0 when the input ends.
 int time_plugin(const std::string& path);
 
 // The place of the argument by which a new case differs from an asked one: the first number that

@@ -43,7 +43,7 @@ struct FrictionReading {
   double roelands_log_viscosity = tribo::roelands_log_viscosity<double>();  // 9.67
   double roelands_logarithm = 1;   // 1/ln 10: log₁₀ η₀ for ln η₀
   double limiting_by_minimum = 0;  // 1: min(ηγ̇, τ₀) for τ₀(1 − e^{−ηγ̇/τ₀})
-  double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for it
+  double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for the same
   double eyring_by_line = 0;       // 1: ηγ̇ for τ₀ asinh(ηγ̇/τ₀)
   // In place of the point's own: the pressure that thickens in Pa, ln(η/η₀), shear rate in 1/s, gap
   // in m, ηγ̇/τ₀; A beside μ_b, A_r/A_nom, and p̄ in Pa under τ.
@@ -85,19 +85,22 @@ struct ResultName {
 std::vector<ResultName> results_of(const catalogue::Function* function);
 
 Numbers numbers_of(const catalogue::Results& results);
-// The numbers of an operating point, with the question's number of summits and friction.
+// The numbers of an operating point, with the question's changes of the real area, of the number of
+// summits and of friction.
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question);
 
-// The sheared film of an operating point; empty: it has no film or no friction, or is no point.
+// The sheared film of an operating point. Empty where the point has collapsed or lacks the inputs
+// of friction, and for a question to a function.
 std::optional<ShearedFilm> sheared_film(const Question& question);
 
-// The model's results with the changes that the question carries. NaN where a fit says nothing.
+// The model's results with the changes that the question carries. NaN where nothing is said.
 Numbers right_numbers(const Question& question);
 
 // The question to load_sharing at the first speed of a scene.
 Question sharing_question(const MixedContact<double>& contact, const Scene& scene);
 
-// The point whose flooded film is λ σ_s = h₀ (1 − A)^−e, whatever gave it.
+// The point with the flooded film parameter `lambda`, wherever that comes from: its shares follow
+// from λ = λ₀ (1 − A)^−e, where e is `exponent`.
 Numbers shared_point(const Question& question, const MixedContact<double>& contact, double lambda,
                      double exponent);
 

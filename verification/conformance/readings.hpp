@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws whose sources print a constant in two ways, or with a further term, or as a table, or a fit
-// for an ellipticity: a solver may follow either, in all its answers.
+// Laws with more than one right reading: their sources print a constant in two ways, a further
+// term, a table beside a formula, or a fit for the ellipticity. A solver may follow any one
+// reading, in all its answers.
 #pragma once
 
 #include <string>

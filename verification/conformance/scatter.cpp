@@ -60,8 +60,9 @@ double share_of_changes(const std::vector<Error>& errors) {
   return static_cast<double>(changes) / static_cast<double>(errors.size());
 }
 
-// By the variable; empty where it has no value somewhere. The least of an error is its relative
-// size over the condition of what is expected: 0 stands for wrong answers alone.
+// The errors in the order of the variable; empty where the variable has no value somewhere. Errors
+// up to `least`, relative and over the condition, are left out; `least` = 0 takes only wrong
+// answers that are not explained.
 std::vector<Error> errors_along(const Part& part, const Variable& variable, double least = 0) {
   std::vector<Error> errors;
   for (const Part::Number& one : part.all) {
@@ -239,8 +240,8 @@ double step_of(const std::vector<double>& values) {
   return is_grid ? step : 0;
 }
 
-// " = 10/2^15, as of a bisection of 10 that ends after some 15 steps"; empty: the step is of no
-// round width.
+// ", which is 10/2^15: as of a bisection of a width of 10 that ends after 15 steps"; empty: the
+// step is no such part of a round width.
 std::string halved_width(double step, double range) {
   const int first = std::max(3, static_cast<int>(std::ceil(std::log2(range / step))));
   for (const bool is_any_digit : {false, true})
@@ -391,8 +392,8 @@ Growth growth_of(const Part& part) {
 
 namespace {
 
-// Whether digits are lost: answers at one end of the variable have all digits of a double, and
-// they are fewer, the farther from it. A root that stops early leaves errors at both ends.
+// Whether the errors are those of lost digits: then answers at one end of the variable have all
+// digits of a double. A root that stops too early leaves errors at both ends.
 bool are_digits_lost(const Part& part, const Variable& variable) {
   constexpr double all_digits = 1e-11;
   const std::vector<Error> errors = errors_along(part, variable, 1e-300);

@@ -9,13 +9,13 @@
 namespace tribo::conformance {
 
 // "The errors are of both signs and in no order, and grow where U is small …", or that they are
-// small everywhere. Empty where there is an order, or neither of these.
+// small everywhere, of one size, or anything up to a tolerance. Empty: they are nothing of this.
 std::string scatter_of(const Part& part);
 
-// Errors that are nearly 0 for small values of a variable, and grow smoothly beyond, or that are
-// all small beside 1; with a cause that other results may have, too. Empty: they are neither.
-// They are of numerics only where the law has a root, an integral or a series, and where they grow
-// as a high power, as what such a method leaves out does.
+// Errors that are nearly 0 for small values of a variable and grow smoothly beyond, or errors that
+// are all small beside 1. `cause` may be that of other results, too. `text` is empty where the
+// errors are neither. `is_numerics`: the law has a root, an integral or a series, and the errors
+// grow as a high power, as the errors of such a method do.
 struct Growth {
   std::string text, cause;
   bool is_numerics = true;
@@ -28,7 +28,7 @@ Growth growth_of(const Part& part);
 std::string ended_early(const Part& part);
 
 // Answers that are whole steps from each other, as of a bisection that ends early, or of rounding:
-// "All 75 wrong answers are whole steps of 3.05e-05 from each other …". Empty: they are not.
+// "75 wrong answers are whole steps of 3.052e-05 from each other …". Empty: they are not.
 std::string grid_of(const Part& part);
 
 }  // namespace tribo::conformance

@@ -54,8 +54,8 @@ bool is(const WordResult<Word>& result, Word word) {
   return result.kind == WordResult<Word>::Kind::word && result.word == word;
 }
 
-// A number that rests on the balance of the load; where nothing balances it NaN says that there is
-// none.
+// A number that rests on the balance of the load. Where nothing balances the load, NaN says that
+// the number is undefined.
 std::optional<OutputValue> of_balance(double number, const PointResult& point) {
   const bool has_collapsed = is(point.inlet, Inlet::collapsed);
   if (std::isnan(number) && is(point.regime, Regime::collapsed))
@@ -126,7 +126,7 @@ void fill(catalogue::Arguments& to, const Question& question) {
 }
 void fill(Scene& to, const Question& question) { to = *std::get<SceneReading>(question).scene; }
 
-// The subject of a question, by a name that messages use.
+// The name of the function that a question asks for, or "operating_point"; for messages.
 std::string_view subject_of(const Question& question) {
   const auto* call = std::get_if<FunctionCall>(&question);
   return call == nullptr ? "operating_point" : call->function->name;

@@ -36,8 +36,9 @@
 namespace tribo::conformance {
 
 // A number in a result that is not finite has a meaning. not_offered, to which all results are set
-// before: this result is not offered. Infinity: this result is undefined at this point. Any other
-// NaN is an error. A function with only one result always offers it.
+// before the call: this result is not offered. Infinity: this result is undefined at this point.
+// Any other NaN is an error, except where the regime is collapsed: then numbers that rest on the
+// balance of the load are undefined by it. A function with only one result always offers it.
 inline constexpr double not_offered = std::bit_cast<double>(std::uint64_t{0x7FF8'6E6F'7468'6572});
 inline bool is_not_offered(double number) {
   return std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(not_offered);
@@ -178,8 +179,9 @@ class Solver {
 // code: 0, or 1 after a line on stderr where input or output broke.
 int serve(const Solver& solver);
 
-// The same with answers to a descriptor, for who has used take_stdout() before. With `tells_places`
-// an answer has its place in the array: "place": "place 3 of an array of 32".
+// The same, but writes the answers to the descriptor `answers`, for callers that have used
+// take_stdout() before. With `tells_places` an answer has its place in the array that the solver
+// got: "place": "place 3 of an array of 32".
 int serve(const Solver& solver, int answers, bool tells_places = false);
 
 // Returns a copy of stdout, or −1 if there is no stdout. From then on stdout leads to stderr, or

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes with a number, or a row of a table, that is found by the wrong answers.
+// Mistakes with a number, or a row of a table, that is solved for from the wrong answers.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,9 @@
 
 namespace tribo::conformance {
 
-// An integral that ends too early, at one number or at one distance, and a table of which another
-// row is taken: those that give some of the wrong answers of these cases, all of one function.
+// Mistakes that give some of the wrong answers of these cases, which are all of one function: an
+// integral that ends too early, at one number or at one distance from d, and another row of a
+// table.
 std::vector<Mistake> solved_mistakes(const std::vector<AnsweredCase>& cases);
 
 }  // namespace tribo::conformance

@@ -26,7 +26,7 @@ constexpr int exit_failed = 1, exit_bad = 2;
 constexpr std::size_t least_pairs = 5, most_pairs = 15;
 constexpr double longest_pass = 2e-2;  // s, where new cases are compared with asked ones
 
-// The case with another number in place of the one that new cases have changed.
+// The inputs of the case, with one number greater by `change` parts in 1e9: so a case becomes new.
 json changed_inputs(const TestCase& one, std::size_t change) {
   json inputs = one.inputs;
   if (change == 0) return inputs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time that a solver needs for cases of one function: a subject, which answers JSON lines, or a
-// plug-in, whose calls are timed in a process of its own (plugin_timing.hpp).
+// The time that a solver needs for cases of one function. The solver is a subject, which answers
+// JSON lines, or a plug-in, whose calls are timed in a process of its own (plugin_timing.hpp).
 #pragma once
 
 #include <chrono>
@@ -28,12 +28,11 @@ const char* name_of(Measured measured);  // "reported", "process", "calls"
 // The cases of one function that a solver is asked for its time, and the state of their measuring.
 struct TimedFunction {
   std::string name;
-  std::vector<TestCase> cases;  // after the first pass those alone that have an answer
+  std::vector<TestCase> cases;  // of a subject, from the first pass on, only those with an answer
   Measured measured = Measured::call_cpu;
   std::size_t answered = 0;  // cases with an answer; 0: it is not offered
   std::size_t passes = 1;    // over the cases in a lap, so that it takes some milliseconds
-  // How many times as long as a case that was asked before a new one takes; 0: it was not found
-  // out.
+  // The time of a new case over the time of a case that was asked before; 0: not measured.
   double new_over_asked = 0;
 };
 
@@ -41,13 +40,13 @@ struct TimedFunction {
 // are not extreme, or over all where there are no others.
 std::vector<TimedFunction> timed_functions(const std::vector<TestCase>& cases, std::size_t most);
 
-// From here on answers are kept, as by a cache: no other reason makes a case that was asked so much
-// faster than one that differs from it by a part in 1e9.
+// From this ratio on, the solver is said to keep its answers, as a cache does: nothing else makes a
+// case that was asked before so much faster than one that differs from it by a part in 1e9.
 inline constexpr double kept_ratio = 2;
 
 struct Lap {
   double own = 0;      // s a case, of the solver
-  double control = 0;  // s a unit of the control, before and after
+  double control = 0;  // s a unit of the control: mean of before and after
   double wall = 0;     // s a case, by the clock
 };
 
@@ -65,8 +64,9 @@ class TimedSolver {
   // Starts it by the shell. `deadline`: no wait goes beyond it.
   TimedSolver(const std::string& command, bool is_plugin, Clock::time_point deadline);
 
-  // Asks all cases once, which warms it up. In the first process, where `is_first`, this finds
-  // which have an answer, how the time is known, and the passes of a lap.
+  // Asks a subject all cases, which warms it up. With `is_first`, in the first process, this also
+  // finds which cases have an answer, how the time is known, and the passes of a lap. A plug-in is
+  // asked only with `is_first`.
   void warm_up(TimedFunction& function, bool is_first);
   // Throws SolverFailed, as warm_up() does.
   Lap lap(const TimedFunction& function);

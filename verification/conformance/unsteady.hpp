@@ -27,9 +27,11 @@ struct Unsteady {
   Said first, second;                        // its answers
   std::string first_place, second_place;     // Reply::place
   std::string_view unit;
-  // Relative to the greater one; infinite where one of them is no number.
+  // The difference of the two answers, relative to the greater one; infinite where one of them is
+  // no number.
   double apart = 0;
-  // The greatest of all cases, over the condition: what rounding in another order changes.
+  // The greatest such difference over the condition, of all cases: this tells rounding in another
+  // order from other changes.
   double apart_per_condition = 0;
 };
 

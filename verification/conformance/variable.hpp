@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers by which right answers may be told from wrong ones: the inputs of a question, the
-// groups that its law is written in, and the right results.
+// The numbers on which it may depend whether an answer is right: the inputs of a question, the
+// groups of inputs that its law is written in, and the right results.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers in which a solver is asked, where these are not the questions' own: E′ = 2E*, or both
-// bodies, for E*; both radii for the ellipticity of a film.
+// Other numbers in which a solver may be asked: E′ = 2E*, or the moduli and Poisson ratios of both
+// bodies, in place of E*; both radii in place of the ellipticity of a film.
 #pragma once
 
 #include <string>
@@ -17,12 +17,13 @@ struct AskedWays {
 
   bool has_twice_the_modulus() const { return modulus == "E'"; }
   bool has_radii() const { return ellipticity == "radii"; }
-  // Does it take other arguments, and not only other values of them? A plug-in cannot.
+  // Do these numbers need other arguments, and not only other values of the same ones? A plug-in
+  // cannot be asked so.
   bool has_other_arguments() const { return modulus == "bodies" || has_radii(); }
 };
 
-// The cases as such a solver is asked them. Each number is right to the bit but for the radii,
-// which give the ellipticity to some roundings.
+// The cases as the solver is asked them. The numbers give those that they replace to the last bit;
+// only the radii give the ellipticity to some roundings.
 std::vector<TestCase> asked_by(const AskedWays& ways, std::vector<TestCase> cases);
 
 // Halves the moduli of a solver that gives E′, so that they can be judged as E*.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of operating points that are answered from another limit on.
+// Words of operating points, as `boundary`, that a subject answers from another limit on.
 #pragma once
 
 #include <set>
@@ -10,9 +10,9 @@
 
 namespace tribo::conformance {
 
-// "`boundary` is answered from asperity_load_share = 0.9 on, in place of 0.99": of each word that a
-// wrong answer has, or that it should have, where one number of the right point decides on it.
-// Words follow from numbers: points with a wrong number are left out.
+// "The word `boundary` is answered from asperity_load_share = 0.9 on; it is right from … = 0.99
+// on.", for each word that a wrong answer has or should have, if one number of the right point
+// decides on the word. Words follow from numbers, so that points with a wrong number are left out.
 std::vector<Diagnosis> diagnose_words(const std::string& function,
                                       const std::vector<TestCase>& cases,
                                       const Conversation& conversation,

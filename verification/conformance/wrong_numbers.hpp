@@ -21,8 +21,8 @@ struct AnsweredNumber {
   bool is_explained = false;  // by a mistake that was named
 
   bool is_left() const { return is_wrong && !is_explained; }  // to be told
-  // How far from `given` an answer may be. What is allowed of a great number, or of one that an
-  // input determines badly, is too much of a tiny one, as where Pa were read as GPa.
+  // How far from `given` an answer may be. Where `given` is far smaller than the right number, as
+  // if Pa were read as GPa, the error that is allowed of the right number would be too much.
   double allowed_of(double given) const {
     const double own = std::abs(given), right = std::abs(expected->high);
     return 10 * own < right ? allowed / right / expected->condition * own : allowed;
@@ -32,7 +32,7 @@ struct AnsweredNumber {
 
 struct AnsweredCase {
   Question question;
-  Question asked;  // the same, but without what functions below it change (follow.hpp)
+  Question asked;  // as it was asked, without what wrong functions below change (follow.hpp)
   // The case's branch of the function, because one branch may be wrong alone: "order 1.5",
   // "greenwood_tripp". Empty: the function has no branches.
   std::string branch;
@@ -64,9 +64,9 @@ struct Part {
   const catalogue::Function* function() const { return all.front().of->question.function; }
 };
 
-// Those of all numbers of a part that are wrong and still to be told.
+// The numbers of a part that are wrong and not explained yet.
 std::vector<Part::Number> wrong_of(const Part& part);
-// At most so many of these, 2 or more, the first and the last among them.
+// At most `most` of these numbers, evenly spread, the first and the last among them; `most` ≥ 2.
 std::vector<Part::Number> far_apart(const std::vector<Part::Number>& numbers, std::size_t most);
 
 // The parts with wrong answers that are still to be told. After a named mistake a few wrong
@@ -76,9 +76,10 @@ std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);
 // The branch of its function that a question is of; empty: it has none.
 std::string branch_of(const Question& question);
 
-inline constexpr std::size_t fewest_cases = 8;  // that a pattern is told of
+inline constexpr std::size_t fewest_cases = 8;  // for a pattern to be told
 
-// Whether every answer has at most nine digits, or is a number of single precision.
+// Whether every answer has at most nine digits, or is a number of single precision. False where
+// there are fewer than `fewest_cases` numbers.
 bool is_single_precision(const std::vector<AnsweredCase>& cases);
 
 }  // namespace tribo::conformance

@@ -28,7 +28,7 @@ bool is_plain(std::string_view text) {
                      [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; });
 }
 
-// Without a branch, so that several numbers are looked at in one step.
+// Has no branch, so that the compiler can look at several numbers in one step.
 bool all_finite(std::span<const double> numbers) {
   std::uint64_t any = 0;  // its highest bit is set where the exponent of a number has all its bits
   for (const double number : numbers)
@@ -92,7 +92,8 @@ struct Part {
 void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
                 std::span<double> to) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  // As value_of() has it, without a look at all the rest of each point: what has collapsed is NaN.
+  // The same as value_of(), but only the numbers on which the output rests are looked at. Where one
+  // is NaN, as where the film has collapsed, so is the output, but for the regime.
   const auto put = [&](const auto& column, const std::vector<double>& rests_on) {
     std::transform(column.begin(), column.begin() + std::ssize(to), to.begin(),
                    [](auto value) { return static_cast<double>(value); });

@@ -26,16 +26,16 @@
 
 namespace tribo::protocol {
 
-// Any output at the first `to.size()` points of a batch: the numbers of value_of(), for a word its
-// place among the output's words, and NaN where the output is undefined.
+// Writes an output at the first `to.size()` points of a batch into `to`: its number, of a word its
+// place among the output's words, and NaN where value_of() has it undefined.
 void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
                 std::span<double> to);
 
-// The outputs to compute so that value_of() has what it needs. The film is among them for the least
-// film, for Λ and for the word of the inlet, whose overflow it shows, and where the film law
-// is solved or Rq alone is known.
+// The outputs to compute so that value_of() has what it needs: those that are asked for, and the
+// film for the least film, for Λ, for the word of the inlet, which is undefined where the film
+// overflows, and where the film law is solved or Rq alone is known.
 OutputSet needed_for(const Scene& scene);
-OutputSet needed_for(const Scene& scene, OutputSet asked);  // in place of its own
+OutputSet needed_for(const Scene& scene, OutputSet asked);  // `asked`, not the scene's own outputs
 
 // A JSON text with its quotes; bytes that are not UTF-8 become U+FFFD.
 void append_json_text(Text& to, std::string_view text);
@@ -48,7 +48,7 @@ struct LineId {
   std::optional<std::string_view> text;
   bool is_number = false;
 };
-// That of a question, SceneReading or FunctionCall.
+// The id of a question, which is a SceneReading or a FunctionCall.
 template <class Asked>
 LineId id_of(const Asked& asked) {
   return {asked.id, asked.id_is_number};

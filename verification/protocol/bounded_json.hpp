@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads any JSON of others as a tree: a baseline, an answer, a program's output.
+// Reads JSON that others have written as a tree: a baseline, an answer, a program's output.
 #pragma once
 
 #include <istream>
@@ -13,7 +13,8 @@
 
 namespace tribo::protocol {
 
-// Discarded where the text is no JSON. Throws std::runtime_error where it is nested too deep.
+// The text as a tree; is_discarded() where it is no JSON. Throws std::runtime_error where it is
+// nested too deep.
 template <class Json = nlohmann::json>
 Json parse_bounded_json(std::string_view text) {
   if (scene_detail::nests_too_deep(text))
@@ -21,7 +22,7 @@ Json parse_bounded_json(std::string_view text) {
   return Json::parse(text, nullptr, false);
 }
 
-// The same of the rest of a stream.
+// The same for the rest of a stream.
 template <class Json = nlohmann::json>
 Json read_bounded_json(std::istream& stream) {
   return parse_bounded_json<Json>(

@@ -28,7 +28,7 @@ struct OutputValue {
   double number = 0;
 };
 
-// The output is none of smooth_outputs(), which a point does not hold.
+// `output` must not be one of smooth_outputs(), because a point does not hold these.
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
 // Any output. `smooth` is the scene's smooth contact where needs_smooth_contact(scene), else null.
 // The point has to be solved with the outputs of needed_for() (answers.hpp).

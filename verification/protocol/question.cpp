@@ -85,15 +85,16 @@ bool has(std::span<const Parameter> parameters, std::string_view name) {
   return place_in(parameters, name) < parameters.size();
 }
 
-// The way to ask that has this name, which is none of the function's own arguments; null: there is
-// none.
+// The way to ask that gives a number of this name, which is not an argument of the function itself.
+// Null where there is no such way.
 const WayToAsk* way_with(const catalogue::Function& function, std::string_view name) {
   for (const WayToAsk& way : catalogue::ways_to_ask())
     if (has_way(function, way) && has(way.given, name)) return &way;
   return nullptr;
 }
 
-// The way by which the line gives an argument that it does not have; null: it does not give it.
+// The way by which the line gives an argument that does not stand in the line itself. Null where
+// the line does not give it.
 const WayToAsk* way_to(const catalogue::Function& function, std::string_view argument,
                        Members members) {
   for (const WayToAsk& way : catalogue::ways_to_ask()) {

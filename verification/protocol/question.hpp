@@ -28,7 +28,7 @@ struct FunctionCall {
   std::optional<CallFault> fault;                 // the first one in the line
 };
 
-// Either may hold faults in place of a question. A line that is no JSON is a scene with a fault.
+// Both may hold faults in place of a question. A line that is no JSON is a scene with a fault.
 using Question = std::variant<SceneReading, FunctionCall>;
 
 // `number` is the number of the line, for messages.

@@ -60,7 +60,7 @@ std::string system_message(int code) { return std::generic_category().message(co
 // The buffer has room for the longest line with its "\r\n", and for one more block.
 LineReader::LineReader(int descriptor, std::size_t longest)
     : descriptor_(descriptor), longest_(longest), buffer_(longest + 2 + block_bytes) {
-  // A pipe holds as much as the buffer, if the system lets it, so that many lines come together.
+  // A pipe gets room for 1 MiB, if the system allows that, so that many lines come together.
   ::fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(most_of_pipe));
 }
 

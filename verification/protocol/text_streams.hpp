@@ -66,7 +66,8 @@ inline void append(Text& text, std::string_view part) {
   std::copy(part.begin(), part.end(), text.data() + before);
 }
 
-// The output's reader has ended (`| head -1`): no error, but the end. SIGPIPE has to be ignored.
+// Whoever reads the output has ended (`| head -1`): the end, and no error. SIGPIPE has to be
+// ignored.
 struct OutputClosed {};
 
 // Any other write that failed, as on a full disk.

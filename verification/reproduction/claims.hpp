@@ -60,7 +60,7 @@ struct Item {
   double tolerance;     // of equal (the factor less 1) and at_least
   std::string unit, place, statement, computed_as;
   std::string label;  // what is computed, in few words
-  // Decided by arithmetic with a formula as printed, which no part of the model enters.
+  // The item is decided by arithmetic with a printed formula alone, without any part of the model.
   bool is_arithmetic;
 };
 
@@ -87,7 +87,7 @@ enum class Verdict : std::uint8_t {
   not_reproduced,
 };
 std::string_view name(Verdict verdict);
-// The scale of claims, for tables of many: yes, partly, no. “Partly” is each verdict between the
+// The short scale for tables of many claims: yes, partly, no. “Partly” is each verdict between the
 // first and the last one, order_only as well.
 std::string_view short_name(Verdict verdict);
 inline constexpr std::string_view partly_words =
@@ -102,10 +102,10 @@ Verdict judge(const Item& item, const Observed& observed);
 // `equal`; the threshold of `at_least` is divided by the factor. `order` has no tolerance.
 Item with_tolerance(Item item, double factor);
 
-// The distance of a verdict from the nearest other verdict.
+// The measure in which a verdict's distance from the nearest other verdict is given.
 enum class MarginOf : std::uint8_t {
-  number,  // the margin is |ln(number/threshold)|
-  part,    // the margin is the part of the compared speeds, less one half
+  number,  // |ln(number/threshold)|
+  part,    // |p − 1/2|, where p is the part of the compared speeds at which the comparison holds
 };
 std::string_view name(MarginOf of);
 struct Margin {
@@ -117,8 +117,8 @@ struct Margin {
 };
 inline constexpr std::string_view undecided_words = "the margin is below the numerical error";
 
-// The distance to the nearest threshold beyond which the verdict would change. Of several
-// thresholds, one within the error comes first. No margin where there is no number.
+// The distance to the nearest threshold beyond which the verdict would change. A threshold within
+// the error goes before all others. Empty where there is no number.
 std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observed);
 
 // Is it sure, whatever the numerical error, whether the item is reproduced?

@@ -47,8 +47,8 @@ Reading with_law(std::size_t number) {
   return reading;
 }
 
-// The choices of the film's switches that give one film formula: U doubles by E* or by the sum of
-// the speeds, and the rest of the model is the same for both.
+// The choices of the film's switches that give one film formula. Two choices may give the same: U
+// is twice as large by E* in place of E′, or by the sum of the speeds.
 struct FilmGroup {
   std::vector<std::size_t> numbers;  // of film_switches
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// All readings, each judged by every item. Readings share the stages of the computation: a root is
-// found once for each film formula and rough contact, an inlet once for each film, friction once
-// for each law of the rest, and so on. No stage is computed twice from the same choices.
+// All readings, each judged by every item. Readings share the stages of the computation: flooded
+// films are found once for each film formula and rough contact, starved films once for each of
+// these and each inlet, friction once for each of those and each pair of laws. No stage is computed
+// twice from the same choices.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ using ItemMask = std::uint32_t;
 struct Enumeration {
   std::vector<ItemMask> items;   // of every reading, by index_of()
   std::vector<ItemMask> claims;  // of every reading, by index_of()
-  std::size_t films;             // the numbers of computed stages
+  std::size_t films;             // how many of each of these three stages were computed
   std::size_t inlets;
   std::size_t friction_curves;
   // For every reading the items that the grid of speeds left open, and that were therefore computed

@@ -28,10 +28,10 @@ Observed evaluate(const PaperScenes& scenes, const Reading& reading, const Item&
 // The constant that a reading has in place of 2.69(1 − 0.61 e^{−0.73}), times film_constant_scale.
 double film_constant(const PaperScenes& scenes, const Reading& reading);
 
-// The asperities' share at the lowest speed in a contact (ContactName).
+// The asperities' share of the load at the lowest speed; `contact` is the place of a ContactName.
 double slow_asperity_share(const PaperScenes& scenes, const Reading& reading, std::size_t contact);
 
-// λ is the film over this number times σ_s.
+// The reading's λ is the film over (this number times σ_s).
 inline double lambda_divisor(const Reading& reading) {
   return reading.is(Switch::lambda_scale, 1) ? 1.4 : 1;
 }

@@ -21,8 +21,8 @@ struct PaperScenes {
 };
 
 // From rough.toml, medium.toml, smooth.toml and smooth_gw.toml of a folder. Throws
-// std::runtime_error with one line: they must be readable, have friction's inputs, h_oil/σ_s, one
-// range of speeds.
+// std::runtime_error with one line where a file cannot be read or lacks what readings need: among
+// others a circle, the inputs of friction, h_oil/σ_s, and a range of speeds, the same in all four.
 PaperScenes read_paper_scenes(const std::string& folder);
 
 enum class Field : std::uint8_t {
@@ -55,7 +55,8 @@ struct Input {
 // Reads inputs.tsv. Throws std::runtime_error with one line.
 std::vector<Input> read_inputs(const std::string& path);
 
-// Multiplies an input of one contact, or of all.
+// Multiplies an input of one contact, or of all. Only scale_all() changes the two factors of the
+// film formula, film_constant and speed: they belong to all contacts.
 void scale(PaperScenes& scenes, std::size_t contact, Field field, double factor);
 void scale_all(PaperScenes& scenes, Field field, double factor);
 

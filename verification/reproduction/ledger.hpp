@@ -12,8 +12,8 @@
 
 namespace tribo::reproduction {
 
-// arguments.cpp: the reading that a number of the paper identifies, by the number and the value of
-// each candidate, both with their print precision.
+// arguments.cpp: numbers of the paper that may identify a reading. The value of each candidate is
+// compared with the number; both are intervals, by their print precision.
 struct Candidate {
   std::string name;
   std::optional<double> value;  // empty: it gives no such number
@@ -30,7 +30,7 @@ struct Argument {
   std::vector<Candidate> candidates;
   std::string claim{};  // the claim whose number the candidates give; empty: of no claim alone
 
-  std::size_t agreeing() const;  // one: the number identifies it
+  std::size_t agreeing() const;  // how many candidates agree; if one, the number identifies it
 };
 
 std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
@@ -42,8 +42,8 @@ void keep_what_print_precision_identifies(std::vector<ItemStatistics>& statistic
                                           const std::vector<Item>& items,
                                           const std::vector<Argument>& arguments);
 
-// errata.cpp: the paper's misprints, from reference/published/errata.tsv, with the numbers of two
-// forms, which show whether the misprint matters: as a rule the printed and the right one.
+// errata.cpp: the paper's misprints, from reference/published/errata.tsv. A number computed by two
+// forms, as a rule the printed and the right one, shows whether the misprint matters.
 struct Erratum {
   std::string id, place, printed, right, settled_by, kind, switch_or_reason;
   std::string evidence;  // the quantity, and the two forms; empty where there is none
@@ -72,7 +72,8 @@ struct Requirement {
   Field field;
   std::optional<double> sensitivity{};     // d ln(number)/d ln(input) at the scene's inputs
   std::optional<double> by_sensitivity{};  // of numbers: the factor that it predicts
-  // The nearest to 1 between 1/30 and 30 at which the item holds: a number prints as reported.
+  // The factor on the input, between 1/30 and 30, that is nearest to 1 and at which the item holds
+  // (if it is a number, prints as reported); empty: there is none.
   std::optional<double> factor{};
   std::string surface;  // of the values below: the item's surface, or else rough
   std::string unit;     // of the values
@@ -84,14 +85,14 @@ struct Requirement {
   std::vector<std::string> broken{}, mended{};  // claims that the change breaks or mends
 };
 
-// For every item that the reading does not reproduce, every input.
+// The requirements of every item that the reading does not reproduce, one for each input.
 std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& reading,
                                       const std::vector<Item>& items,
                                       const std::vector<ItemResult>& results,
                                       const std::vector<Input>& inputs);
 
-// C1 as a film departure: the ε that gives each surface its reported speed, and the one common ε
-// whose greatest factor from the reported speeds is least.
+// Claim C1 if the onset is a film departure: the ε that gives each surface its reported speed, and
+// the one common ε for which the greatest factor between computed and reported speeds is least.
 struct CommonDeparture {
   std::array<std::optional<double>, surface_count> own;  // ε for rough, medium, smooth
   double best;                                           // ε for all
@@ -119,7 +120,7 @@ struct Uncertainty {
   std::array<Interval, surface_count> onset_speed;          // film_maximum
   std::array<Interval, surface_count> slow_asperity_share;  // at the lowest speed
   Interval medium_over_smooth, rough_over_medium;           // of the onset speeds
-  Interval film_parameter;                                  // at the onset
+  Interval film_parameter;                                  // at the onset, rough surface
   std::size_t all_onsets_reported;  // draws in which all three speeds print as reported
 };
 
@@ -187,11 +188,12 @@ std::string ledger_csv(const Ledger& ledger, const std::vector<NamedReading>& re
                        const std::vector<std::string>& claims);
 
 struct LedgerChanges {
-  std::vector<std::string> verdicts;  // one line for each change, of a reading's switches, too
-  std::vector<std::string> numbers;   // moved by more than 1e-6 of themselves, verdict unchanged
+  std::vector<std::string> verdicts;  // one line for each change; also of switches, and new items
+  std::vector<std::string> numbers;   // with the verdict unchanged: numbers and parts that moved by
+                                      // more than 1e-6 of themselves, and what is decided
 };
-// The changes since the committed ledger, of the readings and items that both have. Throws
-// std::runtime_error with one line.
+// The changes since the committed ledger, of the readings that both have. An item that the
+// committed ledger lacks is a change, too. Throws std::runtime_error with one line.
 LedgerChanges changes_since(const std::string& path, const Ledger& ledger,
                             const std::vector<NamedReading>& readings,
                             const std::vector<std::string>& claims);

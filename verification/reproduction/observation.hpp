@@ -13,7 +13,7 @@
 
 namespace tribo::reproduction {
 
-// The paper's three surfaces with GT, and the smooth one with GW, which is where it compares them.
+// The paper's three surfaces with GT, and the smooth one with GW: there the paper compares both.
 enum class ContactName : std::uint8_t { rough, medium, smooth, smooth_gw };
 inline constexpr std::size_t contact_count = 4;
 template <class T>
@@ -25,10 +25,10 @@ std::vector<std::string_view> beyond_collapse(const Observed& observed);
 inline constexpr std::string_view beyond_collapse_words =
     "rests on points beyond the film's collapse";
 
-// 20 speeds a decade between the ends of the scene's range, which are among them.
+// At least 20 speeds a decade, evenly in their logarithm, from one end of the range to the other.
 std::vector<double> speed_grid(double from, double to);
 
-// One contact's flooded films on the grid: the stage that takes a root a point.
+// One contact's flooded films on the grid: the stage that has to find a root for each point.
 struct FloodedCurve {
   ReadContact contact;
   std::vector<double> film_parameter;
@@ -53,7 +53,8 @@ std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const St
                                            const FrictionCurve& friction, const ReadInlet& inlet,
                                            FrictionLaw law);
 
-// All from which the quantities of one reading are computed; nothing here is owned.
+// All from which the quantities of one reading are computed. What the pointers point to has to live
+// as long.
 struct Stages {
   const ReadInlet* inlet;
   PerContact<const FloodedCurve*> flooded;
@@ -69,8 +70,9 @@ struct Stages {
 enum class Stage : std::uint8_t { films, friction, onsets, constant };
 Stage stage(Quantity quantity);
 
-// By Effort::grid the error is that of the numbers between the nodes, and a comparison holds over
-// all or none of the speeds; refined, errors and parts are computed between the nodes, too.
+// The result for an item. Effort::grid uses the speeds of the grid alone: the error covers the
+// numbers between them, and a comparison holds at all speeds or at none. Effort::refined also
+// computes points between the speeds of the grid.
 Observed observe(const Item& item, const Stages& stages, Effort effort = Effort::refined);
 
 }  // namespace tribo::reproduction

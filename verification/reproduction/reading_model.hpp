@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper's contact under one reading, from the parts of the model: what a switch changes is
-// changed here, and the rest is the model's own. Only supplies of constant h_oil/σ_s, as the paper
-// has.
+// changed here, and the rest is the model's own. The supply has to be a constant h_oil/σ_s, as in
+// the paper.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace tribo::reproduction {
 
-// A shear law with a law of viscosity: the last switches that friction asks for.
+// A shear law with a law of viscosity: the choices of the switches on which only friction depends.
 struct FrictionLaw {
   FluidShear shear;
   ViscosityLaw viscosity;
@@ -28,9 +28,9 @@ FrictionLaw friction_law(const Reading& reading);
 // The film law of a reading, by its choices of E_HD, of u and of the constant.
 FilmLaw film_law(const Reading& reading);
 
-// ln ψ over ln r, of a closure whose y needs a root: from a table and one step of Newton's method,
-// where the root takes a dozen evaluations. Enumerations ask for millions of films behind one
-// inlet.
+// ln ψ as a function of ln r, for a closure whose y needs a root: by a table and one step of
+// Newton's method, while the root takes a dozen evaluations. Enumerations ask for millions of films
+// behind one inlet.
 class InletLengths {
  public:
   explicit InletLengths(const InletCurve<double>& curve);
@@ -77,8 +77,9 @@ struct ContactPoint {
   bool collapsed;
 };
 
-// Relative rounding error of a point's numbers: the moments of the heights and the film are right
-// to a few units in the last place, and fall with the separation as e^{−λ²/2}.
+// Relative rounding error of a point's numbers. The moments of the heights and the film are right
+// to a few ulp. Moments fall with the separation λ as e^{−λ²/2}, so that a relative error of λ
+// counts λ² times.
 inline double rounding(const ContactPoint& point) {
   return 1e-14 * (10 + point.separation * point.separation);
 }
@@ -95,7 +96,8 @@ class ReadContact {
  public:
   ReadContact(const Scene& scene, const Reading& reading, double film_scale = 1);
 
-  // λ of the flooded film at a speed, the only root to find; `flooded` below stands for this λ.
+  // λ of the flooded film at a speed, the only root to find; `flooded`, an argument below, is this
+  // λ.
   double flooded_film_parameter(double speed) const;
   // The same at each of some speeds, to the last bit.
   std::vector<double> flooded_film_parameters(std::span<const double> at) const;
@@ -113,7 +115,8 @@ class ReadContact {
   // d ln h*/d ln u at r, and the slope of the flooded film at λ.
   double film_slope(double r, const ReadInlet& inlet) const;
   double flooded_slope(double film_parameter) const;
-  // The film has collapsed from this speed on: ∞ where it never does, 0 where it has at all speeds.
+  // The speed from which on the film has collapsed: ∞ where it never collapses, 0 where it has
+  // collapsed at all speeds.
   double collapse_speed(const ReadInlet& inlet) const;
   double inlet_film_ratio() const { return inlet_film_ratio_; }
   double film_at_unit_speed() const { return film_at_unit_speed_; }

@@ -88,8 +88,8 @@ class SampledCurve {
   }
 
  private:
-  // A lower bound of the function times `sign` within cell i, by the lines through the two nodes on
-  // its left and on its right; twice as far below the nodes, as the curvature may change.
+  // A lower bound of the function times `sign` within cell i: twice as far below the nodes as the
+  // lines through the two nodes on its left and its right are, because the curvature may change.
   double lowest_possible(std::size_t i, double sign) const {
     const auto extended = [&](std::size_t from, std::size_t through, std::size_t to) {
       const double slope = (y_[through] - y_[from]) / (x_[through] - x_[from]);
@@ -134,7 +134,8 @@ class SampledCurve {
     return std::max({rise(x - step), rise(x + step), 0.0});
   }
 
-  // The place where the function passes a level; the errors of both, over the slope, are its error.
+  // The place where the function passes a level. Its error is the sum of the errors of function and
+  // level, over the slope.
   Estimate root_between(double from, double to, Estimate level) const {
     const double x = bracketed_root([&](double where) { return at_(where) - level.value; }, from,
                                     to, root_width);

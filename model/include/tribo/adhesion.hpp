@@ -22,8 +22,8 @@ enum class Adhesion : std::uint8_t { jkr, dmt };
 inline constexpr auto adhesion_words = std::to_array<std::string_view>({"jkr", "dmt"});
 
 // The tensile force that parts the bodies, in N, as a number above 0: (3/2)πwR by JKR, 2πwR by DMT.
-// work_of_adhesion w > 0 in J/m², of both faces: γ₁ + γ₂ − γ₁₂; reduced_radius R > 0 in m, of a
-// ball on a flat the ball's radius. Error: pull_off_contract.
+// work_of_adhesion w > 0 in J/m², of both faces: γ₁ + γ₂ − γ₁₂; reduced_radius R > 0 in m; for a
+// ball on a flat it is the radius of the ball. Error: pull_off_contract.
 template <class T>
 T pull_off_force(Adhesion theory, const T& work_of_adhesion, const T& reduced_radius) {
   const T force = pi<T>() * work_of_adhesion * reduced_radius;
@@ -32,8 +32,9 @@ T pull_off_force(Adhesion theory, const T& work_of_adhesion, const T& reduced_ra
 
 // Radius a in m of the circle of contact by JKR:
 //   a³ = 3R/(4E*) · [F + 3πwR + √(6πwRF + (3πwR)²)].
-// load F in N, below 0 where it pulls, effective_modulus E* > 0 in Pa; the rest as above. NaN where
-// F pulls with more than (3/2)πwR, because the bodies have parted. Error: jkr_contract.
+// load F in N, below 0 where it pulls; effective_modulus E* > 0 in Pa; w and R as for
+// pull_off_force(). Gives NaN where F pulls with more than (3/2)πwR, because the bodies have
+// parted. Error: jkr_contract.
 template <class T>
 T jkr_radius(const T& load, const T& work_of_adhesion, const T& effective_modulus,
              const T& reduced_radius) {

@@ -7,8 +7,9 @@
 
 namespace tribo {
 
-// Needs f(low) and f(high) of opposite sign, or one of them 0. The bracket shrinks below 4ε
-// of the result and `least_width` together. At most 400 evaluations.
+// Needs f(low) and f(high) of opposite sign, or one of them 0. The bracket shrinks until it is
+// narrower than the sum of 4ε times the result and `least_width`. At most 400 evaluations; after
+// them the end with the lesser |f| is returned.
 // Failure: NaN, where the ends have one sign or f gives NaN there.
 template <class T, class Function>
 T bracketed_root(Function&& f, T low, T high, const T& least_width) {

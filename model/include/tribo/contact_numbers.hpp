@@ -23,14 +23,15 @@ struct SurfaceNumbers {
   T hazard;          // −d ln A/dλ at the floor: positive; 0 if there is no floor
   T floor_up_to;     // λ = λ_b to half an ulp for λ₀ from 0 to here
   T film_from;       // λ = λ₀ to half an ulp for λ₀ from here on; below 0: smooth, always
-  // λ₀/u^a; of a law without fixed exponents ln of λ over Ĥ at 1 m/s, or at the greatest film of
-  // rigid and elastic bodies (H₀₀). NaN of a contact beyond the kernels' range.
+  // λ₀/u^a. For a law without fixed exponents it is a logarithm at 1 m/s: ln(λ/Ĥ), but for a law
+  // that joins limits at a point ln λ by the limit H₀₀. NaN where the contact is beyond the
+  // kernels' range.
   T film_at_unit_speed;
 };
 
 // The numbers from which the film of a law without fixed exponents follows at 1 m/s and γ = 1
-// (moes_film.hpp): ln λ by each limit that the law joins. Solved films have ln M in place of the
-// first, and L in place of the second.
+// (moes_film.hpp): ln λ by each limit that the law joins. For solved films the first number is ln M
+// and the second is L.
 template <class T>
 struct FilmNumbers {
   T rigid, elastic, rigid_piezoviscous, elastic_piezoviscous;
@@ -53,15 +54,15 @@ struct ContactNumbers {
   FilmNumbers<T> film;  // 0 of a law of fixed exponents
 };
 
-// The numbers of a scene that a contact is prepared from, as scene.hpp has them; where it gives two
-// bodies or spectral moments, what follows from these.
+// The numbers of a scene that a contact is prepared from, in the units of scene.hpp. Where the
+// scene gives two bodies or spectral moments, these are the numbers that follow from them.
 template <class T>
 struct SceneNumbers {
   T load;
   T summit_density, summit_radius, summit_height_sd, summit_plane_offset, offset_planes;
   T effective_modulus;
   T radius_x;     // R_x; of a circle R
-  T ellipticity;  // k of the film's constant: of a circle as given, of an ellipse Hertz'
+  T ellipticity;  // k of the film's constant: given for a circle, Hertz' for an ellipse
   T viscosity, pressure_viscosity, eyring_stress;
   T supply;
   T boundary_coefficient, slide_roll_ratio, damiens_exponent;

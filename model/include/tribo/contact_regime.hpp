@@ -33,8 +33,9 @@ LubricationRegime regime_of(ContactShape shape, const detail::SceneNumbers<T>& s
   return point_regime(regime_numbers(numbers), radius_ratio_of(shape, scene), scene.ellipticity);
 }
 
-// The regime that a film law was fitted to: all laws that scenes name are of elastic bodies, those
-// without an exponent of G of a liquid whose viscosity does not rise with pressure.
+// The regime that a film law of fixed exponents was fitted to. All such laws that scenes name are
+// for elastic bodies; where the exponent of G is 0, the viscosity of the liquid does not rise with
+// pressure. A law without fixed exponents holds in all regimes and gives piezoviscous_elastic here.
 constexpr LubricationRegime regime_of(const FilmLaw& law) {
   return law.material_exponent.p == 0 ? LubricationRegime::isoviscous_elastic
                                       : LubricationRegime::piezoviscous_elastic;
@@ -44,8 +45,8 @@ constexpr LubricationRegime regime_of(const FilmLaw& law) {
 // much, next to a border of the maps.
 inline constexpr double greatest_factor_of_regimes = 1.2;
 
-// How many times the films of two regimes at these numbers differ, on the map of the contact's
-// shape: 1 where both are the same, else 1 or more.
+// The greater of the films of two regimes at these numbers over the lesser one, on the map of the
+// contact's shape; 1 where both regimes are the same.
 template <class T>
 T factor_between(LubricationRegime one, LubricationRegime other, ContactShape shape,
                  const detail::SceneNumbers<T>& scene, const SimilarityNumbers<T>& numbers) {

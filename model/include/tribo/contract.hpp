@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bound that a function promises for its error in double, against the exact value of its
-// inputs:
+// The bound that a function promises for the error of its value in double. The error is the
+// difference from the exact value at the same inputs:
 //
 //   |error| ≤ max(ulp · ulp(value), ulp_per_condition · condition · ulp(value)),
 //
-// condition the sum of |∂ ln value/∂ ln input| over the inputs, at least 1. Each contract stands
-// beside its function, and the verification reads it there.
+// where `condition` is the sum of |∂ ln value/∂ ln input| over the inputs, at least 1. Each
+// contract stands beside its function, and the verification reads it there.
 #pragma once
 
 namespace tribo {

@@ -33,19 +33,21 @@ struct FilmLaw {
   Fraction load_exponent;          // c, of W
   Fraction side_leakage = {0, 1};  // m; 0: the constant does not depend on k
   Fraction side_decay = {0, 1};    // n
-  // E_HD/E* in U, in G and in W, and what U has over the mean of the speeds.
+  // E_HD, the modulus in U, in G and in W, over E*; and the speed in U over the mean of the two
+  // speeds.
   int speed_modulus = 2;
   int material_modulus = 2;
   int load_modulus = 2;
   int speed_multiple = 1;
   bool is_of_lines = false;  // else of point contacts
   FilmForm form = FilmForm::power;
-  // The ellipticities that it was fitted to, where its source tells them.
+  // The range of ellipticities that the law was fitted to; 0 and ∞ where its source does not tell
+  // it.
   double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
-  // divided by it, and W stays: h = h₀ γ^{a−b}. Laws without fixed
-  // exponents have a bound of their films' here.
+  // divided by it, and W stays: h = h₀ γ^{a−b}. For laws without fixed exponents this is an upper
+  // bound of d ln h/d ln γ.
   Fraction sharing_exponent = speed_exponent - material_exponent;
   // The two exponents in the form that the engine takes.
   Exponent speed_power = speed_exponent;
@@ -138,7 +140,7 @@ constexpr FilmLaw law_by(FilmForm form, bool is_of_lines) {
           .load_exponent = {-1, 10},
           .is_of_lines = is_of_lines,
           .form = form,
-          .sharing_exponent = {2, 1}};  // of rigid bodies; of lines 1
+          .sharing_exponent = {2, 1}};  // d ln h/d ln γ of rigid bodies; for lines it is 1
 }
 }  // namespace detail
 inline constexpr FilmLaw moes_line_law = detail::law_by(FilmForm::moes_line, true);

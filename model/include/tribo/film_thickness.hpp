@@ -23,8 +23,9 @@ namespace tribo {
 
 inline constexpr Contract film_contract{20, 0};
 
-// Laws that load sharing takes: those without fixed exponents; those of a = b, whose film it does
-// not move; and 0.01 ≤ a − b ≤ 0.7, with exponents of at most three decimals.
+// Does load sharing take this law? It takes laws without fixed exponents, laws with a = b, whose
+// film does not change with γ, and laws with 0.01 ≤ a − b ≤ 0.7 whose exponents have at most three
+// decimals.
 constexpr bool is_law_of_load_sharing(const FilmLaw& law) {
   if (!law.has_fixed_exponents() || law.sharing_exponent.p == 0) return true;
   return law.sharing_power.value >= 0.01 && law.sharing_power.value <= 0.7 &&

@@ -49,8 +49,8 @@ T log_viscosity_ratio(ViscosityLaw law, const T& viscosity, const T& pressure_vi
 }
 
 // Shear stress τ in Pa of a film: eyring_stress τ₀ in Pa, viscosity η₀ in Pa·s, log_viscosity_ratio
-// as above, sliding_speed S·u ≥ 0 in m/s, separation > 0 in m. Past overflow of x = ηγ̇/τ₀,
-// `eyring` is τ₀(ln 2 + ln x) and `limiting` τ₀. Error: 20 ε × (1 + ln(η/η₀)).
+// as above, sliding_speed S·u ≥ 0 in m/s, separation > 0 in m. Where x = ηγ̇/τ₀ overflows, `eyring`
+// still gives τ₀(ln 2 + ln x), and `limiting` gives τ₀. Error: 20 ε × (1 + ln(η/η₀)).
 template <class T>
 T fluid_shear_stress(FluidShear law, const T& eyring_stress, const T& viscosity,
                      const T& log_viscosity_ratio, const T& sliding_speed, const T& separation) {

@@ -17,8 +17,8 @@
 // Error bound: in double gaussian_moment_contract, one unit where the result is subnormal; in T in
 // general 500 ε on [−40, 37]. F_n(+∞) = 0, F_n(−∞) = ∞ (1 for n = 0), NaN gives NaN.
 //
-// The templates serve every number type but double, which has polynomials in pieces
-// (src/gaussian_moment-inl.hpp), declared at the end.
+// The templates serve every number type but double. For double the functions are polynomials in
+// pieces (src/gaussian_moment-inl.hpp); they are declared near the end of this file.
 #pragma once
 
 #include <array>
@@ -126,8 +126,8 @@ T far_below(Order n, const T& distance) {
   return power(distance, n) * sum;
 }
 
-// S_n(d), half-integer n, |d| < asymptotic_from: trapezoidal rule with a step that puts the error
-// of the rule below ε (y = π/(h·(2|d| + 1.6√L)) in the bound above, L = ln(1/ε)).
+// S_n(d), half-integer n, |d| < asymptotic_from: trapezoidal rule with a step h that puts the error
+// of the rule below ε: so says the bound above for y = π/(h·(2|d| + 2.3√L)), with L = ln(1/ε) + 4.
 template <class T>
 T half_integer_moment(Order n, const T& d) {
   using std::exp;
@@ -152,8 +152,8 @@ T half_integer_moment(Order n, const T& d) {
 }
 
 // S_0, S_1 and S_2 for 1 ≤ d < asymptotic_from: I_n = √2π S_n obeys I_{n+1} = n I_{n−1} − d I_n and
-// 1 = d I_0 + I_1; backward, I_n/I_{n−1} = n/(d + I_{n+1}/I_n). Started at N the error of the first
-// ratio is about exp(−2d√N).
+// 1 = d I_0 + I_1; backward, I_n/I_{n−1} = n/(d + I_{n+1}/I_n). If the recurrence starts at n = N,
+// the error of I_1/I_0 is about exp(−2d√N).
 template <class T>
 T integer_moment_above_one(Order n, const T& d) {
   using std::sqrt;

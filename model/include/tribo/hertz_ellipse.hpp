@@ -150,8 +150,8 @@ EllipseOfCircle<T> ellipse_of_circle(const T& radius_x, const T& radius_y) {
   const auto ellipse = detail::wide_ellipse(radius_x, radius_y);
   return {T(ellipse.axis_cube), T(ellipse.axes_ratio), T(ellipse.approach)};
 }
-// The same by polynomials (model/generators/ellipse_pieces.cpp) where one radius is less than 2¹⁴
-// of the other.
+// In double the same numbers come from polynomials (model/generators/ellipse_pieces.cpp) where the
+// greater radius is less than 2¹⁴ times the smaller one, and else from wide_ellipse().
 template <>
 EllipseOfCircle<double> ellipse_of_circle(const double& radius_x, const double& radius_y);
 
@@ -184,7 +184,7 @@ HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T
 }
 
 // radius_x R_x and radius_y R_y > 0 in m (two_bodies.hpp). Error: hertz_ellipse_contract; overflow
-// gives ∞ or NaN, underflow 0. R_x = R_y is the circle, R_x the R of hertz_point().
+// gives ∞ or NaN, underflow 0. R_x = R_y gives the circle of hertz_point() with R = R_x.
 template <class T>
 HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
                               const T& radius_y) {

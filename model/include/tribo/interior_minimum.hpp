@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least value of a function between two points: by golden section where there is one minimum,
-// and the least of several, which a walk in steps tells apart.
+// The least value of a function between two points: by golden section where the function has one
+// minimum; where it has several, a walk in steps finds each of them, and the least is taken.
 #pragma once
 
 #include "tribo/real.hpp"
 
 namespace tribo {
 
-// The argument of the least value of f in (low, high), by golden section, to `width`. It cannot be
-// found to less than about √ε of the scale on which f varies, as f is flat at a minimum.
+// The argument of the least value of f in (low, high), by golden section, until the interval is
+// shorter than `width`·(1 + |low|). A `width` below about √ε of the scale on which f varies gains
+// nothing, because f is flat at a minimum.
 template <class T, class Function>
 T golden_section_minimum(Function&& f, T low, T high, const T& width) {
   using std::abs;
@@ -34,8 +35,9 @@ T golden_section_minimum(Function&& f, T low, T high, const T& width) {
   return (low + high) / 2;
 }
 
-// The argument of the least interior minimum of f between two coordinates; NaN where none is. It
-// looks at `count` + 1 places, next(i, before) being the i-th.
+// The argument of the least interior minimum of f; NaN where f has no interior minimum. The
+// function looks at `count` + 1 places: next(i, before) gives the i-th place from the place before
+// it, and `first` stands before the 0-th.
 template <class T, class Function, class Next>
 T least_interior_minimum(Function&& f, const T& first, int count, Next&& next) {
   using std::sqrt;

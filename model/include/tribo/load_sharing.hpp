@@ -122,18 +122,18 @@ class LoadSharing {
     return distance;
   }
 
-  // Is the film above a high floor so stiff that A is determined better by its share of the load
-  // than by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp, which is more
-  // than `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp at most.
-  // Beyond two floors A is nothing.
+  // Is the film above a high floor so stiff that A is determined better by 1 − A, the film's share
+  // of the load, than by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp,
+  // which is more than `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp
+  // at most. Where λ is above twice the floor, A is negligible.
   bool is_stiff(const LoadShares<T>& at, const T& least) const {
     const T& lambda = at.film_parameter;
     if (!has_floor_ || !(floor_ > 3) || !(lambda < 2 * floor_)) return false;
     return exponent_ * lambda * (lambda - offset_) * at.asperity > least * at.fluid;
   }
 
-  // A at λ less `fall`, from the A at λ ≥ δ: what F_p gains is known to more digits than F_p
-  // itself, as d² − d*² is the fall times d + d*.
+  // A at the film λ − `fall`, from A at λ ≥ δ. With d = λ − δ and d* = d − `fall`, the ratio of the
+  // two F_p is known to more digits than each F_p, because d² − d*² is the fall times d + d*.
   T share_below(const LoadShares<T>& at, const T& fall) const {
     using std::exp;
     using std::sqrt;
@@ -181,8 +181,8 @@ class LoadSharing {
   // The shares at the film of a law without fixed exponents: the root of ln λ − ln λ(γ), with
   // film(γ) → {λ(γ), exponents}, exponents.sharing = d ln λ(γ)/d ln γ, and 1/γ = 1 − A(λ). It is
   // sought in s = ln(λ − λ_b), so that 1 − A keeps its digits next to a floor. There is one root
-  // where λ(γ) rises (moes_film.hpp). Failures as of solve(); NaN where the film at the root is not
-  // known.
+  // where λ(γ) rises (moes_film.hpp). λ₀ = ∞ and NaN are treated as in solve(); all shares are NaN
+  // where the film at the root is not known.
   template <class Film>
   LoadShares<T> solve_by(const Film& film) const {
     using std::exp;
@@ -204,13 +204,14 @@ class LoadSharing {
         return free_film.is_known ? LoadShares<T>{lambda0, free.asperity, free.fluid, iterations}
                                   : at_infinity(quiet_nan<T>());
     }
-    // At λ₀ the excess is below 0, at a film that touches no summit above.
+    // At λ = λ₀ the excess is below 0; at a film so thick that no summit touches it is above 0.
     T low = log(lambda0 > floor_ ? T(lambda0 - floor_) : floor_);
     T high = low;
     for (T width = ratio<T>(1, 16); excess(low) > 0 && iterations < 100; width *= 2) low -= width;
     for (T width = ratio<T>(1, 16); excess(high) < 0 && iterations < 200; width *= 2) high += width;
     const T s = low < high ? bracketed_root(excess, low, high, epsilon<T>()) : low;
-    // A step of Newton's brings the derivatives of a type that has them.
+    // A last step of Newton's method gives the result its derivatives, where T is a type that has
+    // derivatives.
     const T distance = exp(s);
     const LoadShares<T> near = shares_above_floor(distance);
     const auto there = film(T(1 / near.fluid));

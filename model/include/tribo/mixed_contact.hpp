@@ -106,8 +106,8 @@ class MixedContact {
   const LoadSharing<T>& sharing() const { return sharing_; }
   const FilmLaw& film() const { return *film_; }
   const InletLaw<T>& inlet_law() const { return inlet_law_; }
-  // The law of the inlet at a speed in m/s and r: of starved films between solved ones Damiens'
-  // with the γ there, which is NaN beyond their table.
+  // The law of the inlet at a speed in m/s and at r. For the closure `solved` it is Damiens' law
+  // with the γ that the table of solved starved films has there; this γ is NaN beyond the table.
   InletLaw<T> inlet_law(const T& speed, const T& r) const {
     using std::log;
     if (inlet_law_.closure != StarvationClosure::solved) return inlet_law_;
@@ -120,7 +120,8 @@ class MixedContact {
   // q of a scene with inlet_flow, m²/s.
   const T& inlet_flow() const { return supply_value_; }
 
-  // h_oil/σ_s at speed u. Only where there is a supply; without inlet_flow u does not matter.
+  // h_oil/σ_s at speed u in m/s. To be called only where the scene has a supply; u matters only
+  // with inlet_flow.
   T inlet_film_parameter(const T& speed) const {
     if (supply_ == SupplyKind::inlet_film_ratio) return supply_value_;
     const T inlet_film =
@@ -128,8 +129,8 @@ class MixedContact {
     return inlet_film / summit_height_sd_;
   }
 
-  // λ₀ = h₀/σ_s at speed u in m/s, with h₀ less by the heat of the inlet, where that is asked; and
-  // the speed at which λ₀ is reached by an inlet that is not heated.
+  // λ₀ = h₀/σ_s at speed u in m/s; where the scene asks for a heated inlet, the heat makes h₀
+  // thinner. speed_at() gives the speed at which an inlet that is not heated reaches a given λ₀.
   T flooded_film_parameter(const T& speed) const {
     const T isothermal =
         film_->has_fixed_exponents()
@@ -141,7 +142,8 @@ class MixedContact {
   T speed_at(const T& flooded_film_parameter) const {
     return speed_at(LoadShares<T>{flooded_film_parameter, T(0), T(1), 0});
   }
-  // The speed of a flooded film with its shares, likewise; NaN beyond a table of solved films.
+  // The speed in m/s at which an inlet that is not heated makes the flooded film with these shares;
+  // NaN beyond a table of solved films.
   T speed_at(const LoadShares<T>& shares) const {
     using std::exp;
     using std::log;
@@ -154,7 +156,7 @@ class MixedContact {
       return log(T(moes_film_.continued(exp(log_speed), stiffening).film_parameter /
                    shares.film_parameter));
     };
-    // The film rises with speed at least as its root (analytic.MoesFilm).
+    // The film rises at least as fast as the square root of the speed (test analytic.MoesFilm).
     const T start = excess(T(0));
     const T root = bracketed_root(excess, start > 0 ? T(-2 * start - 1) : T(0),
                                   start > 0 ? T(0) : T(1 - 2 * start), epsilon<T>());
@@ -162,7 +164,7 @@ class MixedContact {
     if (!there.is_known) return quiet_nan<T>();
     return exp(T(root - excess(root) / there.speed_exponent));
   }
-  // d ln λ₀/d ln u and d ln λ₀/d ln γ at a film; of a heated inlet those without the heat.
+  // d ln λ₀/d ln u and d ln λ₀/d ln γ at a film; the heat of a heated inlet is left out.
   FilmExponents<T> film_exponents(const FloodedFilm<T>& flooded) const {
     if (film_->has_fixed_exponents() || !(flooded.shares.fluid > 0))
       return {ratio<T>(film_->speed_exponent), ratio<T>(film_->sharing_exponent)};

@@ -5,15 +5,17 @@
 //
 //   h/R = (2Uγ)^{1/2} H(Mγ^{−m}, Lγ^{−3/4}).
 //
-// A law of fixed exponents, (2U)^{1/2} H = C U^a G^b W^c, gives h₀γ^{a−b}, the λ of
-// load_sharing.hpp. The exponents that such a law would have at a speed and a γ are
+// A law of fixed exponents, (2U)^{1/2} H = C U^a G^b W^c, gives h₀γ^{a−b}, which is the film of
+// load_sharing.hpp. At a speed and a γ, the exponents a and a − b of the power law with the same
+// slopes are
 //
 //   d ln h/d ln u = 1/2 − m H_M + H_L/4,   d ln h/d ln γ = d ln h/d ln u − H_L,
 //
-// H_M and H_L the slopes of ln H against ln M and ln L. h rises with γ for M from 1e-3 to 1e6 and L
-// up to 100 (analytic.MoesFilm), so that load sharing has one root. From L = 200 on a point's film
-// falls as γ^−0.001 in places, as its s changes faster than the film of rigid bodies grows: then λ
-// is one of roots that differ by some parts in ten thousand.
+// where H_M and H_L are the slopes of ln H against ln M and ln L. h rises with γ for M from 1e-3 to
+// 1e6 and L up to 100 (analytic.MoesFilm), so that load sharing has one root. From L = 200 on a
+// point's film falls as γ^−0.001 in places, because its exponent s changes faster than the film of
+// rigid bodies grows. There load sharing may have several roots, which differ by some parts in ten
+// thousand, and λ is one of them.
 #pragma once
 
 #include "tribo/film_laws.hpp"
@@ -98,12 +100,13 @@ class MoesFilm {
  public:
   struct At {
     T film_parameter, speed_exponent, sharing_exponent;
-    bool is_known;  // false beyond a table of solved films, where it goes on straight
+    bool is_known;  // false beyond a table of solved films: λ is then extrapolated
   };
 
   MoesFilm() = default;
-  // As nijenbanning_venner_moes() takes them; `load` is F, of a line (F/L)R_x, `radius_ratio`
-  // R_x/R_y, not used of a line; `height` is σ_s. Of a law of fixed exponents nothing is asked.
+  // Arguments as for nijenbanning_venner_moes(), in SI units. `load` is F, for a line (F/L)R_x;
+  // `radius_ratio` is R_x/R_y and is not used for a line; `height` is σ_s. With a law of fixed
+  // exponents the object must not be asked for films.
   MoesFilm(const FilmLaw& law, const T& viscosity, const T& pressure_viscosity, const T& load,
            const T& effective_modulus, const T& radius_x, const T& radius_ratio, const T& height)
       : law_(&law), radius_ratio_(radius_ratio) {
@@ -114,7 +117,7 @@ class MoesFilm {
     load_number_ = load / (2 * effective_modulus * radius_x * radius_x) / root;
     if (!law.is_of_lines) load_number_ /= fourth_root;
     material_number_ = 2 * pressure_viscosity * effective_modulus * fourth_root;
-    // The film at L = 0 is the limit, which this is to every digit.
+    // At L = 0 a tiny L is taken: the film there equals the limit L → 0 to every digit.
     if (material_number_ == 0) material_number_ = T(1e-30);
     film_ = radius_x * root / height;
   }

@@ -22,7 +22,8 @@ inline constexpr Contract moes_line_contract{20, 0};
 
 namespace detail {
 
-// (x^p + y^p)^{1/p} without overflow of the powers, for x and y > 0 and any p, also below 0.
+// (x^p + y^p)^{1/p} without overflow of the powers, for x and y above 0 and p ≠ 0. is_of_greater
+// tells whether p > 0; power(t) is t^|p|, and root(t) is t^{1/p}.
 template <class T, class Power, class Root>
 T joined(const T& x, const T& y, bool is_of_greater, const Power& power, const Root& root) {
   const bool is_x_first = (x > y) == is_of_greater;
@@ -41,7 +42,7 @@ struct MoesFilms {
   T rigid_piezoviscous, elastic_piezoviscous;  // RP, EP
 };
 
-// At M > 0 and L, which may be 0. Error: 4 ulp.
+// The four films at M > 0 and L ≥ 0. Error: 4 ulp.
 template <class T>
 MoesFilms<T> moes_films(const T& load_number, const T& material_number) {
   return {T(3 / load_number), T(ratio<T>(2621, 1000) * decimal_power(load_number, Fraction{-1, 5})),

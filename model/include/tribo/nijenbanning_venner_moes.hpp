@@ -10,10 +10,10 @@
 //   (EI^{−4} + H₀₀^{−4})^{−3/8}]^{2s/3} + [RP^{−8} + EP^{−8}]^{−s/8}}^{1/s}, s = 1.5 (1 +
 //   e^{−1.2x}).
 //
-// The abstract calls it the central film; RI is near that at the greatest pressure. The print is
-// not at hand, and public transcriptions differ in x and in the first bracket: both readings of
-// each are kept. Source: G. Nijenbanning, C. H. Venner, H. Moes: Film thickness in
-// elastohydrodynamically lubricated elliptic contacts. Wear 176 (1994) 217.
+// The abstract of the source calls h the central film; RI is near the film at the greatest
+// pressure. The printed paper is not at hand, and public transcriptions of it differ in x and in
+// the first bracket: two readings of each are kept. Source: G. Nijenbanning, C. H. Venner, H. Moes:
+// Film thickness in elastohydrodynamically lubricated elliptic contacts. Wear 176 (1994) 217.
 #pragma once
 
 #include <array>
@@ -28,7 +28,8 @@ namespace tribo {
 
 inline constexpr Contract nijenbanning_venner_moes_contract{60, 0};
 
-// x of the exponent s: EI/RI, which solved films of lines and circles are nearer to, or EI/EP.
+// The ratio x in the exponent s: EI/RI or EI/EP. Solved films of lines and circles are nearer to
+// the formula with EI/RI.
 enum class MoesExponent : std::uint8_t { elastic_over_rigid, elastic_over_piezoviscous };
 inline constexpr auto moes_exponent_words =
     std::to_array<std::string_view>({"ei_over_ri", "ei_over_ep"});

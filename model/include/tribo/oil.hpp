@@ -9,8 +9,8 @@
 
 namespace tribo {
 
-// The two kinematic viscosities of an oil: as given, or those at 40 and 100 °C of its grade, the
-// second of which is 0 where the index has none.
+// The two kinematic viscosities of an oil: as given, or, for a grade, those at 40 and 100 °C. The
+// one at 100 °C is 0 where no viscosity from 2 to 1000 mm²/s has the index.
 inline std::array<KinematicViscosity, 2> viscosities_of(const Oil& oil) {
   if (!(oil.iso_vg > 0)) return oil.viscosities;
   const long double at_40 = static_cast<long double>(oil.iso_vg) / 1000000;
@@ -21,8 +21,8 @@ inline std::array<KinematicViscosity, 2> viscosities_of(const Oil& oil) {
 }
 
 // η₀ in Pa·s: ρ times the kinematic viscosity at the oil's temperature. Error: 4 ε times the
-// condition of astm_d341_viscosity, and of a grade half an ulp of double of each of its
-// viscosities. NaN where the two viscosities give no line.
+// condition of astm_d341_viscosity; for a grade each of the two viscosities is also rounded to
+// double. NaN where the two viscosities give no line of ASTM D341.
 template <class T>
 T oil_viscosity(const Oil& oil) {
   const auto [first, second] = viscosities_of(oil);

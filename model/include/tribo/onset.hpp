@@ -7,7 +7,7 @@
 //   film_departure    h* = (1−ε) h_ff. Constant h_oil: r explicit, then as above. Constant flow:
 //                     one monotone scalar root.
 //   friction_minimum  the lowest interior minimum of μ(u) over the scene's speeds
-//   asperity_minimum  of A(u): at the film maximum, as A falls strictly with the film
+//   asperity_minimum  the minimum of A(u): at the film maximum, because A falls as the film grows
 #pragma once
 
 #include <algorithm>
@@ -89,7 +89,7 @@ template <class T>
 struct Onset {
   OnsetCriterion criterion;
   bool exists;
-  T speed;                  // u, m/s
+  T speed;                  // u, m/s; 0 where there is no onset
   T film;                   // h*, m
   T film_parameter;         // h*/σ_s; NaN of smooth bodies
   std::string_view reason;  // why there is none; empty where there is one
@@ -115,8 +115,8 @@ inline constexpr std::string_view beyond_solved_films =
     "no film between solved ones meets it: closures.film and closures.starvation = \"solved\" have "
     "tables of M and L";
 
-// Coordinates between which a film between solved ones, starved or not, is known, to 1/50 in ln u;
-// NaN where none is.
+// The first and the last coordinate of the walk at which the film, starved or not, lies in the
+// tables of solved films, to 1/50 in ln u; NaN where it lies in them nowhere.
 template <class T>
 struct KnownWalk {
   T first, last;
@@ -125,7 +125,8 @@ template <class T>
 KnownWalk<T> known_walk(const MixedContact<T>& contact, const StribeckWalk<T>& walk) {
   KnownWalk<T> known{quiet_nan<T>(), quiet_nan<T>()};
   if constexpr (std::is_same_v<T, double>) {
-    // M falls with the speed and with γ: no film is faster than that of the least M without γ.
+    // M falls as the speed and γ rise: no speed beyond that of the table's least M at γ = 1 has a
+    // film.
     const double m = contact.film().is_of_lines ? 0.5 : 0.75;
     const double fastest =
         (contact.numbers().film.rigid - film_table(contact.film()).first_load) / m;

@@ -24,10 +24,10 @@ Regime regime_of(const T& asperity_share, const T& fluid_share) {
                                    : Regime::mixed;
 }
 
-// One operating point; units and meaning in outputs.hpp. An output that was not asked for is 0; but
-// the regime is there with each output of balance_outputs(), as it says whether these are defined:
-// both shares and friction are NaN where the regime is `collapsed`. An overflow of the number type
-// shows as ∞ or NaN.
+// One operating point; units and meaning in outputs.hpp. An output that was not asked for is 0, or
+// a number that an asked output was computed from. The regime is there with each output of
+// balance_outputs(), because it says whether these are defined: both shares and friction are NaN
+// where the regime is `collapsed`. An overflow of the number type shows as ∞ or NaN.
 template <class T>
 struct OperatingPoint {
   T speed{};

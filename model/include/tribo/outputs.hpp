@@ -170,9 +170,10 @@ constexpr OutputSet summit_outputs() {
   return set;
 }
 
-// The outputs that a point must have so that those asked for follow: the least film and Λ follow
-// from the film, and so does whether the summits of faces are known (`knows_rq_alone`), and whether
-// a film between solved ones is (`may_lack_film`).
+// The outputs that a point must have so that the asked outputs follow from them. The film is added
+// where the least film or Λ is asked. It is also added where it tells whether outputs are
+// undefined: where only Rq of the faces is known (`knows_rq_alone`), or where a film may lie beyond
+// the tables of solved films (`may_lack_film`).
 constexpr OutputSet solved_outputs(OutputSet asked, bool knows_rq_alone, bool may_lack_film) {
   if (may_lack_film || asked.contains(Output::minimum_film) ||
       asked.contains(Output::lambda_ratio) ||

@@ -24,8 +24,8 @@ T plasticity_index(const T& effective_modulus, const T& hardness, const T& summi
   return effective_modulus / hardness * sqrt(T(summit_height_sd / summit_radius));
 }
 
-// Up to which interference over that at first yield the fit of Kogut and Etsion holds, and from
-// which one on it has its second row of numbers.
+// Two values of the interference ratio ω/ω_c: the greatest for which the fit of Kogut and Etsion
+// holds, and the one from which on the fit has its second row of numbers.
 inline constexpr int greatest_kogut_etsion_interference = 110;
 inline constexpr int second_kogut_etsion_interference = 6;
 

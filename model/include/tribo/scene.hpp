@@ -71,10 +71,10 @@ struct Surface {
   double summit_height_sd = 0;       // σ_s, m; GT: of the sum of both faces' summit heights
   double summit_plane_offset = 0;    // D_d/σ_s, mean plane to summit plane
   int offset_planes = 1;             // m: how many faces bring that offset, 0, 1 or 2
-  bool gives_offset_planes = false;  // as gives_slide_roll_ratio
+  bool gives_offset_planes = false;  // set by readers: m is no default
   SpectralMoments moments = {};  // where they are given, the first four numbers follow from them
-  // Roughness of both faces together, for Λ alone; where the second is given, the first follows
-  // from it, as it does from the moments. 0: not given.
+  // Roughness of both faces together; it is used for Λ alone. Where Ra or the moments are given, Rq
+  // follows from them. 0: not given.
   double rms_roughness = 0;      // Rq, m
   double average_roughness = 0;  // Ra, m
   bool has_alike_faces = false;  // the scene gives the roughness of each face, and both are alike
@@ -158,7 +158,7 @@ struct Friction {
 struct Closures {
   AsperityModel asperity = AsperityModel::greenwood_tripp;
   StarvationClosure starvation = StarvationClosure::flooded_inlet;
-  bool gives_starvation = false;  // as gives_slide_roll_ratio
+  bool gives_starvation = false;  // set by readers: it is no default
   double damiens_exponent = 3;    // γ of Damiens' closure
   FilmFormula film = FilmFormula::hamrock_dowson_central;
 };

@@ -45,9 +45,9 @@ struct FieldInfo {
   std::string_view default_text = "";              // empty: no default
   bool required = false;                 // always, or in the table `speed` where that is given
   std::optional<Output> needed_by = {};  // the one output that needs the field
-  double plausible_minimum = 0;  // legal numbers beyond these two pass a limit, validity.hpp
+  double plausible_minimum = 0;  // a legal number outside of this range is warned of (validity.hpp)
   double plausible_maximum = std::numeric_limits<double>::infinity();
-  std::string_view likely_unit = "";  // of a number that passes it by a slip: "mPa·s", "GPa, MPa"
+  std::string_view likely_unit = "";  // probably meant for a number outside: "mPa·s", "GPa, MPa"
   std::string_view meaning = "";
 };
 
@@ -58,7 +58,7 @@ std::span<const FieldInfo> scene_fields();
 // of another one. The first set is the usual one.
 struct FieldSet {
   std::span<const std::string_view> fields;    // dotted paths
-  std::span<const std::string_view> optional;  // legal beside them alone
+  std::span<const std::string_view> optional;  // legal only beside `fields`
 };
 using FieldGroup = std::span<const FieldSet>;
 std::span<const FieldGroup> scene_field_groups();

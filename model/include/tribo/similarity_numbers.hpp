@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers without units that say what kind of contact it is, and its regime of lubrication
+// Dimensionless numbers of a contact, and the regime of lubrication that follows from them
 // (model/README.md, section 5).
 //
 // Sources. U, G and W: B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outputs of a scene that operating points do not hold (smooth_outputs() in outputs.hpp):
-// pressures of the dry, smooth contact, and beside the film of a point its least film, and Λ.
+// The outputs of a scene that operating points do not hold (smooth_outputs() in outputs.hpp): the
+// pressures of the dry, smooth contact, and the least film and Λ, which are computed from the film
+// of an operating point.
 #pragma once
 
 #include <optional>
@@ -11,9 +12,10 @@
 
 namespace tribo {
 
-// The law of the least film that belongs to a law of the central film, by the same authors where
-// they have both: Hamrock and Dowson's of hard or of soft bodies; of lines Pan and Hamrock's, else
-// Dowson and Higginson's; of solved films the solved one.
+// The law of the least film that belongs to a film law. For points it is Hamrock and Dowson's law
+// of hard bodies, or of soft bodies where the film law has no exponent of G. For lines it is Pan
+// and Hamrock's law beside one of theirs, else Dowson and Higginson's. For solved films it is the
+// solved least film.
 constexpr const FilmLaw& minimum_film_law(const FilmLaw& law) {
   if (law.is_solved()) return law.is_of_lines ? solved_line_minimum_law : solved_point_minimum_law;
   if (!law.is_of_lines)
@@ -30,7 +32,7 @@ T load_of_film(ContactShape shape, const detail::SceneNumbers<T>& scene) {
 }
 
 // The film in m of a scene's smooth, flooded contact by any law of its shape, at a speed in m/s.
-// Error: film_contract, and 2 ulp more of a line.
+// Error: film_contract, for a line 2 ulp more. NaN where a solved film is not known.
 template <class T>
 T smooth_film(const FilmLaw& law, ContactShape shape, const detail::SceneNumbers<T>& scene,
               const T& speed) {
@@ -41,8 +43,8 @@ T smooth_film(const FilmLaw& law, ContactShape shape, const detail::SceneNumbers
                         scene.ellipticity);
 }
 
-// Λ by common practice: below the first mixed or boundary lubrication, from the second on a full
-// film.
+// Λ by common practice: below the first number lubrication is boundary or mixed, between the two it
+// is mixed, and from the second on there is a full film.
 inline constexpr double least_mixed_lambda_ratio = 1, least_full_film_lambda_ratio = 3;
 
 // The least film follows from the film h* as it is solved, with load sharing, heat and supply: it
@@ -70,8 +72,8 @@ class SmoothContact {
   }
 
   // An output of smooth_outputs() at a speed in m/s, at which the film is `film` in m. Λ is ∞ where
-  // the scene has no roughness. Error: of pressures that of hertz_contact(), of others those of the
-  // film and of two films of film_contract.
+  // the scene has no roughness. Error: pressures have that of hertz_contact(); the others have the
+  // error of `film` and twice that of film_contract.
   double value(Output output, double speed, double film) const {
     switch (output) {
       case Output::peak_pressure:
@@ -90,8 +92,8 @@ class SmoothContact {
     return !has_summits_ &&
            minimum_film(speed, film) < least_full_film_lambda_ratio * rms_roughness_;
   }
-  // Is the film of a point unknown, as its M or L, with load sharing, is outside the rows of solved
-  // films? Then all outputs of the point are undefined that rest on a film.
+  // Is the film of a point unknown, because M or L, with load sharing, lies outside the rows of
+  // solved films? Then all outputs of the point that depend on the film are undefined.
   bool is_beyond_solved_films(double film) const { return is_solved_ && film != film; }
   // 0 where the film has collapsed.
   double minimum_film(double speed, double film) const {

@@ -11,7 +11,7 @@
 
 namespace tribo {
 
-// Ĥ and its slopes against ln M and ln L.
+// Ĥ, and the slopes of ln Ĥ against ln M and ln L.
 template <class T>
 struct FilmNumber {
   T value, load_slope, material_slope;
@@ -35,8 +35,9 @@ struct FilmTable {
 // The table of a law whose form is solved or solved_minimum.
 const FilmTable& film_table(const FilmLaw& law);
 
-// Relative error of the interpolation, besides that of the rows. Two ranges have a greater one:
-// circles below L = 2.5 2.5e-2 (the central film), lines below L = 1 2e-3 (the least film).
+// Relative error of the interpolation, besides that of the rows. Two ranges have a greater error:
+// 2.5e-2 in the central film of circles below L = 2.5, and 2e-3 in the least film of lines below L
+// = 1.
 inline constexpr double solved_point_interpolation = 5e-3,
                         solved_point_minimum_interpolation = 15e-3;
 inline constexpr double solved_line_interpolation = 2e-3, solved_line_minimum_interpolation = 5e-4;
@@ -73,7 +74,7 @@ std::size_t step_at(const T& x, std::size_t steps) {
 
 }  // namespace detail
 
-// Do ln M and L lie in the rectangle of the table? A film may still lack there.
+// Do ln M and L lie in the rectangle of the table? The film may still be missing there.
 template <class T>
 bool is_within(const FilmTable& table, const T& log_load, const T& material) {
   return log_load >= T(table.first_load) && log_load <= T(table.last_load()) && material >= 0 &&

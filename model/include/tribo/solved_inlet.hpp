@@ -12,7 +12,7 @@
 
 namespace tribo {
 
-// γ at equal steps of ln M, of L and of ln r, straight between these.
+// γ at equal steps of ln M, of L and of ln r, with straight lines between the steps.
 struct InletTable {
   double first_load, load_step, first_material, material_step, first_ratio, ratio_step;
   std::size_t load_steps, material_steps, ratio_steps;

@@ -141,8 +141,8 @@ struct InletCurve {
     return weight * crook_slope + (flooded ? T(0) : T((1 - weight) * y_slope));
   }
 
-  // ψ at r > 0 (r < 1 for flooded_inlet), and ln ψ, which stays finite where ψ itself underflows,
-  // at r beyond about 1e30. Error: 20 ε.
+  // ψ at r > 0 (r < 1 for flooded_inlet), and ln ψ, which stays finite at great r, where ψ itself
+  // underflows. Error: 20 ε.
   T inlet_length(const T& flooded_over_inlet) const {
     using std::exp;
     using std::pow;

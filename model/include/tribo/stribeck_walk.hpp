@@ -39,7 +39,7 @@ T film_slope(const FilmExponents<T>& film, const LoadShares<T>& shares,
 
 }  // namespace detail
 
-// Beyond double it takes laws of fixed exponents with a − b > 0.
+// This template takes only laws of fixed exponents with a − b > 0; double has its own walk below.
 template <class T>
 class StribeckWalk {
  public:

@@ -36,10 +36,10 @@ T gupta_thermal_reduction(const T& peak_pressure, const T& effective_modulus,
 }
 
 // The same of pure rolling by Murch and Wilson, without the pressure: 3.94/(3.94 + L^{0.62}), L as
-// above: u is the mean speed, as W. R. D. Wilson and S. Sheu say, who print 1/(1 + 0.254 L^{0.62})
-// for it (Effect of inlet shear heating due to sliding on elastohydrodynamic film thickness. J.
-// Lubr. Technol., manuscript of 1980). The numbers and their ranges as above. Error:
-// murch_wilson_thermal_contract.
+// above: u is the mean speed, as W. R. D. Wilson and S. Sheu say, who print the formula as 1/(1 +
+// 0.254 L^{0.62}) (Effect of inlet shear heating due to sliding on elastohydrodynamic film
+// thickness. J. Lubr. Technol., manuscript of 1980). The arguments have the units and ranges of
+// gupta_thermal_reduction(). Error: murch_wilson_thermal_contract.
 template <class T>
 T murch_wilson_thermal_reduction(const T& temperature_viscosity, const T& viscosity, const T& speed,
                                  const T& thermal_conductivity) {

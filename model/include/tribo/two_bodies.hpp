@@ -58,7 +58,8 @@ struct ReducedRadius {
 // meet at a point: where 1/R_x or 1/R_y is not above 0. Error: reduced_radius_contract, for radii
 // of 1e-290 or more, whatever cancels.
 //
-// hertz_point() and hamrock_dowson_central() are of R_x = R_y, and their R is this R_x, not this R.
+// hertz_point() and hamrock_dowson_central() are for R_x = R_y; their argument R is radius_x here,
+// not reduced_radius.
 template <class T>
 ReducedRadius<T> reduced_radius(const T& first_radius_x, const T& second_radius_x,
                                 const T& first_radius_y, const T& second_radius_y) {

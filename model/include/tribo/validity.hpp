@@ -21,7 +21,8 @@ template <class T>
 class MixedContact;
 struct FilmLaw;
 
-// A limit, and where a scene stands to it. The views' texts live as long as the program.
+// A limit, and where a scene stands to it. A limit is passed where the value lies outside its
+// bounds. The views' texts live as long as the program.
 struct Validity {
   std::string_view word;              // "hertz_pressure"
   std::string_view assumption;        // a whole sentence; of a range the meaning of its field
@@ -37,7 +38,8 @@ struct Validity {
   std::string advice = "";     // what passing it means, and what to do; empty: nothing to add
   bool value_follows = false;  // of a field: from others that the scene gives
   bool is_accepted = false;    // by the scene, whether it is passed or not
-  // So many of a sweep's judged cases pass it; `value` is that of the furthest, by its number.
+  // For a sweep: how many of its judged cases pass the limit. `value` is then that of the case
+  // furthest beyond the limit, whose number is furthest_case.
   std::uint64_t cases = 0, judged_cases = 0, all_cases = 0, furthest_case = 0;
 
   bool is_known() const { return least != 0 || greatest < std::numeric_limits<double>::infinity(); }
@@ -60,7 +62,7 @@ double least_fitted_ellipticity(const FilmLaw& law);
 // without a surface, on the film without a speed.
 std::vector<Validity> validity_of(const Scene& scene, SceneUse use = SceneUse::speeds);
 
-// Those of them that the scene passes and does not accept: it is warned of them.
+// The limits that the scene passes and does not accept: the user is warned of these.
 std::vector<Validity> passed_limits(const Scene& scene, SceneUse use = SceneUse::speeds);
 
 // The same of a scene as a reader made it, with one speed, which its contact has solved already.

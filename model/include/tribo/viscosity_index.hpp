@@ -15,7 +15,8 @@ namespace tribo {
 
 inline constexpr Contract viscosity_index_contract{8, 4};
 
-// Viscosities in mm²/s at 100 °C for which the index is defined, and up to which it is inverted.
+// Viscosities in mm²/s at 100 °C: the least for which the index is defined, and the greatest that
+// viscosity_at_100_celsius() gives.
 inline constexpr int least_viscosity_with_index = 2, greatest_viscosity_with_index = 1000;
 
 // Temperatures in K of the index's viscosities.
@@ -106,9 +107,9 @@ T viscosity_index(const T& at_40, const T& at_100) {
   return detail::index_among(at_40, at_100, detail::index_oils(at_100));
 }
 
-// ν at 100 °C in m²/s from ν at 40 °C in m²/s and the index, 0 to 400: viscosity_index() solved for
-// it. NaN where it is not from 2 to 1000 mm²/s. Error: some 10 ε, and up to 0.1 % by the quadratic
-// equations, which do not quite meet at the ends of their ranges.
+// ν at 100 °C in m²/s from ν at 40 °C in m²/s and the index, 0 to 400: the inverse of
+// viscosity_index(). NaN where the result would not lie from 2 to 1000 mm²/s. Error: some 10 ε, and
+// up to 0.1 % by the quadratic equations, which do not quite meet at the ends of their ranges.
 template <class T>
 T viscosity_at_100_celsius(const T& at_40, const T& index) {
   using std::log;

@@ -25,8 +25,8 @@ constexpr std::size_t block = 1 << 15;  // points between two looks for Ctrl-C
 
 using Array = py::array_t<double, py::array::c_style>;
 
-// The text that a function of tribocheck.h tells, and its code. A text with more than `room` costs
-// a second call.
+// The code that a function of tribocheck.h returns, and the text that it tells. A text of more than
+// `room` bytes costs a second call.
 template <std::size_t room = 1 << 16, class Call, class... Given>
 std::pair<int, std::string> told_by(Call call, Given... given) {
   std::string text(room, '\0');
@@ -281,8 +281,8 @@ Array speeds_of(const std::string& scene, bool is_curve, std::size_t count) {
   return speeds;
 }
 
-// Outputs at speeds, each an array of their shape: numbers, or of words their codes, −1 where one
-// is undefined.
+// Outputs at speeds, each as an array that has the shape of the speeds. An output that is a word is
+// given by its code, −1 where it is undefined.
 std::vector<py::array> solved(const std::string& scene, const py::array& given,
                               const std::vector<std::string>& outputs,
                               const std::vector<bool>& are_words) {

@@ -49,8 +49,8 @@ struct Case {
   double area = hertz_point(load, modulus, body_radius).nominal_area;
 };
 
-// Load, area and count of a contact, where sum(d, quantity) adds a quantity of w up over all pairs
-// of summits that are pressed by w > 0 at a distance d of the mean planes.
+// Expects load, area and count of a contact to be sums over pairs of summits: sum(d, quantity) adds
+// up a quantity of w over all pairs that are pressed by w > 0 at the distance d of the mean planes.
 template <class Sum>
 void expect_sums(const Case& c, AsperityModel model, double pair_radius, Sum&& sum) {
   const auto contact =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much the iterations of the formulas do: a worse start, one step more or a way that is taken
-// too early gives the same numbers for more work, which no comparison of numbers sees.
+// How much work the iterations of the formulas do. A worse start, one step more, or a branch that
+// is taken too early gives the same numbers for more work, which no comparison of numbers shows.
 #include <gtest/gtest.h>
 
 #include <cmath>

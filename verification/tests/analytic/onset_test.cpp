@@ -22,8 +22,8 @@ Onset<double> onset_of(const Scene& scene, OnsetCriterion criterion, double depa
   return onset(MixedContact<double>(scene), scene, criterion, departure);
 }
 
-// The solved points at which a number is less, beyond rounding, than at the speeds before and
-// after, which are apart by the factor `step`. The first and the last speed have no such point.
+// The solved points at which a number is less, beyond rounding, than at the speed before and at the
+// speed after; speeds are apart by the factor `step`. The first and the last speed never count.
 template <class Number>
 std::vector<OperatingPoint<double>> swept_minima(const Scene& scene, double from, double to,
                                                  double step, double rounding, Number&& number) {

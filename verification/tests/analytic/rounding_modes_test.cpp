@@ -68,8 +68,9 @@ TEST(RoundingModes, AreInForceInsideTheModelAndEndWithTheirScope) {
   }
 }
 
-// Loops end when a step is not positive, or small. Rounded to one side a step may never be so: no
-// mode may take many more steps than rounding to nearest. The contract test holds the roots.
+// Loops end when a step is not positive, or is small. With rounding to one side this may never
+// come: no mode may take many more steps than rounding to nearest. The contract test holds the
+// roots.
 TEST(RoundingModes, RootsAtTheEndsOfTheRangeTakeNoMoreStepsThanInNearest) {
   for (const auto model : asperity_models)
     for (const double stiffness : {1e-300, 1e-20, 0.3, 1.0, 7.0, 1e6, 1e300})

@@ -75,7 +75,7 @@ void multiply(json& field, double by) { field = field.get<double>() * by; }
 
 double number(const json& inputs, const char* name) { return inputs.at(name).get<double>(); }
 
-// Answers of a field that are wrong, each by another factor, where something holds.
+// Makes the answers of a field wrong, each by another factor, in the cases where `holds` is true.
 Slip noise_where(const std::string& field, std::function<bool(const json& inputs)> holds) {
   return [=](const TestCase& asked, json& fields) {
     std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(asked.id)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Causes that no table has: other terms, factors and powers of a law, another end of an integral,
-// answers upside down. Solvers are written here anew, each with one slip.
+// Causes that no list of mistakes has: other terms, factors and powers of a law, another end of an
+// integral, answers upside down. Solvers are written here anew, each with one slip.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

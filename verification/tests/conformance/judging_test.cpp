@@ -176,8 +176,9 @@ const std::vector<TestCase>& all_cases() {
   return cases;
 }
 
-// A solver that forgets one input answers as it did when the others were last the same: from the
-// case before, or from any case before. True: a case for engineers shows it.
+// A solver that forgets one input answers as it did when the other inputs were last the same: in
+// the case before (`forgets_soon`), or in any case before. Returns whether a case for engineers
+// shows it.
 bool is_missed(std::string_view function, const std::string& input, bool forgets_soon) {
   std::map<std::string, const TestCase*> kept;
   for (const TestCase& one : all_cases()) {

@@ -50,7 +50,7 @@ std::map<std::string, std::vector<TestCase>> mixed_cases() {
 
 struct Told {
   std::size_t asked = 0, unsaid = 0;  // cases, and those of which it says nothing
-  double change = 0;  // the answers' relative changes, by their angles, with weights, added up
+  double change = 0;  // weighted sum of arctangents of the answers' relative changes
 };
 
 Told told_of(const Mistake& mistake, const std::vector<TestCase>& cases) {

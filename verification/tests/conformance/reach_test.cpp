@@ -45,7 +45,8 @@ struct End {
   bool is_cut(double number) const { return is_upper ? number > cut : number < cut; }
 };
 
-// By a tenth of the end; where it is 0, by a hundredth of the other end.
+// Where a solver cuts off: a tenth of the end before it, or, where the end is 0, at a hundredth of
+// the other end.
 double cut_of(double end, double other, bool is_upper) {
   if (end == 0) return other / 100;
   return end * (is_upper == (end > 0) ? 0.9 : 1.1);
@@ -82,8 +83,8 @@ std::vector<End> ends_of(const Function& function) {
   return all;
 }
 
-// The arguments with the end's number moved to `wanted`, by its parameter alone: by halving, as the
-// number rises or falls with the parameter.
+// The arguments with the end's number moved to `wanted` by its parameter alone, found by halving,
+// because the number rises or falls with the parameter.
 Arguments moved_to(const End& end, Arguments x, double wanted) {
   double& number = x[end.parameter];
   const double before = end.value(x);

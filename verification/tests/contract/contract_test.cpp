@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each function of the model keeps its contract at points drawn from its domain (point.hpp) and at
-// its hard ones, against ball arithmetic: in double on each instruction set and in each rounding
-// mode, and in the other number types to 50 ε, of which the templates promise 500.
+// hard points, against ball arithmetic: in double on each instruction set and in each rounding
+// mode; in long double and 50 digits to 50 ε, where the templates promise 500; in float to other
+// bounds.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -205,7 +206,8 @@ void hold(const Case& c, const Values<double>& got, double multiple) {
   for (std::size_t i = 0; i < got.numbers.size(); ++i) {
     const Contract& contract = rows()[first_row(c.point) + i].contract;
     const Enclosure& truth = c.truth.numbers[i];
-    // In rounding to nearest, subnormal results of moments are judged, too, but no underflows.
+    // Results at the ends of double's range are left out in directed modes, for film ratios, and
+    // where the contract counts the condition. To nearest, subnormal moments are judged.
     const bool may_underflow =
         multiple > 1 || contract.ulp_per_condition > 0 || c.point.kind == Kind::film_ratio;
     if (may_underflow && is_at_the_ends(got.numbers[i], as_long_double(truth))) continue;
@@ -252,8 +254,8 @@ TEST_P(OfEachFunction, KeepsItInDoubleOnEachInstructionSet) {
   });
 }
 
-// In the directed modes twice the contract is allowed. Scenes beyond what can be built may leave
-// 1e-31 of the load to the film there, though the asperities carry all of it.
+// In the directed modes twice the contract is allowed. Scenes beyond what can be built are left
+// out: there they may leave 1e-31 of the load to the film, though the asperities carry all of it.
 class InEachRoundingMode : public OfEachFunction {};
 
 TEST_P(InEachRoundingMode, KeepsItTwice) {

@@ -2,7 +2,7 @@
 // The table behind all checks of contracts. For each function it has the domain from which points
 // are drawn, the model's promise for the results, and the values in any number type. The values in
 // ball arithmetic are the truth. A point of `model_stress` follows from seed and index alone, so
-// that any of them can be looked at again, whatever number of threads found it.
+// that any point can be looked at again, however many threads the run had.
 #pragma once
 
 #include <array>
@@ -66,8 +66,8 @@ inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);
 struct KindInfo {
   Kind kind;
   std::string_view name;
-  // The number of points that the contract test draws beside the hard ones, and the number of
-  // points whose truth has to be certain.
+  // The number of points that the contract test draws beside the hard ones; and of how many points,
+  // the hard ones included, the truth has to be certain at least.
   int points, certain;
 };
 inline constexpr std::array<KindInfo, kind_count> kinds{{
@@ -135,7 +135,7 @@ Values<T> values_of(const Point& point);
 // The row of the first number of a point; the others follow.
 std::size_t first_row(const Point& point);
 
-// A number in both types, under its row.
+// A number in double and in long double, under its row.
 struct Measured {
   std::size_t row = 0;
   double got = 0;
@@ -159,7 +159,7 @@ std::vector<double> conditions_of(const Point& point);
 // empty where a branch was not certain.
 Values<Enclosure> enclose(const Point& point);
 
-// |error| in ulp that a contract allows.
+// The greatest |error|, in ulp, that a contract allows.
 double allowed_ulp(const Contract& contract, double condition);
 
 // Near the ends of the range of double a factor of an operating point may leave it where the output

@@ -38,10 +38,10 @@ TEST(EstimateOf, TakesRichardsonsValueOfTheSecondOrder) {
   // 3 + 1/16 + 0.5/256 and 3 + 1/64 + 0.5/4096 give 3 − 4 · 0.5/4096.
   const Estimate mixed = ehl::estimate_of(sequence(4, 3, 1, 0.5));
   EXPECT_TRUE(is_within(mixed.value, 3 - 4 * 0.5 / 4096, 1e-15));
-  // The Richardson's values before changed by 15 · 4 · 0.5/256; this change counts an eighth of the
-  // last one.
+  // Richardson's value changed by 15 · 4 · 0.5/256 on the grids before. This change counts an
+  // eighth of what the last change counts.
   EXPECT_TRUE(is_within(mixed.error, usual.of_last * usual.falling * 15 * 4 * 0.5 / 256, 1e-14));
-  // The change before this one counts an eighth again, and no earlier change counts.
+  // The change before that counts an eighth again, and earlier changes do not count.
   EXPECT_TRUE(is_within(ehl::estimate_of(sequence(6, 3, 1, 0.5), {1, 0.5, 0}).error,
                         0.25 * 15 * 4 * 0.5 / std::pow(16, 3), 1e-14));
   EXPECT_TRUE(is_within(ehl::estimate_of(sequence(4, 3, 1, 0.5), {1, 0, 0}).error,

@@ -25,7 +25,7 @@ namespace {
 using namespace tribo;
 
 constexpr std::array<double, 4> tolerances{1e-5, 1e-4, 1e-3, 1e-2};
-// Held films end at these nodes: half the cells take four times as many.
+// The most nodes of held films: cells of half the size take four times as many.
 Eigen::Index held_nodes(double load_number) { return load_number > 200 ? 150'000 : 55'000; }
 constexpr std::array<const char*, 3> names{"central", "minimum", "at_greatest_pressure"};
 constexpr std::array<ehl::Estimate ehl::SolvedFilm::*, 3> films{
@@ -84,9 +84,10 @@ void survey_lines(int first, int end, std::uint64_t seed) {
   }
 }
 
-// The film on all grids of a solved one and on one more, each of the numbers for itself. A grid of
-// twice the length, with the coarsest cells, says what the length changes; that it falls with the
-// third power of the length, what is left. NaN where a grid was not solved.
+// The three film numbers, each estimated from all grids of a solved film and one finer grid. A grid
+// of twice the length, with the coarsest cells, tells by how much the length changes them. This
+// change falls with the third power of the length, which gives what is left. NaN where a grid was
+// not solved.
 std::array<ehl::Estimate, 3> truth_of(const ehl::PointContact& contact,
                                       const ehl::SolvedPoint& solved) {
   ehl::PlaneGrid grid = solved.film.grid;

@@ -31,8 +31,8 @@ std::vector<ReferenceRow> table() {
   return read_reference_table(TRIBOCHECK_SOURCE_DIR "/reference/ehl/line_films.csv");
 }
 
-// The films of a row are these, in `unit`, within both errors, and within `slack` of its value, as
-// M and L of some rows are rounded.
+// Expects the films of a row to be these, times `unit`, within both errors and `slack` times the
+// value, because M and L of some rows are rounded.
 template <class Solved>
 void expect_again(const ReferenceRow& row, const Solved& film, double unit, double slack) {
   for (const auto& [number, name] : {std::pair{&Solved::central, "central"},

@@ -35,7 +35,7 @@ inline ehl::FilmConditions random_conditions(Sampler& sampler) {
           .radius = sampler.log_uniform(1e-3, 1)};
 }
 
-// The truth lies within the error, widened by the uncertainty of the truth.
+// Does the truth lie within the estimate's error, widened by the uncertainty of the truth?
 inline testing::AssertionResult is_estimated(const ehl::Estimate& got, double truth,
                                              double uncertainty) {
   const double off = std::abs(got.value - truth), bound = got.error + uncertainty;

@@ -36,10 +36,10 @@ std::vector<ReferenceRow> rows_of(const std::string& name) {
 bool is_flooded_circle(const ReferenceRow& row) {
   return row.number("radius_ratio") == 1 && row.text("supply").empty();
 }
-// A flooded film beside starved ones, of a material number that the other rows do not have.
+// Is the row of L = 12.5? Other flooded rows do not have this L; it stands beside starved films.
 bool stands_apart(const ReferenceRow& row) { return row.number("material_number") == 12.5; }
 
-// Holds both films of a row to what the table has there, to the row's error and a part of the film.
+// Compares both films of a row with those of the table, to the row's error and a part of the film.
 // Returns whether the table has them.
 bool hold(const FilmLaw& central, const FilmLaw& minimum, const ReferenceRow& row,
           double part_of_central, double part_of_minimum) {

@@ -13,8 +13,8 @@
 namespace tribo::verification {
 namespace {
 
-// Bytes, of this program, at most at any time until now. What getrusage() tells has that of the
-// process in it that began this one.
+// The most memory that this program has had until now, in bytes. What getrusage() tells also
+// contains the memory of the process that started this one.
 double greatest_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)

@@ -70,10 +70,10 @@ struct SampledPoint {
   double supply;  // the layer of liquid over the expected film of the flooded contact; 0: flooded
 };
 
-// Barus liquids without compression, in turn before a circle (M from 5 to 2000), before an ellipse
-// (M from 5 to 200, R_y/R_x from 1/4 to 8), L from 0 to 15, and, as a layer of 1/4 to 4 times the
-// film, before a circle (M from 20 to 2000, L from 2.5 to 12.5). M, R_y/R_x and the layer are even
-// in their logarithms.
+// Contacts with Barus liquids without compression, in turn of three kinds: a flooded circle (M from
+// 5 to 2000, L from 0 to 15), a flooded ellipse (M from 5 to 200, R_y/R_x from 1/4 to 8, L from 0
+// to 15), and a circle behind a layer of 1/4 to 4 times the film (M from 20 to 2000, L from 2.5
+// to 12.5). M, R_y/R_x and the layer are drawn evenly in their logarithms.
 class PointSampler : Draws {
  public:
   using Draws::Draws;

@@ -34,8 +34,8 @@ struct Film {
   double value, error;
 };
 
-// Holds each starved row of a table that M and L of the interpolation hold to ℛ there, to the rows'
-// errors and a part of ℛ. Returns how many there were.
+// Compares ℛ of each starved row of a table, if the interpolation has its M and L, with the
+// interpolated ℛ: to the rows' errors and `part` of ℛ. Returns how many rows were compared.
 int hold_starved_rows(const std::string& name, double part) {
   std::map<std::pair<double, double>, Film> flooded;
   int held = 0;

@@ -62,7 +62,7 @@ struct Models {
   MixedContact<double> smooth_gw{scenes().scene[3]};
   double onset = model_onset(scenes().scene[2]).speed;
 };
-// The ratio of a number of two contacts, which an item compares from a speed on.
+// The ratio of one number at two contacts. An item compares it from the speed `from` on.
 struct Comparison {
   std::string_view id;
   double from;
@@ -79,7 +79,7 @@ std::vector<Comparison> comparisons(const Models& models) {
           {"C13", 1e-4, &models.smooth_gw, &models.smooth, &Point::film_parameter},
           {"C14", 1e-4, &models.smooth, &models.smooth_gw, &Point::friction}};
 }
-// The speed at which the area has fallen halfway, by bisection.
+// The speed at which the area has fallen halfway to its least value, by bisection.
 double transition(const MixedContact<double>& contact, double onset) {
   constexpr double lowest = 1e-4;
   const auto area = [&](double speed) { return contact.solve(speed).real_area_ratio; };

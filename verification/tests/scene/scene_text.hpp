@@ -178,7 +178,7 @@ inline bool has_problem(const std::vector<InputProblem>& problems, std::string_v
   });
 }
 
-// --- Judgements on a text in one format; on a SceneText, in both.
+// --- Judgements on a text in one format, or on a SceneText in both formats.
 
 template <class Judge>
 testing::AssertionResult in_both_formats(const SceneText& text, const Judge& judge) {
@@ -205,7 +205,7 @@ struct Error {
   std::string_view field, part;
 };
 
-// These errors and no more.
+// Is the text refused with these errors and no others?
 inline testing::AssertionResult refused(Format format, const std::string& text,
                                         const std::vector<Error>& wanted,
                                         SceneUse use = SceneUse::speeds) {
@@ -228,7 +228,7 @@ inline testing::AssertionResult refused(const SceneText& text, const std::vector
   });
 }
 
-// One error and no more.
+// Is the text refused with this error and no other?
 inline testing::AssertionResult refused(Format format, const std::string& text,
                                         std::string_view field, std::string_view part) {
   return refused(format, text, {{field, part}});

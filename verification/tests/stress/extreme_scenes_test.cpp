@@ -16,7 +16,7 @@
 namespace tribo::verification {
 namespace {
 
-// A scene some or all of whose numbers are multiplied by 10^x, |x| ≤ decades.
+// A random scene of which some or all numbers are multiplied by 10^x, |x| ≤ `decades`.
 Scene extreme_scene(Sampler& sampler) {
   Scene scene = random_scene(sampler);
   const double decades = sampler.pick({5.0, 20.0, 60.0, 150.0, 300.0});

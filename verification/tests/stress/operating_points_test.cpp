@@ -93,8 +93,8 @@ std::vector<Scene> paper_scenes() {
   return scenes;
 }
 
-// These, and so many random ones: smoother and rougher, stiffer and softer, with films on the
-// floor, mixed, and free of asperities.
+// paper_scenes() and `count` random scenes: smoother and rougher, stiffer and softer, with films on
+// the floor, mixed, and free of asperities.
 std::vector<Scene> paper_and_random_scenes(int count) {
   Sampler sampler(181);
   std::vector<Scene> scenes = paper_scenes();

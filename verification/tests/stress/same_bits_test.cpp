@@ -99,7 +99,8 @@ std::vector<Bits> by_contact(const Points& all) {
   return bits;
 }
 
-// `size` points in one call, of contacts that are prepared in two lots, after others.
+// Solves `size` points in one call, of contacts that are prepared in several lots after another
+// contact was used and cleared.
 std::vector<Bits> among_others(const Points& all, std::size_t size) {
   MixedContacts contacts;
   contacts.add(all.scenes.back());

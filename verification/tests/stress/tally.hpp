@@ -45,7 +45,7 @@ struct RowTally {
   std::vector<Suspect> suspects;  // a heap with the smallest error/bound on top
 };
 
-// The suspects in ball arithmetic.
+// The judgement of ball arithmetic on the suspects of a row.
 struct ProofTally {
   std::uint64_t cases = 0;
   std::uint64_t undecided = 0;
@@ -72,7 +72,7 @@ class Tally {
 // contract of 8 ulp.
 inline constexpr double long_double_ulp_per_condition = 500;
 
-// Suspects `part`, `part` + `parts`, … of all rows.
+// Judges the suspects number `part`, `part` + `parts`, … of all rows in ball arithmetic.
 std::vector<ProofTally> prove(const Tally& tally, std::uint64_t seed, std::size_t part,
                               std::size_t parts);
 void merge(std::vector<ProofTally>& into, const std::vector<ProofTally>& from);

@@ -9,7 +9,8 @@
 #include "support/judge.hpp"
 #include "tribo/mixed_contact.hpp"
 
-// Found by argument-dependent lookup, as the model finds the others; Boost 1.74 has neither.
+// The model finds these by argument-dependent lookup, like the other functions. Boost 1.74 has
+// neither.
 namespace boost::math::differentiation::detail {
 
 template <class Real>

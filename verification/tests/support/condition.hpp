@@ -19,7 +19,7 @@ namespace tribo::verification {
 
 struct Dual {
   static constexpr std::size_t inputs = 17;  // inputs of a scene; the first is its speed
-  // Calls of the functions below in this thread, by which tests measure the work of a computation.
+  // How often the functions below were called in this thread: tests measure work by it.
   static inline thread_local std::size_t calls = 0;
   long double value = 0;
   std::array<long double, inputs> parts{};

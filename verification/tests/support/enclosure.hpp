@@ -62,8 +62,8 @@ using Enclosure = reference::Ball;
 // Widths of a proof that are tried, in bits; the first is near the most that 320 bits can prove.
 inline constexpr int proof_bits[] = {290, 270, 250, 220, 190, 160, 130};
 
-// Comparisons inside a proof may be undecided: then a proof with fewer bits is tried, or there is
-// none.
+// Within the life of this object undecided comparisons do not count: a proof with fewer bits is
+// tried after one that fails, and if none succeeds, an exception tells it.
 class Proof {
  public:
   Proof() : before_(reference::undecided_comparisons) {}
@@ -93,7 +93,7 @@ Enclosure proven_zero(Function&& f, const Enclosure& candidate, const Enclosure&
   throw std::runtime_error("no change of sign is certain near " + candidate.decimal(20));
 }
 
-// Takes `x` by steps to where a step is below `least(x)`, or the steps end.
+// Adds step(x) to x until a step is below least(x), but at most 60 times.
 template <class Step, class Least>
 Enclosure refined(Enclosure x, Step&& step, Least&& least) {
   for (int i = 0; i < 60; ++i) {
@@ -146,7 +146,7 @@ inline double error_in_ulp(long double got, const Enclosure& truth) {
   return error_in(as_enclosure(std::ldexp(1.0L, std::ilogb(got) - 63)), as_enclosure(got), truth);
 }
 
-// Bits by which the radius is below the midpoint.
+// Is the radius at most `relative_radius` of the midpoint, counted in whole bits?
 inline bool is_narrow(const Enclosure& x, double relative_radius) {
   return is_finite(x) &&
          (x == 0 || static_cast<double>(x.accurate_bits()) >= -std::log2(relative_radius));
@@ -156,7 +156,7 @@ inline bool is_narrow(const Enclosure& x, double relative_radius) {
 
 namespace tribo::reference {
 
-// A whole number within 1 of the midpoint: the model splits d there, wherever it is.
+// A whole number within 1 of the midpoint. The model splits d there, and may do so anywhere.
 inline Ball trunc(const Ball& x) { return Ball(std::trunc(x.nearest())); }
 
 // S_n(d ± ρ) = S_n(d) e^{±(n+2)ρ} or, d above 1, e^{±(n+1)ρ/(d−ρ)}. With h = −F_n′/F_n: for d ≥ 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films of each law by hand; and film laws other than the default one: the minimum film, and
-// made-up laws with the least, a small and the greatest a − b that load sharing takes.
+// Films of each law, computed by hand; and film laws other than the default one: that of the
+// minimum film, and made-up laws with the least, a small and the greatest exponent a − b that load
+// sharing takes.
 #pragma once
 
 #include <array>

@@ -21,8 +21,8 @@ inline constexpr std::array starvation_closures{
     StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
     StarvationClosure::printed_exponents, StarvationClosure::damiens};
 
-// The laws that scenes of lines, or of points, may name, without those that load sharing does not
-// move by a power: analytic.MoesFilm has those.
+// The laws that scenes of lines, or of points, may name, if load sharing changes their film by a
+// power of 1 − A. The test analytic.MoesFilm has the other laws.
 inline std::vector<FilmFormula> film_formulas(bool of_lines) {
   std::vector<FilmFormula> formulas;
   for (std::size_t i = 0; i < named_film_laws.size(); ++i)
@@ -56,7 +56,8 @@ inline Scene paper_scene(PaperSurface surface,
   return scene;
 }
 
-// The paper's middle surface with another density of summits on a contact of a shape, by a law.
+// The paper's medium surface, with another density of summits, on a contact of this shape and with
+// this film law.
 inline Scene scene_of_law(FilmFormula film, ContactShape shape, double density = 1e11) {
   Scene scene = paper_scene(PaperSurface::medium);
   scene.surface.summit_density = density;
@@ -81,7 +82,8 @@ inline Scene starved_scene(PaperSurface surface, StarvationClosure closure,
   return scene;
 }
 
-// Random numbers and words of each field of the usual sets (RandomScenes.DrawEachFieldOfTheTable).
+// A scene with random numbers and words. It has each field, but of fields that exclude each other
+// only the usual ones (RandomScenes.DrawEachFieldOfTheTable).
 inline Scene random_scene(Sampler& sampler) {
   Scene scene;
   scene.load = sampler.log_uniform(0.1, 1e4);

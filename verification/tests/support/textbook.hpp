@@ -146,8 +146,8 @@ inline Ellipse ellipse(double radius_ratio) {
   return {is_exchanged ? 1 / k : k, k == 1 ? M_PI / 2 : integrals(k).second};
 }
 
-// Side leakage and exponents of each film formula, in the order of FilmFormula; not of those
-// without.
+// Constant c, exponents of U, G and W, and side leakage 1 − m e^{−nk} of film formulas, in the
+// order of FilmFormula; formulas without exponents are left out.
 struct FilmFit {
   double c, u, g, w, m, n;
 };

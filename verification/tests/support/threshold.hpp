@@ -15,7 +15,7 @@
 
 namespace tribo::verification {
 
-// On which side of the limit the answer is true, and whether it is true at the limit.
+// Where the answer is true: above or below the limit; with `from` and `up_to` at the limit, too.
 enum class True { above, from, below, up_to };
 
 struct Threshold {
@@ -23,8 +23,8 @@ struct Threshold {
   double limit;  // not 0
   True side;
   std::function<bool(double)> answer;
-  // How far from the limit, relatively, the answer may change, where the judged number is computed
-  // from the given one, and so rounded. 0: it changes at the limit itself.
+  // How far from the limit, relatively, the answer may change: above 0 where the judged number is
+  // computed from the given one, and so rounded. 0: the answer changes at the limit itself.
   double slack = 0;
   double reach = 0.125;  // relative: within this distance the answer changes once
 };

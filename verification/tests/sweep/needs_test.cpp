@@ -33,7 +33,8 @@ viscosity = )" + viscosity + "\n[sweep]\n" + settings,
   return sweep::make_plan({*reading.sweep});
 }
 
-// A sweep that fits by the quick bound gets no closer estimate: the bound has to be an upper one.
+// Where a sweep fits by the quick bound, its needs are not estimated more closely. So the quick
+// bound has to be an upper one.
 TEST(Needs, AreNeverMoreThanTheQuickBound) {
   const std::string narrow = "{ distribution = \"uniform\", from = 0.02, to = 0.03 }";
   const std::string wide = "{ distribution = \"log_uniform\", from = 1e-9, to = 1e3 }";

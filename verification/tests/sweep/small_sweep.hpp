@@ -40,7 +40,7 @@ inline void write_content(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary) << content;
 }
 
-// The message of the exception that `throws` throws; "none" if nothing.
+// The message of the exception that `throws` throws; "none" if it throws none.
 template <class Throw>
 std::string error_of(Throw&& throws) {
   try {
@@ -58,8 +58,9 @@ inline std::vector<std::uint64_t> bits_of(std::span<const double> values) {
 }
 
 // Writes where no file may be longer than `room`, as on a full disk: that has to fail with a
-// message of this pattern and leave nothing in the folder. The next attempt has to succeed, in the
-// same process: one of its own, since HDF5 does not free all of a file that it could not close.
+// message of this pattern and leave nothing in the folder. The next attempt in the same process has
+// to succeed. Both run in a child process, because HDF5 does not free all of a file that it could
+// not close.
 template <class Write, class IsWhole>
 void expect_whole_or_nothing(const TemporaryFolder& folder, std::uint64_t room,
                              const std::string& pattern, const Write& write,

@@ -9,7 +9,7 @@
 
 namespace tribo::fuzz {
 
-// The text names the property that does not hold, and the object that lacks it.
+// A property does not hold. what() names the property and the object that lacks it.
 struct PropertyBroken : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
