@@ -86,6 +86,18 @@ class Look(Tree):
         self.assertEqual(self.look("program.test_formula", (8, "***Failed")), "failed")
         self.assertEqual(self.look("program.test_formula", (8, "***Timeout")), "timed out")
 
+    def test_a_check_has_the_more_time_the_longer_it_takes_without_a_fault(self):
+        fault = {"file": "text.py", "find": "right", "replace": "wrong", "check": "program.test_formula"}
+        (self.folder / "text.py").write_text("right")
+        scratch = plant.Scratch.__new__(plant.Scratch)
+        scratch.build = scratch.tree = self.folder
+        for took, seconds in ((0, "180"), (30, "180"), (40, "240")):
+            with mock.patch.object(plant, "run", side_effect=[finished(0, ""), finished(8, "***Failed")]) as ran:
+                self.assertEqual(scratch.try_fault(fault, took), "failed")
+            command = ran.call_args.args[0]
+            self.assertEqual(command[command.index("--timeout") + 1], seconds)
+        self.assertEqual((self.folder / "text.py").read_text(), "right")
+
     def test_a_check_that_passes_or_is_not_there_has_not(self):
         self.assert_red("survived", "program.test_formula", (0, "Passed"))
         self.assert_red("not there to run", "program.test_formula", (0, "No tests were found!!!"))
