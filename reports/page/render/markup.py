@@ -113,8 +113,8 @@ def table_html(match):
 
 
 def breakable_code(match):
-    """A long name may go on in the next line after a point, a slash or an underscore."""
-    return "<code>" + re.sub(r"([./_])", r"\1<wbr>", match[1]) + "</code>"
+    """A long name may go on in the next line after a point, a slash or an underscore, but not for three letters, as .cpp."""
+    return "<code>" + re.sub(r"([./_])(?=\w{4})", r"\1<wbr>", match[1]) + "</code>"
 
 
 def section_html(markdown):
