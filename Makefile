@@ -135,7 +135,7 @@ mutants: ## draw SAMPLE=20261123 (a date) of wrong changes, see how many the tes
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	verification/gates/mutants/run.py sample $(if $(SAMPLE),--seed $(SAMPLE)) --minutes $(or $(MINUTES),60)
 
-faults: ## plant every fault of verification/gates/faults, see it caught; two and a half hours; OLDEST=N: the N oldest verdicts
+faults: ## plant every fault of verification/gates/faults, see it caught; three hours; OLDEST=N: the N oldest verdicts
 	@.ci/deps build test
 	verification/gates/faults/plant.py $(if $(OLDEST),--oldest $(OLDEST)) --out reference/baselines/planted_faults.json
 

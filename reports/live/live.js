@@ -219,7 +219,7 @@ function stateOfFragment(fragment) {
 
 const givenOf = (told, at) => ({speed: at, ...Object.fromEntries(Object.entries(PLACES).filter(([, path]) => path in told).map(([argument, path]) => [argument, Number(told[path])]))});
 
-// What a number may be of: results of the whole contact at a speed, where its state is given, films of smooth faces and Hertz' contact.
+// The quantities that a number may be of: results of the whole contact at a speed, where its state is given, films of smooth faces and Hertz' contact.
 function quantitiesOf(model, at, state = null) {
   const told = valuesOf(model), contact = Object.fromEntries(model.lines("live_contact").map((one) => [one[0], Number(one[3])]));
   const radius = told["bodies.reduced_radius"] ?? told["bodies.radius_x"];

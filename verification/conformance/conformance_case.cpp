@@ -234,7 +234,10 @@ void put_between(std::vector<TestCase>& cases, std::vector<TestCase> without) {
       std::size_t others = 0;
       for (const auto& [path, value] : all.items())
         others += !left.contains(path) && given[i].contains(path) && given[i][path] != value;
-      if (others > most) most = others, place = i;
+      if (others > most) {
+        most = others;
+        place = i;
+      }
     }
     (most > 0 ? behind[place] : last.emplace_back()) = &made;
     if (most == 0) continue;

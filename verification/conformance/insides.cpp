@@ -11,6 +11,7 @@
 #include "conformance/mistake_entry.hpp"
 #include "conformance/variable.hpp"
 #include "scene/schema.hpp"
+#include "tribo/bracketed_root.hpp"
 #include "tribo/gaussian_moment.hpp"
 #include "tribo/mixed_contact.hpp"
 
@@ -179,12 +180,12 @@ void supply_for(Question& asked, double ratio) {
   const MixedContact<double> contact(*asked.scene);
   const double now = contact.inlet(contact.flooded(asked.scene->speeds[0])).flooded_over_inlet;
   const InletLaw<double> law = contact.inlet_law();
-  double low = -30, high = 30;  // ln r, along which the ratio falls
-  for (int i = 0; i < 100 && ratio > 0 && ratio < 1; ++i) {
-    const double middle = (low + high) / 2;
-    (law.film_ratio(std::exp(middle)) > ratio ? low : high) = middle;
-  }
-  asked.scene->supply.value *= now / std::exp(ratio < 1 ? high : low);
+  constexpr double flooded = -30, dry = 30;  // ln r, along which the ratio falls from 1 to 0
+  double log_r = ratio > 0 ? flooded : dry;
+  if (ratio > 0 && ratio < law.film_ratio(std::exp(flooded)))
+    log_r = bracketed_root<double>([&](double x) { return law.film_ratio(std::exp(x)) - ratio; },
+                                   flooded, dry, 0);
+  asked.scene->supply.value *= now / std::exp(log_r);
 }
 
 void add_inlet(std::vector<Inside>& all) {

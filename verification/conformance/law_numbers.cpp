@@ -747,8 +747,9 @@ Eigen::MatrixXd slopes_by_numbers(const LawOfNumbers& law, const std::vector<Cha
   return slopes;
 }
 
-// What is left of the square of `off` beyond two or three columns of length 1, of which all
-// products are known. Columns that are nearly alike, or of nothing, say nothing.
+// The part of the square of `off` that two or three columns of length 1 do not explain; `products`
+// are theirs with each other, `along` theirs with what is off. Infinite where the columns are alike
+// within rounding (their determinant is below least_apart), or are 0.
 constexpr double least_apart = 1e-9;
 double left_beyond(Eigen::Index i, Eigen::Index k, const Eigen::MatrixXd& products,
                    const Eigen::VectorXd& along, double off) {

@@ -172,8 +172,8 @@ std::optional<double> first_power(std::vector<Error> errors, bool is_of_one) {
   return power;
 }
 
-// What stops too early where a function's values come from an integral, a root or a series, as no
-// sum of powers does; empty: they do not.
+// The method that may stop too early, where a function's values come from an integral, a root or a
+// series; empty where they are sums and products of powers.
 std::string_view numerics_of(const catalogue::Function& function) {
   if (function.name == "gaussian_moment") return "a quadrature or a series";
   if (function.name == "persson_contact_area") return "a series";

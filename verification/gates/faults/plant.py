@@ -11,7 +11,7 @@ The ledger (--out) has the last verdict on each fault, with the commit that it w
 patch or check the catalogue has changed since is dropped. It is written after each fault, so that a run that is
 stopped loses nothing, and --oldest goes on with what was not planted for longest.
 
-  verification/gates/faults/plant.py                     all of them; about two and a half hours on two cores
+  verification/gates/faults/plant.py                     all of them; some three hours on two cores
   verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
   verification/gates/faults/plant.py --oldest 50 --out reference/baselines/planted_faults.json
   verification/gates/faults/plant.py --only E3 --keep    one, and leave its scratch copy
