@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Preloaded into the program by test_sweep_writes.py and test_sweep_ranks.py: has one call fail by which a file is changed, the
    FAILING_CALL-th of those on files whose paths begin with FAILING_PATH (the name may have a dot in front), or all from that one on where
-   FAILING_ON is set. Writes to FAILING_COUNT how many calls there were, which failed last, and a letter for each call:
-   w for a write, o for another. */
+   FAILING_ON is set. A sync of the folder of these files is such a call too. Writes to FAILING_COUNT how many calls there were, which
+   failed last, and a letter for each call: w for a write, s for a sync of a file, f for a sync of the folder, r for a rename, u for a
+   rename of a file with writes that were not synced, o for another call. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -55,16 +58,59 @@ static int is_watched_in(int folder, const char* name) {
   return is_watched_path(whole);
 }
 
-static int fails(int watched, const char* name) {
+/* The folder of FAILING_PATH. */
+static int is_watched_folder(int file) {
+  char link[64], path[4096];
+  const char* const start = getenv("FAILING_PATH");
+  const char* const name = start == NULL ? NULL : strrchr(start, '/');
+  if (name == NULL) return 0;
+  snprintf(link, sizeof link, "/proc/self/fd/%d", file);
+  path_of(link, path, sizeof path);
+  return strlen(path) == (size_t)(name - start) && strncmp(path, start, (size_t)(name - start)) == 0;
+}
+
+/* Files with writes after their last sync. */
+static struct stat unsynced[256];
+static size_t unsynced_count;
+static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;
+
+/* The letter of a call on the file of this status: a write notes it, a sync takes it out. */
+static char kind_by_file(const struct stat* file, char kind) {
+  pthread_mutex_lock(&guard);
+  size_t i = 0;
+  while (i < unsynced_count && (unsynced[i].st_ino != file->st_ino || unsynced[i].st_dev != file->st_dev)) ++i;
+  const int is_noted = i < unsynced_count;
+  if (kind == 'w' && !is_noted && i < sizeof unsynced / sizeof *unsynced) unsynced[unsynced_count++] = *file;
+  if (kind == 's' && is_noted) unsynced[i] = unsynced[--unsynced_count];
+  if (kind == 'r' && is_noted) kind = 'u';
+  pthread_mutex_unlock(&guard);
+  return kind;
+}
+static char kind_on_file(int file, const char* name) {
+  struct stat status;
+  const char kind = strstr(name, "write") != NULL ? 'w' : strstr(name, "sync") == NULL ? 'o' : is_watched_folder(file) ? 'f' : 's';
+  return fstat(file, &status) == 0 ? kind_by_file(&status, kind) : kind;
+}
+static char kind_of_rename(int folder, const char* from) {
+  struct stat status;
+  return fstatat(folder, from, &status, 0) == 0 ? kind_by_file(&status, 'r') : 'r';
+}
+
+static int fails(int watched, const char* name, char kind) {
   if (!watched) return 0;
   const int call = __atomic_add_fetch(&calls, 1, __ATOMIC_SEQ_CST);
-  if ((size_t)call < sizeof kinds) kinds[call - 1] = strstr(name, "write") != NULL ? 'w' : 'o';
+  if ((size_t)call < sizeof kinds) kinds[call - 1] = kind;
   const char* const wanted = getenv("FAILING_CALL");
   const int failing = wanted == NULL ? 0 : atoi(wanted);
   if (failing == 0 || call < failing || (call > failing && getenv("FAILING_ON") == NULL)) return 0;
   failed = name;
   errno = getenv("FAILING_ON") == NULL ? EIO : ENOSPC;
   return 1;
+}
+
+static int fails_on_file(int file, const char* name) {
+  const int watched = is_watched(file) || (strstr(name, "sync") != NULL && is_watched_folder(file));
+  return watched && fails(1, name, kind_on_file(file, name));
 }
 
 __attribute__((destructor)) static void tell(void) {
@@ -77,7 +123,7 @@ __attribute__((destructor)) static void tell(void) {
 
 #define NEXT(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 #define ON_A_FILE(result, name, parameters, arguments) \
-  result name parameters { return fails(is_watched(file), #name) ? -1 : NEXT(name) arguments; }
+  result name parameters { return fails_on_file(file, #name) ? -1 : NEXT(name) arguments; }
 
 ON_A_FILE(ssize_t, write, (int file, const void* from, size_t size), (file, from, size))
 ON_A_FILE(ssize_t, pwrite, (int file, const void* from, size_t size, off_t at), (file, from, size, at))
@@ -94,7 +140,7 @@ ON_A_FILE(int, ftruncate64, (int file, off64_t size), (file, size))
 
 /* As the system does: the file is closed all the same. */
 int close(int file) {
-  const int failing = fails(is_watched(file), "close");
+  const int failing = fails_on_file(file, "close");
   const int error = errno, result = NEXT(close)(file);
   if (!failing) return result;
   errno = error;
@@ -102,19 +148,21 @@ int close(int file) {
 }
 
 int rename(const char* from, const char* to) {
-  return fails(is_watched_path(to), "rename") ? -1 : NEXT(rename)(from, to);
+  return fails(is_watched_path(to), "rename", kind_of_rename(AT_FDCWD, from)) ? -1 : NEXT(rename)(from, to);
 }
-int unlink(const char* path) { return fails(is_watched_path(path), "unlink") ? -1 : NEXT(unlink)(path); }
-int remove(const char* path) { return fails(is_watched_path(path), "remove") ? -1 : NEXT(remove)(path); }
+int unlink(const char* path) { return fails(is_watched_path(path), "unlink", 'o') ? -1 : NEXT(unlink)(path); }
+int remove(const char* path) { return fails(is_watched_path(path), "remove", 'o') ? -1 : NEXT(remove)(path); }
 
 int unlinkat(int folder, const char* name, int flags) {
-  return fails(is_watched_in(folder, name), "unlinkat") ? -1 : NEXT(unlinkat)(folder, name, flags);
+  return fails(is_watched_in(folder, name), "unlinkat", 'o') ? -1 : NEXT(unlinkat)(folder, name, flags);
 }
 int renameat(int from_folder, const char* from, int folder, const char* to) {
-  return fails(is_watched_in(folder, to), "renameat") ? -1 : NEXT(renameat)(from_folder, from, folder, to);
+  return fails(is_watched_in(folder, to), "renameat", kind_of_rename(from_folder, from))
+             ? -1
+             : NEXT(renameat)(from_folder, from, folder, to);
 }
 int renameat2(int from_folder, const char* from, int folder, const char* to, unsigned flags) {
-  return fails(is_watched_in(folder, to), "renameat2")
+  return fails(is_watched_in(folder, to), "renameat2", kind_of_rename(from_folder, from))
              ? -1
              : NEXT(renameat2)(from_folder, from, folder, to, flags);
 }
@@ -124,7 +172,7 @@ int openat(int folder, const char* name, int flags, ...) {
   const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;
   va_end(more);
   const int writes = (flags & O_ACCMODE) != O_RDONLY && is_watched_in(folder, name);
-  return fails(writes, "openat") ? -1 : NEXT(openat)(folder, name, flags, mode);
+  return fails(writes, "openat", 'o') ? -1 : NEXT(openat)(folder, name, flags, mode);
 }
 
 #define OPENS(name)                                                             \
@@ -134,7 +182,7 @@ int openat(int folder, const char* name, int flags, ...) {
     const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;      \
     va_end(more);                                                               \
     const int writes = (flags & O_ACCMODE) != O_RDONLY && is_watched_path(path); \
-    return fails(writes, #name) ? -1 : NEXT(name)(path, flags, mode);                  \
+    return fails(writes, #name, 'o') ? -1 : NEXT(name)(path, flags, mode);                  \
   }
 OPENS(open)
 OPENS(open64)

@@ -11,7 +11,8 @@ from program import ENVIRONMENT, PROGRAM
 from sweeps import SANITIZED, UNIFORM, SweepTest, preloadable, sweep
 
 LARGER = bool(os.environ.get("TRIBOCHECK_FAILED_WRITES"))
-# One in so many of the writes fails, all of which the program does in the same few lines, and so many of the calls from which on all fail.
+# Each EACH_WRITE-th write fails in a run of its own, since the same few lines of the program do all writes. At each EACH_FULL_DISK-th call
+# a run begins in which this call and all later ones fail.
 EACH_WRITE, EACH_FULL_DISK = (1, 1) if LARGER else (20, 50) if SANITIZED else (5, 17)
 SMALL = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]", "outputs": '["film", "regime"]'},
               onset='["film_maximum"]', draws=2000)
@@ -42,7 +43,7 @@ class FailingWrites(SweepTest):
                               env=environment)
 
     def calls(self):
-        """The call that failed last, and a letter for each call: w for a write, o for another call."""
+        """The call that failed last, and a letter for each call, as failing_writes.c names them."""
         with open(self.path("count"), encoding="ascii") as file:
             _, failed, kinds = file.read().split()
             return failed, kinds
@@ -66,8 +67,11 @@ class FailingWrites(SweepTest):
             seen.add((self.calls()[1], calm.stdout))
         (kinds, told), = seen
         writes = [call for call, kind in enumerate(kinds, 1) if kind == "w"]
-        others = [call for call, kind in enumerate(kinds, 1) if kind == "o"]
+        others = [call for call, kind in enumerate(kinds, 1) if kind != "w"]
         self.assertGreater(min(len(writes), len(others)), 5)
+        self.assertNotIn("u", kinds, "a file got its name before all its writes were on the disk")
+        self.assertIn("r", kinds)
+        self.assertEqual(kinds.count("r"), kinds.count("rf"), f"after a rename the folder is not synced: {kinds}")
         tries = failures = 0
         failing = [(False, call) for call in others + writes[::EACH_WRITE]]
         failing += [(True, call) for call in range(1, len(kinds) + 1, EACH_FULL_DISK)]
