@@ -511,6 +511,8 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes, bo
       is_in_place = place->holds;
     }
   text += '.';
+  if (const std::string lost = digits_lost_below_one(part); !lost.empty())
+    return {text + ' ' + lost, true, {}, is_in_place};
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};
   if (const std::string form = form_of_right(part); !form.empty())

@@ -153,6 +153,12 @@ void add_film(std::vector<Inside>& all) {
        {"film-of-radius-y", "R_y", of_radii([](double, double y) { return y; })}});
   add("k", "ellipticity",
       {{"film-of-ratio-of-radii", "R_y/R_x", of_radii([](double x, double y) { return y / x; })},
+       {"film-of-fit-1.03", "1.03 (R_y/R_x)^0.64",
+        of_radii([](double x, double y) { return 1.03 * std::pow(y / x, 0.64); })},
+       {"film-of-fit-1.0339", "1.0339 (R_y/R_x)^0.636",
+        of_radii([](double x, double y) { return 1.0339 * std::pow(y / x, 0.636); })},
+       {"film-of-power-of-radii", "(R_y/R_x)^(2/π)",
+        of_radii([](double x, double y) { return std::pow(y / x, 2 / std::numbers::pi); })},
        fixed("point-film-of-circle", "1", 1)});
   add("E*", "effective_modulus");
   add("F", "load");
@@ -337,6 +343,34 @@ Mistake power_of_roughness(const std::string& name, std::string text, double Que
   return mistake;
 }
 
+// The real area or the number of summits by another moment of the heights.
+struct Counted {
+  const char* symbol;
+  double Question::*times;
+  Order (*order)(AsperityModel);
+};
+Mistake by_other_moment(const Counted& counted, AsperityModel model, std::string_view word,
+                        Order other) {
+  const Order right = counted.order(model);
+  const auto moment = [](Order order) {
+    return twice(order) % 2 == 0 ? fmt::format("F_{}", twice(order) / 2)
+                                 : fmt::format("F_{}/2", twice(order));
+  };
+  Mistake mistake = of_points(fmt::format("{} by {} of {}", counted.symbol, moment(other), word),
+                              fmt::format("{} in place of {} in the {}, by `{}`", moment(other),
+                                          moment(right), counted.symbol, word),
+                              {counted.symbol});
+  mistake.before = [=, times = counted.times](Question& asked) {
+    if (!asked.scene || asked.scene->closures.asperity != model) return;
+    const double separation = right_numbers(asked)[static_cast<std::size_t>(Output::separation)];
+    const double d = separation / asked.scene->surface.summit_height_sd -
+                     MixedContact<double>(*asked.scene).sharing().offset();
+    const double factor = gaussian_moment(other, d) / gaussian_moment(right, d);
+    if (std::isfinite(factor)) asked.*times *= factor;
+  };
+  return mistake;
+}
+
 }  // namespace
 
 const std::vector<Inside>& insides_of_points() {
@@ -394,6 +428,14 @@ std::vector<Mistake> mistakes_of_insides() {
                                    "nA in place of nA nβσ_s in the number of summits",
                                    &Question::summit_count_times, 1));
   const auto models = scene_fields()[*scene_detail::find_field("closures.asperity")].choices;
+  for (const Counted& counted :
+       {Counted{"real area", &Question::real_area_times, area_order},
+        Counted{"number of summits", &Question::summit_count_times, count_order}})
+    for (std::size_t i = 0; i < models.size(); ++i)
+      for (const Order other :
+           {Order::zero, Order::one, Order::three_halves, Order::two, Order::five_halves})
+        if (const auto model = static_cast<AsperityModel>(i); other != counted.order(model))
+          all.push_back(by_other_moment(counted, model, models[i], other));
   for (std::size_t i = 0; i < models.size(); ++i)
     for (const auto& [symbol, member] : {std::pair{"number of summits", &Question::count_model},
                                          std::pair{"real area", &Question::area_model}})

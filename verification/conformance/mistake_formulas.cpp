@@ -395,11 +395,6 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants shift) { return moment_of(a[0] + shift[0], a[1]); }},
     {"gaussian_moment", "moment_about_zero", 0,
      [](const Arguments& a, Constants) { return moment_about_zero(a[0], a[1]); }},
-    // Numbers: how far from d the integral ends, and how many intervals Simpson's rule has.
-    {"gaussian_moment", "moment_cut_at_distance", 2,
-     [](const Arguments& a, Constants numbers) {
-       return simpson(a[0], a[1], a[1] + numbers[0], static_cast<int>(numbers[1]));
-     }},
     {"gaussian_moment", "moment_zero_beyond", 1,
      [](const Arguments& a, Constants end) { return a[1] > end[0] ? 0 : *moment_of(a[0], a[1]); }},
     {"gaussian_moment", "moment_over_root", 0,

@@ -306,6 +306,23 @@ std::string halved_bracket(const Part& part, const std::vector<const Part::Numbe
 
 }  // namespace
 
+std::string digits_lost_below_one(const Part& part) {
+  constexpr double last_digits = 1e-13, far_below = 1e-6;
+  double greatest = 0, answer = 0, wrong = 0;
+  for (const Part::Number& one : part.all) {
+    const double right = std::abs(one.answered->expected->high);
+    answer = std::max(answer, right);
+    if (!one.answered->is_left()) continue;
+    wrong = std::max(wrong, right);
+    greatest = std::max(greatest, std::abs(one.answered->error()));
+  }
+  if (answer < 0.5 || answer > 1 || wrong > far_below || greatest > last_digits) return {};
+  return fmt::format(
+      "No error is above {:.2g}, of the last digits of 1, while the right answers are far less: as "
+      "of 1 less a number near 1, whose digits cancel.",
+      greatest);
+}
+
 std::string grid_of(const Part& part) {
   std::vector<const Part::Number*> wrong;
   for (const Part::Number& one : part.all)

@@ -27,6 +27,10 @@ Growth growth_of(const Part& part);
 // or in an order, or the function has no iteration.
 std::string ended_early(const Part& part);
 
+// Errors of the last digits of 1 where the right answers are far less: "No error is above 1.1e-16 …".
+// Empty: some are greater, or the answers do not reach 1.
+std::string digits_lost_below_one(const Part& part);
+
 // Answers that are whole steps from each other, as of a bisection that ends early, or of rounding:
 // "75 wrong answers are whole steps of 3.052e-05 from each other …". Empty: they are not.
 std::string grid_of(const Part& part);

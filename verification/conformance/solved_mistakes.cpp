@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -100,6 +104,142 @@ std::vector<Mistake> cut_integrals(const std::vector<WrongAnswer>& wrong) {
   return found;
 }
 
+constexpr int most_points = 40;  // of Gauss
+
+// Places on a width of 1, and their weights.
+const std::vector<std::pair<double, double>>& gauss_points(int count) {
+  static const auto all = [] {
+    std::array<std::vector<std::pair<double, double>>, most_points + 1> points;
+    for (int n = 2; n <= most_points; ++n)
+      for (const double zero : boost::math::legendre_p_zeros<double>(n)) {
+        const double slope = boost::math::legendre_p_prime(n, zero);
+        const double weight = 1 / ((1 - zero * zero) * slope * slope);
+        points[static_cast<std::size_t>(n)].emplace_back((1 - zero) / 2, weight);
+        if (zero > 0) points[static_cast<std::size_t>(n)].emplace_back((1 + zero) / 2, weight);
+      }
+    return points;
+  }();
+  return all[static_cast<std::size_t>(count)];
+}
+
+// A rule of quadrature for the integral from d to an end: trapezoids, Simpson's rule, midpoints of
+// intervals, or Gauss's and Legendre's points.
+enum class Rule { trapezoids, simpson, midpoints, gauss };
+struct Quadrature {
+  Rule rule;
+  int count;  // intervals; points of Gauss
+  double end;
+  bool is_distance;  // from d
+
+  std::string name() const {
+    const char* const rules[] = {"trapezoids", "simpson", "midpoints", "gauss"};
+    return fmt::format("moment-by-{}-{}{}{:g}", rules[static_cast<std::size_t>(rule)], count,
+                       is_distance ? "-d-plus-" : "-to-", end);
+  }
+  std::string text() const {
+    const char* const rules[] = {"trapezoids", "intervals of Simpson's rule", "midpoints",
+                                 "points of Gauss and Legendre"};
+    return fmt::format("the integral by {} {} up to s = {}{:g}", count,
+                       rules[static_cast<std::size_t>(rule)], is_distance ? "d + " : "", end);
+  }
+  // The sum for ∫ (s − d)ⁿ φ(s) ds; 0 where the end is not beyond d.
+  double value(double order, double d) const {
+    const double width = is_distance ? end : end - d;
+    if (!(width > 0)) return 0;
+    const auto at = [&](double part) {
+      const double t = part * width, s = d + t;
+      return (order == 0 ? 1 : std::pow(t, order)) * std::exp(-s * s / 2);
+    };
+    double sum = 0;
+    if (rule == Rule::gauss) {
+      for (const auto& [place, weight] : gauss_points(count)) sum += weight * at(place);
+    } else if (rule == Rule::midpoints) {
+      for (int i = 0; i < count; ++i) sum += at((i + 0.5) / count) / count;
+    } else {
+      const double share = rule == Rule::simpson ? 3 : 2;
+      for (int i = 0; i <= count; ++i) {
+        const double inner = rule == Rule::simpson && i % 2 == 1 ? 4 : 2;
+        sum += (i == 0 || i == count ? 1 : inner) * at(static_cast<double>(i) / count);
+      }
+      sum /= share * count;
+    }
+    return sum * width / std::sqrt(2 * std::numbers::pi);
+  }
+};
+
+// Quadratures that give the wrong answers. The error of a rule falls with the number of intervals
+// as a power of it: of the numbers beyond the first, those are tried that this leaves.
+std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
+  constexpr int tried_all = 64;
+  constexpr int others[] = {79,  80,  99,  100, 101, 119, 120, 127,  128,  149,  150,  160, 199,
+                            200, 201, 249, 250, 255, 256, 299, 300,  399,  400,  499,  500, 501,
+                            511, 512, 599, 600, 799, 800, 999, 1000, 1023, 1024, 1999, 2000};
+  constexpr double ends[] = {2,  2.5, 3,  3.5, 4,  4.5, 5,  6,  7,  8,  9,
+                             10, 12,  14, 15,  16, 20,  25, 30, 40, 50, 100};
+  constexpr double times_off = 3;
+  constexpr std::size_t fewest = 3;
+  if (wrong.size() < fewest) return {};
+  const auto meets = [](const WrongAnswer& one, double value) {
+    return std::abs(value - one.number->got) <=
+           of_answer * std::abs(one.number->error()) + 1e-14 * std::abs(value);
+  };
+  const auto size = [](const WrongAnswer& one) {
+    return std::abs(one.number->error() / one.number->expected->high);
+  };
+  std::sort(wrong.begin(), wrong.end(),
+            [&](const WrongAnswer& a, const WrongAnswer& b) { return size(a) < size(b); });
+  // Small errors are those of the rule, great ones may be those of the end.
+  std::map<std::string, Mistake> found;
+  for (const std::size_t quarter : {1, 2, 3}) {
+    const WrongAnswer& first = wrong[quarter * wrong.size() / 4];
+    const double order = first.of->question.arguments[0], d = first.of->question.arguments[1];
+    const auto look = [&](const Quadrature& one) {
+      const double value = one.value(order, d);
+      if (!meets(first, value)) return value;
+      const auto met = std::count_if(wrong.begin(), wrong.end(), [&](const WrongAnswer& other) {
+        const auto& a = other.of->question.arguments;
+        return meets(other, one.value(a[0], a[1]));
+      });
+      if (static_cast<std::size_t>(met) >= fewest)
+        found.try_emplace(one.name(), with_formula("gaussian_moment", one.name(), one.text(),
+                                                   [one](const catalogue::Arguments& a) {
+                                                     return std::optional(one.value(a[0], a[1]));
+                                                   }));
+      return value;
+    };
+    for (const double end : ends)
+      for (const bool is_distance : {true, false}) {
+        if (!is_distance && end <= d) continue;
+        const double whole = moment_to(order, d, is_distance ? d + end : end);
+        if (meets(first, whole)) continue;  // an integral that only ends too early
+        for (const Rule rule : {Rule::trapezoids, Rule::simpson, Rule::midpoints}) {
+          const int step = rule == Rule::simpson ? 2 : 1;
+          double half = 0, last = 0;
+          for (int count = 2; count <= tried_all; count += step) {
+            const double value = look({rule, count, end, is_distance});
+            if (count == tried_all / 2) half = value - whole;
+            last = value - whole;
+          }
+          const double power = std::log2(std::abs(half / last));
+          for (const int count : others) {
+            if (count % step != 0) continue;
+            const double off = last * std::pow(static_cast<double>(count) / tried_all, -power);
+            const double wanted = first.number->got - whole;
+            if (power > 0.5 && (off * wanted < 0 || std::abs(off) > times_off * std::abs(wanted) ||
+                                std::abs(wanted) > times_off * std::abs(off)))
+              continue;
+            look({rule, count, end, is_distance});
+          }
+        }
+        for (int count = 2; count <= most_points; ++count)
+          look({Rule::gauss, count, end, is_distance});
+      }
+  }
+  std::vector<Mistake> all;
+  for (auto& [name, mistake] : found) all.push_back(std::move(mistake));
+  return all;
+}
+
 std::optional<double> index_by_row(const catalogue::Arguments& a, std::size_t row) {
   const double value = detail::index_among(a[0], a[1], detail::index_oils(a[1], row));
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
@@ -155,7 +295,12 @@ std::vector<Mistake> other_rows(const std::vector<WrongAnswer>& wrong) {
 std::vector<Mistake> solved_mistakes(const std::vector<AnsweredCase>& cases) {
   if (cases.empty() || cases.front().question.function == nullptr) return {};
   const std::string_view function = cases.front().question.function->name;
-  if (function == "gaussian_moment") return cut_integrals(some_wrong(cases));
+  if (function == "gaussian_moment") {
+    const std::vector<WrongAnswer> wrong = some_wrong(cases);
+    std::vector<Mistake> all = cut_integrals(wrong), coarse = coarse_integrals(wrong);
+    std::move(coarse.begin(), coarse.end(), std::back_inserter(all));
+    return all;
+  }
   if (function == "viscosity_index") return other_rows(some_wrong(cases));
   return {};
 }

@@ -10,8 +10,8 @@
 namespace tribo::conformance {
 
 // Mistakes that give some of the wrong answers of these cases, which are all of one function: an
-// integral that ends too early, at one number or at one distance from d, and another row of a
-// table.
+// integral that ends too early, at one number or at one distance from d, or that is a sum of too
+// few points, and another row of a table.
 std::vector<Mistake> solved_mistakes(const std::vector<AnsweredCase>& cases);
 
 }  // namespace tribo::conformance

@@ -822,6 +822,20 @@ Slip made(const Mistake& mistake, double part = 1) {
   };
 }
 
+TEST(Shares, ThatAreOneLessANumberNearOneAreTold) {
+  const auto rounded = [](double last_digit) {
+    return [last_digit](const TestCase&, json& fields) {
+      if (!fields.contains("fluid_load_share")) return;
+      const double share = fields["fluid_load_share"];
+      fields["fluid_load_share"] = std::nearbyint(share / last_digit) * last_digit;
+    };
+  };
+  for (const char* const points : {"operating_point", "operating_point_of_line"}) {
+    expect_said(said_of({{points, rounded(0x1p-53)}}), "as of 1 less a number near 1");
+    expect_said(said_of({{points, rounded(1e-6)}}), "as of 1 less a number near 1", false);
+  }
+}
+
 TEST(Insides, AreNamedWhereAnotherNumberOfThePointStandsInTheirPlace) {
   const std::vector<Mistake> mistakes = mistakes_of_insides();
   ASSERT_GE(mistakes.size(), 20U);

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "catalogue/ways_to_ask.hpp"
 #include "conformance/diagnosis.hpp"
@@ -336,6 +339,74 @@ TEST(Integrals, ThatEndTooEarlyAreToldWithTheirEnd) {
                {"gaussian_moment", "the integral cut off at s = d + 7 (", [](const In& in) {
                   return moment_to(in("order"), in("argument"), in("argument") + 7);
                 }}});
+}
+
+// A sum of densities over the places from d to the end, with a weight of each.
+Formula moment_by_sum(double end, bool is_distance,
+                      const std::vector<std::pair<double, double>>& places) {
+  return [=](const In& in) {
+    const double d = in("argument"), width = is_distance ? end : end - d;
+    double sum = 0;
+    for (const auto& [place, weight] : places)
+      if (width > 0)
+        sum += weight * width * pow(place * width, in("order")) * density(d + place * width);
+    return sum;
+  };
+}
+std::vector<std::pair<double, double>> trapezoids(int count) {
+  std::vector<std::pair<double, double>> places;
+  for (int i = 0; i <= count; ++i)
+    places.emplace_back(1.0 * i / count, (i == 0 || i == count ? 0.5 : 1.0) / count);
+  return places;
+}
+std::vector<std::pair<double, double>> simpsons(int count) {
+  auto places = trapezoids(count);
+  for (int i = 0; i <= count; ++i)
+    places[static_cast<std::size_t>(i)].second *= (i % 2 == 1 ? 4.0 : 2.0) / 3;
+  return places;
+}
+std::vector<std::pair<double, double>> midpoints(int count) {
+  std::vector<std::pair<double, double>> places;
+  for (int i = 0; i < count; ++i) places.emplace_back((i + 0.5) / count, 1.0 / count);
+  return places;
+}
+std::vector<std::pair<double, double>> ten_of_gauss() {
+  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  std::vector<std::pair<double, double>> places;
+  for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
+    for (const double sign : {-1, 1})
+      places.emplace_back((1 + sign * Gauss::abscissa()[i]) / 2, Gauss::weights()[i] / 2);
+  return places;
+}
+
+TEST(Integrals, OfTooFewPointsAreToldWithTheirRule) {
+  expect_told(
+      {{"gaussian_moment", "the integral by 100 trapezoids up to s = d + 8 (",
+        moment_by_sum(8, true, trapezoids(100))},
+       {"gaussian_moment", "the integral by 499 trapezoids up to s = 6 (",
+        moment_by_sum(6, false, trapezoids(499))},
+       {"gaussian_moment", "the integral by 30 intervals of Simpson's rule up to s = d + 10 (",
+        moment_by_sum(10, true, simpsons(30))},
+       {"gaussian_moment", "the integral by 50 midpoints up to s = d + 5 (",
+        moment_by_sum(5, true, midpoints(50))},
+       {"gaussian_moment", "the integral by 10 points of Gauss and Legendre up to s = d + 6 (",
+        moment_by_sum(6, true, ten_of_gauss())}});
+}
+
+TEST(Inputs, OnOneSideOfOneThatAreUpsideDownAreTold) {
+  const auto with = [](double (*read)(double)) {
+    return [read](const In& in) {
+      json inputs = in.inputs;
+      if (inputs.contains("ellipticity")) inputs["ellipticity"] = read(in("ellipticity"));
+      return right_answer("hamrock_dowson_central", inputs);
+    };
+  };
+  expect_told({{"hamrock_dowson_central", "with the greater of k and 1/k in place of k (",
+                with([](double k) { return std::max(k, 1 / k); })},
+               {"hamrock_dowson_central", "with the less of k and 1/k in place of k (",
+                with([](double k) { return std::min(k, 1 / k); })},
+               {"hamrock_dowson_central", ": 1/k in place of k (",
+                with([](double k) { return 1 / k; })}});
 }
 
 // An oil's index by another row of the table than its own.
