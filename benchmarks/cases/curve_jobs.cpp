@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Stribeck curve of 200 points, and a million operating points of one scene. The contenders of
-// other families solve fewer points there: times are per point.
+// A Stribeck curve of 200 points, and a million operating points of one scene. In the second job
+// the contenders of other families solve fewer points; times are therefore compared per point.
 #include <cmath>
 #include <memory>
 #include <stdexcept>

@@ -10,24 +10,24 @@ namespace tribo::benchmarks {
 
 struct Errors {
   std::size_t judged = 0;
-  // Answers that are no number or are off by more than failed_beyond times the condition, which is
-  // the tolerance `engineering` of `verify`.
+  // Answers that are not finite or have an error above failed_beyond · max(1, condition) · |high|.
+  // The number failed_beyond is that of the tolerance `engineering` of `verify`.
   std::size_t failures = 0;
-  std::size_t no_numbers = 0;  // failures without a number
-  double max_ulp = 0;          // this and the next two are over the answers that are numbers
+  std::size_t no_numbers = 0;  // failures whose answer is not finite
+  double max_ulp = 0;          // this and the next two numbers are over the finite answers
   double p99_ulp = 0;
   double mean_ulp = 0;
 };
 
-// A contender gives this in place of an answer to a case that it does not offer. The case is not
-// judged, as in `verify`.
+// The value that a contender gives for a case that it does not offer. Such a case is not judged, as
+// in `verify`.
 inline constexpr double not_offered = -std::numeric_limits<double>::infinity();
 
 class ErrorTally {
  public:
   static constexpr double failed_beyond = 1e-6;  // relative
 
-  // Adds an answer, judged against high + low.
+  // Adds an answer and judges it. The right number is high + low, a sum of two doubles.
   void add(double got, double high, double low, double condition = 1);
   void add(double got, long double exact);
   Errors errors() const;

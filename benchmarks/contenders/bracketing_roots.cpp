@@ -31,7 +31,7 @@ struct BrentIn {
     const Bracket bracket = over_roughness ? bracket_over_roughness(root_case, residual)
                                            : bracket_above(root_case, residual);
     if (bracket.at_low == 0 || bracket.low == bracket.high) return bracket.low;
-    if ((bracket.at_low > 0) == (bracket.at_high > 0)) return bracket.low;  // λ = λ₀
+    if ((bracket.at_low > 0) == (bracket.at_high > 0)) return bracket.low;  // λ = λ₀ is the root
     Residual copy = residual;
     gsl_function f = gsl_view(copy);
     gsl_root_fsolver* const s = solver.get();
@@ -68,13 +68,13 @@ struct Toms748 {
 }  // namespace
 
 std::vector<RootContender> bracketing_roots(Settings settings) {
-  gsl_set_error_handler_off();  // the default one aborts
+  gsl_set_error_handler_off();  // the default handler ends the program
   std::vector<RootContender> all;
   const auto add_slow = [&](RootContender contender) {
     contender.is_slow = true;
     all.push_back(std::move(contender));
   };
-  // The quadrature is as fine as the root.
+  // The quadrature has the same tolerance as the root.
   for (const double tolerance : chosen(settings, {1e-10}, {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})) {
     const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, tolerance};
     const Qagiu<RootIntegrand>::Method<Uncounted> by_root{2.5, tolerance};
@@ -83,8 +83,8 @@ std::vector<RootContender> bracketing_roots(Settings settings) {
     add_slow(on_load_balance("GSL", fmt::format("Brent + QAGIU {:.0e} sqrt", tolerance), by_root,
                              Brent{tolerance}));
   }
-  // The equation in the paper's form, which many would try first. The root's tolerance is two
-  // digits below that of the quadrature.
+  // These contenders solve the equation as the paper writes it, which is the form that many users
+  // would try first. The root's tolerance is a hundredth of that of the quadrature.
   for (const double tolerance : chosen(settings, {1e-10}, {1e-3, 1e-6, 1e-8, 1e-10})) {
     const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, tolerance};
     add_slow(on_film(

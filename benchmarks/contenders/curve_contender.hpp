@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to many operating points of one scene: film, load share of the asperities and friction.
+// Methods that compute many operating points of one scene: film, load share of the asperities and
+// friction.
 #pragma once
 
 #include <functional>
@@ -19,7 +20,7 @@ struct CurveContender {
   // Fills `points`, which the caller has resized.
   std::function<void(const Scene& scene, std::span<const double> speeds, OperatingPoints& points)>
       run;
-  bool is_slow;  // takes tens of microseconds a point, so that fewer points are timed
+  bool is_slow;  // takes some microseconds a point or more: fewer points are timed
 };
 
 OutputSet curve_outputs();

@@ -22,7 +22,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_iterations = 200;
-// Nearer to the circle K − E is only rounding, and k is taken as 1.
+// For k below this number too many digits of K − E cancel, and the contact is treated as a circle,
+// k = 1.
 constexpr double least_ratio = 1 + 1e-6;
 constexpr AxesRatio circle{1, std::numbers::pi / 2};
 
@@ -98,7 +99,7 @@ template <class Count>
 struct BoostNewton {
   int bits;
   AxesRatio operator()(double alpha) const {
-    if (!(alpha > 1.5 * least_ratio - 0.5)) return circle;
+    if (!(alpha > 1.5 * least_ratio - 0.5)) return circle;  // α ≈ k^{3/2} near the circle
     const auto excess_and_slope = [&](double k) {
       const auto [first, second] = BoostIntegrals<Count>::at(k);
       const double q = 1 - 1 / (k * k), dq = 2 / (k * k * k);
@@ -153,7 +154,7 @@ EllipseContender counted_too(std::string family, std::string name, Setting setti
 }  // namespace
 
 std::vector<EllipseContender> ellipse_roots(Settings settings) {
-  gsl_set_error_handler_off();  // the default one aborts
+  gsl_set_error_handler_off();  // the default handler ends the program
   std::vector<EllipseContender> all;
   for (const double tolerance : chosen(settings, {1e-12}, {1e-3, 1e-5, 1e-7, 1e-9, 1e-12, 1e-14}))
     all.push_back(counted_too<GslBrent>(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A way to the film of a contact, of lines or of points.
+// Methods that compute the film of a line contact or of a point contact.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,8 @@
 
 namespace tribo::benchmarks {
 
-// Film numbers, (h/R)(2U)^{−1/2}; NaN: no number. A formula gives one of these numbers.
+// Film numbers, (h/R)(2U)^{−1/2}. A number that the method does not give is NaN. A formula gives
+// one of the three numbers.
 struct FilmAnswer {
   double central = std::numeric_limits<double>::quiet_NaN();
   double minimum = std::numeric_limits<double>::quiet_NaN();
@@ -21,8 +22,8 @@ struct FilmWay {
   std::string family;
   std::string series;  // a diagram joins the ways of a series by a line
   std::string name;
-  // The number of FilmAnswer that a formula gives. Null for a solver, which is judged by `central`
-  // and `minimum`.
+  // The number of FilmAnswer that a formula gives. It is null for a solver, which is judged by
+  // `central` and `minimum`.
   double FilmAnswer::*quantity;
   std::function<FilmAnswer(const Contact& contact)> run;
 };

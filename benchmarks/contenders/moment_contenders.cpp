@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All ways to F_n, this project's among them, and as the control std::exp on the same arguments.
+// All contenders that compute F_n, this project's own among them. The control is std::exp on the
+// same arguments.
 #include <cmath>
 
 #include "contenders/moment_contender.hpp"
@@ -32,7 +33,7 @@ std::vector<MomentContender> own_moments() {
         return static_cast<double>(
             gaussian_moment(Order::five_halves, static_cast<long double>(d)));
       }));
-  constexpr Range nowhere{1, 0};
+  constexpr Range nowhere{1, 0};  // so that no answer of the control is judged
   all.push_back(closed_form(
       "control", "std::exp", Order::five_halves, [](double d) { return std::exp(d); }, nowhere));
   return all;

@@ -21,16 +21,16 @@ using conformance::PluginFunctions;
 constexpr const char* family = "plugin";
 constexpr int unset = -1;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double slow = 5e-6;  // seconds a case, beyond which fewer cases are timed
+constexpr double slow = 5e-6;  // with more seconds a case, a contender is timed on fewer cases
 
-// The number counts only if its status is TRIBOCHECK_DONE, as in `verify`; else it is NaN, or
-// not_offered.
+// The answer that counts: not_offered, if the status says so; the number, if it is finite and its
+// status is TRIBOCHECK_DONE, as in `verify`; else NaN.
 double answer_of(int status, double value) {
   if (status == TRIBOCHECK_NOT_OFFERED) return not_offered;
   return status == TRIBOCHECK_DONE && std::isfinite(value) ? value : no_number;
 }
 
-// The time of the second of two calls: in the first one a library may set itself up.
+// The time of the second of two calls, because a library may set itself up in the first one.
 template <class Call>
 double seconds_of(Call&& call) {
   call();

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""When a gate is red. Pure functions: measure.py measures, gate.py prints.
+"""Decides when a gate is red. All functions here are pure: measure.py measures, and gate.py prints.
 
-Measurements are a dict by key: "workload set", set being an instruction set.
+Measurements are a dict. Its keys are strings of two words, the workload and the instruction set.
 """
 import statistics
 import typing
 
 INSTRUCTION_TOLERANCE = 0.01  # relative change of callgrind's counts, which repeat to 0.004 %
-TIME_RATIO = 1.10             # a median over the base's
-REPETITIONS = 9               # the fewest for a time
-QUIET = 1.15                  # the control kernel's time over its best
-# The same points by two laws of films: so many times the other's instructions at most.
+TIME_RATIO = 1.10             # a median that is more than so many times the base's may be red
+REPETITIONS = 9               # a time needs at least so many
+QUIET = 1.15                  # a repetition is quiet up to so many times the control kernel's best time
+# Two workloads solve the same points with different film laws. The first one may take at most so many times the instructions of the second.
 MOST_TIMES = {"points_solved_film": ("points_hamrock_dowson", 1.5),
               "points_nijenbanning_venner_moes": ("points_hamrock_dowson", 3)}
 
@@ -20,7 +20,7 @@ def workload_of(key):
 
 
 def comparable(base, now):
-    """(keys in both, red findings on other keys, remarks on other keys).
+    """Returns the keys in both measurements, red findings on other keys, and remarks on other keys.
 
     A workload has to be in both. Instruction sets depend on the machine, and may differ."""
     base_workloads, workloads = set(map(workload_of, base)), set(map(workload_of, now))
@@ -45,13 +45,13 @@ def more_instructions(base, now):
 
 
 def fewer_instructions(base, now):
-    """Not red, but the baseline should be renewed: with the old one the gain may be lost unnoticed."""
+    """Fewer instructions are not red, but the baseline should be renewed: with the old one the gain may be lost unnoticed."""
     return now < base * (1 - INSTRUCTION_TOLERANCE)
 
 
 def dearer(now):
-    """A line for each workload that takes too many times the instructions of another one, which does the same with
-    another law of films."""
+    """A line for each workload of MOST_TIMES that takes more than its limit of instructions, which is a multiple of those of the other
+    workload."""
     for key, count in now.items():
         workload, instruction_set = key.split(" ")
         other, limit = MOST_TIMES.get(workload, (None, 0))
@@ -60,26 +60,26 @@ def dearer(now):
 
 
 class Repetition(typing.NamedTuple):
-    """CPU seconds of a pass, and of one of the control kernel before and after."""
+    """CPU seconds of one pass of the workload, and of one pass of the control kernel before it and one after it."""
     seconds: float
     before: float
     after: float
 
 
 class Interval(typing.NamedTuple):
-    """Least and median of a time over the control kernel's in the same repetition."""
+    """The least and the median ratio of a workload's time to the control kernel's time in the same repetition."""
     minimum: float
     median: float
 
 
 def best_control(runs):
-    """The control kernel's best time in a run; runs: for each program, key → repetitions."""
+    """The control kernel's best time in all runs. `runs` has for each program a dict from key to repetitions."""
     return min(min(one.before, one.after) for run in runs for repetitions in run.values() for one in repetitions)
 
 
 def quiet(repetitions, best):
-    """The undisturbed repetitions. A neighbour on the same core slows some kernels more than others, so
-    that the ratio to the control kernel does not take it out."""
+    """The undisturbed repetitions. Another process on the same core slows some kernels more than others, so that the ratio to the
+    control kernel's time still has the disturbance."""
     return [one for one in repetitions if max(one.before, one.after) <= QUIET * best]
 
 
@@ -91,7 +91,7 @@ def interval(repetitions):
 
 
 def slower(base, now):
-    """Do the intervals not overlap, and does the ratio pass the limit?"""
+    """Whether the interval of `now` lies wholly above that of `base`, and the ratio of the medians is above TIME_RATIO."""
     return now.minimum > base.median and now.median > TIME_RATIO * base.median
 
 

@@ -17,7 +17,7 @@ using Counters = std::vector<std::pair<std::string, std::uint64_t>>;
 struct Workload {
   std::string name;
   bool is_vector;                   // runs on the instruction set that batch.hpp has chosen
-  std::function<void()> run;        // one pass: some ten to some hundred microseconds
+  std::function<void()> run;        // one pass, of a few to a few hundred microseconds
   std::function<Counters()> count;  // work of one pass; empty where it never varies
 };
 using Workloads = std::vector<Workload>;

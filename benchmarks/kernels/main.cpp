@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All contenders in one Google Benchmark program: job/family/name. `tribocheck bench` runs it and
-// makes the table.
+// Runs all contenders in one Google Benchmark program; its benchmarks are named job/family/name.
+// `tribocheck bench` runs this program and makes the table.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -30,7 +30,8 @@ namespace {
 
 constexpr int exit_plugin_refused = 3;
 
-// A line on stderr that each step overwrites, shown on a terminal only; empty: wipes the line.
+// Shows a step in one line of stderr, which the next step overwrites. An empty step clears the
+// line. Nothing is shown if stderr is not a terminal.
 void show_progress(std::string_view step) {
   static const bool is_watched = ::isatty(STDERR_FILENO) != 0;
   if (!is_watched) return;
@@ -101,8 +102,8 @@ void register_benchmark(Measured measured) {
   if (elsewhere) registered->UseManualTime();
 }
 
-// The console without the library's warning that it is a DEBUG build: Debian builds it with
-// assertions, which slow only the library's own work around the timed loop.
+// A console reporter without the library's warning that the library is a DEBUG build. Debian builds
+// it with assertions, which slow only the library's own work around the timed loop.
 class Console : public benchmark::ConsoleReporter {
  public:
   bool ReportContext(const Context& context) override {
@@ -163,7 +164,8 @@ void write_whole(int output, const std::string& text) {
   std::fclose(file);
 }
 
-// Runs, and writes JSON in one piece, so that prints of a plug-in do not break it.
+// Runs the benchmarks and writes their JSON in one piece, so that the output of a plug-in cannot
+// get into it.
 void run_as_json(int output) {
   std::ostringstream text;
   benchmark::JSONReporter reporter;
@@ -173,8 +175,8 @@ void run_as_json(int output) {
   write_whole(output, text.str());
 }
 
-// Whoever asked for JSON reads the reason in this line, and does not trust the exit code: a plug-in
-// can end this process with any exit code.
+// A plug-in can end this process with any exit code. A program that asked for JSON therefore reads
+// the reason in this line, and does not trust the exit code.
 int refuse(int code, const std::string& why, int output) {
   if (output >= 0)
     write_whole(output, why + '\n');
@@ -183,7 +185,8 @@ int refuse(int code, const std::string& why, int output) {
   return code;
 }
 
-// Registers the jobs that the plug-in offers. Throws PluginRefused, also where no job would run.
+// Registers the jobs that the plug-in offers. Throws PluginRefused if the plug-in cannot be loaded
+// or offers no job, or if the filter leaves out all of its jobs.
 void register_plugin(const std::string& path) {
   const std::size_t before = registered_names().size();
   register_all(plugin_jobs(conformance::load_plugin(path)));

@@ -24,7 +24,7 @@ PointNeeds needs_of(const PointContact& contact, const PointOptions& options) {
     needs.reason = begun.reason;
     return needs;
   }
-  int cells = 1;  // on the length that pressure reaches
+  int cells = 1;  // along the length that the pressure covers
   while ((needs.coarsest = grid_for(contact, cells)).count_x() - 1 < first_cells) ++cells;
   while (needs.finest(needs.most_grids + 1).size() <= options.greatest_nodes) ++needs.most_grids;
   for (double longer = 1; longer < greatest_length; longer *= length_step) {
@@ -32,7 +32,8 @@ PointNeeds needs_of(const PointContact& contact, const PointOptions& options) {
     while (4 * grid.size() <= options.greatest_nodes) grid = grid.finer();
     needs.most_nodes = std::max(needs.most_nodes, grid.size());
   }
-  // Three grids that tell too little are followed by three with more cells.
+  // If only three grids fit, the solver may begin again with more cells, where the three grids
+  // leave too great an error.
   if (needs.most_grids > 3) return needs;
   for (int i = 1; i < most_coarsest_grids; ++i) {
     cells = more_cells(contact, cells, options);
@@ -50,7 +51,7 @@ double point_memory(Eigen::Index nodes) {
 
 double point_seconds(const PointContact& contact, Eigen::Index nodes) {
   const double l = contact.material_number / 9;
-  // A starved film takes as long as a flooded one of as many nodes, which is solved beside it.
+  // For a starved contact the flooded film is solved, too, and takes as long on as many nodes.
   const double films = contact.is_starved() ? 2 : 1;
   return films * 10e-6 * static_cast<double>(nodes) * std::pow(contact.load_number, 0.2) *
          (1 + l * l);

@@ -44,21 +44,21 @@ Handle open_result(const std::string& path) {
   bool is_ours = false;
   try {
     is_ours = H5Aexists(file, "format") > 0 && read_text(file, "format") == result_format;
-  } catch (const hdf5::Error&) {  // an attribute of that name by another program
+  } catch (const hdf5::Error&) {  // another program's attribute has that name
   }
   if (!is_ours) throw NotThere("is an HDF5 file, but no result of tribocheck sweep");
   return file;
 }
 
-// --- Groups and datasets, each looked at before it is read: they are such as result_write.cpp
-// makes.
+// --- Groups and datasets. Each one is checked before it is read: it must have the form that
+// result_write.cpp gives it.
 
 bool exists(hid_t parent, const std::string& name) {
   return checked(H5Lexists(parent, name.c_str(), H5P_DEFAULT)) > 0;
 }
 
-// Opens the object at a path below a group. A link on the way that leads elsewhere, as into another
-// file, is refused.
+// Opens the object at a path below a group. Only hard links are followed; a soft link, or a link
+// into another file, is refused.
 Handle open_object(hid_t parent, const std::string& path) {
   Handle object;
   for (std::size_t start = 0; start <= path.size();) {
@@ -114,7 +114,8 @@ std::size_t length_of(hid_t parent, const std::string& name) {
   return static_cast<std::size_t>(extents.front());
 }
 
-// The content of a dataset whose type and extents are known; with a range, its rows of these cases.
+// The content of a dataset. Throws where its type or its extents are not the given ones. With a
+// range, only the rows of the cases in that range are read.
 template <class T>
 std::vector<T> read_array(hid_t parent, const std::string& name, hid_t type,
                           const std::vector<hsize_t>& extents,
@@ -187,7 +188,7 @@ std::vector<Bounded> read_bounded(hid_t group, const std::string& name,
   return numbers;
 }
 
-// Row i of an array whose rows are of one length.
+// Row i of an array whose rows all have this length.
 template <class T>
 std::span<const T> row_of(const std::vector<T>& array, std::size_t i, std::size_t length) {
   return std::span(array).subspan(i * length, length);
@@ -286,7 +287,7 @@ std::vector<double> read_cases(hid_t file, const std::string& scene_id, const st
   const std::string place = folder == "outputs" ? path_of_column(name) : name;
   const Handle group = open_group(scene, folder);
   std::size_t end = 0;
-  do {  // H5Lexists() may only be asked of a path whose groups are all there
+  do {  // part by part, because H5Lexists() fails on a path with a missing group
     end = place.find('/', end + 1);
     if (!exists(group, place.substr(0, end)))
       throw NotThere("has no " + name + " among the " + folder + " of scene " + scene_id);
@@ -304,7 +305,7 @@ std::vector<double> read_cases(hid_t file, const std::string& scene_id, const st
 
 }  // namespace
 
-// A struct's fields, each once and all of them, for a Sender or a Receiver (bytes.hpp).
+// Passes every field of a struct once to a Sender or a Receiver (bytes.hpp).
 template <class To, class T>
 void each_field(To& to, T& of) {
   using Struct = std::remove_const_t<T>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of the tables of solved films: numbers, each before its error.
+// Rows of the tables of solved films. Each number of a film has its error behind it.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,8 +18,8 @@ namespace tribo::reference {
 
 // With Roelands' viscosity and a compressible liquid, M and L alone do not determine the film. The
 // tables therefore have one liquid, with α = 20/GPa and Roelands' z = 0.6, between bodies of steel.
-// The speed follows from L, and the load from M, of a line where radius_ratio = R_y/R_x is
-// infinite, and else of a point.
+// The speed follows from L, and the load follows from M: as the load of a line contact if
+// radius_ratio = R_y/R_x is infinite, else as that of a point contact.
 inline constexpr const char* compressible_liquid =
     "Roelands with z = 0.6 and alpha = 20/GPa, density by Dowson and Higginson, E* = 115.4 GPa";
 inline ehl::FilmConditions compressible_conditions(double load_number, double material_number,
@@ -45,7 +45,7 @@ inline std::string fields(const ehl::Estimate& e, double unit) {
   return fmt::format(",{:.9g},{:.2g}", e.value * unit, e.error * unit);
 }
 
-// The first `count` fields of a row; NaN where a field is empty.
+// The first `count` fields of a row. An empty field gives NaN.
 inline std::vector<double> numbers_of(const std::string& row, std::size_t count) {
   std::vector<double> values;
   std::istringstream in(row);
@@ -54,10 +54,10 @@ inline std::vector<double> numbers_of(const std::string& row, std::size_t count)
   return values;
 }
 
-// Whether two rows begin with the same `keys` numbers, and agree in the numbers behind them. These
-// are pairs of a value and its error, up to column `count`; two values agree where they differ by
-// at most the sum of their errors. The texts are not compared, because their last digits depend on
-// how a machine and a compiler round.
+// Whether the first `keys` numbers of two rows are equal, and the later numbers agree. Up to column
+// `count`, the later numbers are pairs of a value and its error; two values agree where they differ
+// by at most the sum of their errors. The texts are not compared, because their last digits depend
+// on how a machine and a compiler round.
 inline bool is_within_errors(const std::string& one, const std::string& other, std::size_t keys,
                              std::size_t count) {
   const std::vector<double> a = numbers_of(one, count), b = numbers_of(other, count);

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The nodes: the roots of P_{p−1} + P_p, and 1.
+// The nodes are −1, the other roots of P_{p−1} + P_p, and 1; p is the degree.
 VectorXd radau_nodes(int degree) {
   const auto f = [&](double z) { return legendre(degree - 1, z) + legendre(degree, z); };
   VectorXd nodes(degree + 1);
@@ -33,9 +33,10 @@ VectorXd radau_nodes(int degree) {
   return nodes;
 }
 
-// ∫ P_n(t) ln|z − t| dt for n = 0 … degree. (P_{n+1} − P_{n−1})/(2n + 1) is an integral of P_n that
-// is 0 at both ends, so that these are 2[Q_{n+1}(z) − Q_{n−1}(z)]/(2n + 1). At the ends themselves
-// the logarithms in Q cancel.
+// ∫ P_n(t) ln|z − t| dt for n = 0 … degree. For n > 0, (P_{n+1} − P_{n−1})/(2n + 1) is an integral
+// of P_n and is 0 at both ends, so that integration by parts gives
+// 2[Q_{n+1}(z) − Q_{n−1}(z)]/(2n + 1). At z = ±1 the infinite logarithms in Q cancel, and the code
+// has 0 in place of them.
 LogElement::Weights near_potentials(int degree, double z) {
   const double to_right = std::fabs(1 - z), to_left = std::fabs(1 + z);
   const double log_right = to_right > 0 ? std::log(to_right) : 0;
@@ -68,7 +69,7 @@ double legendre(int n, double z) {
 
 LogElement::LogElement(int degree) : nodes_(radau_nodes(degree)), slopes_(degree + 1, degree + 1) {
   const int count = degree + 1;
-  MatrixXd values(count, count), slopes = MatrixXd::Zero(count, count);  // P_n at the nodes
+  MatrixXd values(count, count), slopes = MatrixXd::Zero(count, count);  // P_n, P_n' at the nodes
   for (int k = 0; k < count; ++k)
     for (int n = 0; n < count; ++n) {
       values(k, n) = legendre(n, nodes_[k]);

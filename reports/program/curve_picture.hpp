@@ -12,10 +12,10 @@
 
 namespace tribo::cli {
 
-inline constexpr std::size_t most_drawn_scenes = 6;  // that colours tell apart
+inline constexpr std::size_t most_drawn_scenes = 6;  // so many can be told apart by colours
 
-// The outputs that a picture shows of these scenes: film, friction and the asperities' share where
-// a scene asks for them, and all that was measured.
+// The outputs that the picture shows: friction, film and the asperities' share, if a scene asks for
+// them, and every output that was measured.
 std::vector<Output> drawn_outputs(const std::vector<Scene>& scenes,
                                   const std::vector<Comparison>& measured);
 

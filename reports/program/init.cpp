@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck init: writes a solver that speaks the protocol already and skips everything, with a
-// function for each of the catalogue, or a file that gates a solver in somebody's CI. The languages
-// are the rows of templates/languages.tsv whose template is there; the systems of CI are the files
-// of ci/.
+// `tribocheck init` writes one of two files: a solver that speaks the protocol and answers every
+// question with a skip, with a function to fill in for each function of the catalogue; or a CI
+// configuration that checks a solver. A language is offered if it has a row in
+// templates/languages.tsv and its template lies in that folder; a CI system is offered for each
+// .yml file in ci/.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,15 +39,15 @@ using kainjow::mustache::mustache;
 
 struct InitArguments {
   std::string what;
-  std::string language;  // of a subject
-  std::string system;    // of CI
-  std::string out;       // empty: the template's own name, in the current folder
+  std::string language;  // the language of a subject
+  std::string system;    // the system of CI
+  std::string out;       // if empty, the template's own name in the current folder
   bool force = false;
 };
 
 struct Language {
   std::string name;
-  std::string file;     // the file to write; its template is this with ".mustache"
+  std::string file;     // the file to write; its template has this name and ".mustache"
   std::string program;  // the interpreter or compiler
   std::string package;  // Debian's package of the program
   // The command that builds {library}, in {folder}, from {file}; {include} is the folder of
@@ -84,16 +85,19 @@ std::string with(std::string text, std::string_view mark, const std::string& wor
   return place == std::string::npos ? text : text.replace(place, mark.size(), shell_word(word));
 }
 
-// This program as a user's shell finds it.
+// The word that starts this program in a user's shell: its name if the shell finds it by that, else
+// its path.
 std::string own_name() {
   const fs::path self = fs::read_symlink("/proc/self/exe");
   std::error_code ignored;
   return fs::equivalent(found_by_shell("tribocheck"), self, ignored) ? "tribocheck" : self.string();
 }
 
-// The next command to type: it builds a library, and puts the solver to the tests.
+// The next command that the user types. It builds the library, if the language needs one, and runs
+// `tribocheck verify` on the solver.
 std::string next_line(const Language& language, const fs::path& include, const std::string& out) {
-  const std::string file = out.starts_with('-') ? "./" + out : out;  // so that it is no option
+  // "./" keeps every command from reading a name that begins with "-" as an option.
+  const std::string file = out.starts_with('-') ? "./" + out : out;
   const std::string verify = shell_word(own_name()) + " verify ";
   const std::string command = with(language.command, "{file}", file);
   if (command.find("{library}") == std::string::npos)
@@ -118,8 +122,8 @@ data lines_of(const std::string& text) {
   return lines;
 }
 
-// Entries of each item in a list: name, meaning, unit, number from 1 and from 0, and whether it is
-// the last item.
+// The template's variables for one item of a list: its name, its meaning, its unit, its number from
+// 1 on, its place from 0 on, and whether it is the last item.
 template <class Named>
 data entry_of(const Named& named, std::size_t place, std::size_t count) {
   data entry;
@@ -132,8 +136,8 @@ data entry_of(const Named& named, std::size_t place, std::size_t count) {
   return entry;
 }
 
-// {{allowed}}: "a number above 0", or the words. {{coded}}: the words with their codes of
-// tribocheck_plugin.h.
+// {{allowed}} is the allowed range, such as "a number above 0", or the list of the allowed words.
+// In {{coded}} each of these words has its code of tribocheck_plugin.h before it.
 data parameters_of(const catalogue::Function& function) {
   data list(data::type::list);
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -143,7 +147,7 @@ data parameters_of(const catalogue::Function& function) {
     std::string coded;
     for (std::size_t code = 0; code < parameter.words.size(); ++code)
       coded += fmt::format("{}{} {}", code == 0 ? "" : ", ", code, parameter.words[code]);
-    // {{#default}}{{value}}{{/default}}: of one that a question may leave out.
+    // The section {{#default}} is written only for a parameter that a question may leave out.
     if (parameter.default_value) {
       data defaults(data::type::list);
       const std::string quote = parameter.words.empty() ? "" : "\"";
@@ -175,10 +179,10 @@ data function_of(const catalogue::Function& function) {
   return entry;
 }
 
-// The filled template: Mustache, in which a text between {{#functions}} and {{/functions}} is
-// written once for each function of the catalogue. `next` is what a user types next, for {{next}}.
-// Throws std::runtime_error with one line where `text`, which is that of the file `path`, is no
-// Mustache.
+// Fills a template of Mustache, in which a text between {{#functions}} and {{/functions}} is
+// written once for each function of the catalogue. `text` is the content of the file `path`, and
+// `next` is the command for {{next}}. Throws std::runtime_error with a message of one line if the
+// text is not valid Mustache.
 std::string filled_template(const std::string& text, const std::string& path,
                             const std::string& next) {
   mustache filled(text);
@@ -197,8 +201,8 @@ std::string filled_template(const std::string& text, const std::string& path,
 constexpr const char* no_templates =
     "templates not found; run in the project, or install tribocheck: make install";
 
-// Writes the file, where none is there or --force overwrites it, and says so. False: it is refused,
-// and one line says why.
+// Writes the file and says so. If the file exists already and --force is not given, it writes
+// nothing, prints one line and returns false.
 bool write_new_file(const InitArguments& arguments, const std::string& out, const std::string& text,
                     OutputStream& output) {
   std::error_code ignored;
@@ -245,7 +249,7 @@ int init_subject(const InitArguments& arguments, OutputStream& output) {
   return exit_done;
 }
 
-// The systems of CI, each of which has a file ready to paste: NAME.yml.
+// The names of the CI systems. Each one has a file ready to paste, NAME.yml.
 std::vector<std::string> systems_in(const fs::path& folder) {
   std::vector<std::string> systems;
   std::error_code ignored;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep of ellipses, lines, two bodies and spectral moments: its cases are those of `stream`, `solve` and
-`onset`, and fields that make no contact are refused before the sweep starts."""
+"""Sweeps of ellipses, lines, two bodies and spectral moments give the same numbers as `stream`, `solve` and `onset`. Inputs that
+describe no contact are refused before the sweep starts."""
 
 import json
 import math
@@ -73,7 +73,7 @@ class Shapes(SweepTest):
         return sweep({**scene, **values, "speed": repr(speeds)}).replace("[sweep]\n", "")
 
     def points(self, text):
-        """The points of a scene by `stream`; by `solve` where JSON has no infinity."""
+        """The points of a scene by `stream`. If a radius is infinite, which JSON cannot hold, they come from `solve`."""
         tree = tomllib.loads(text)
         if any(isinstance(value, float) and math.isinf(value) for value in tree["bodies"].values()):
             return run("solve", self.folder.write("case.toml", text), "--format", "json").json()["points"]
@@ -86,7 +86,7 @@ class Shapes(SweepTest):
             self.assertEqual(words[int(got)], expected, name)
         elif expected is None:
             self.assertTrue(math.isnan(got), name)
-        else:  # sweeps and `solve` use two batch kernels, each within its own bound
+        else:  # sweeps and the other commands use different kernels, each with rounding errors of its own
             self.assertLessEqual(abs(got - expected), 1e-13 * abs(expected), (name, got, expected))
 
     def test_points_are_those_of_stream(self):
@@ -165,9 +165,9 @@ class Shapes(SweepTest):
                 self.assertEqual({one for one in rows if isinstance(one, str)}, {"inf", "-inf"} & set(rows))
                 self.assertEqual(sorted({float(one) for one in rows}), sorted(map(float, radii.strip("[]").split(", "))))
 
-    # Scenes, the inputs that vary, and the words of the refusal; each in one line.
+    # Each row has a scene, the inputs that vary, and words of the error message, which is one line.
     REFUSED = [
-        # A face of a grid that does not meet the other one.
+        # One value of a grid gives a face that does not touch the other body's face.
         (FACES, {"bodies.second_radius_y": "[-4e-3, -5.04825e-3, 0.1]"},
          ["bodies.first_radius_y: where bodies.second_radius_y is -0.004: 0.0047625 is not allowed beside second_radius_y",
           "the faces do not meet at a point; allowed: 1/first_radius_y + 1/second_radius_y above 0"]),
@@ -179,7 +179,7 @@ class Shapes(SweepTest):
         (FACES, {"bodies.second_radius_x": "[0, -27.7625e-3, 0.1]"}, ["bodies.second_radius_x: a value of its grid: 0 is"]),
         (FACES, {"bodies.second_radius_x": "{ from = -1, to = 1, count = 3, spacing = \"lin\" }"},
          ["bodies.second_radius_x: 0 is not allowed"]),
-        # Each face meets the other's middle one, but not every face meets every other.
+        # Every value of one grid is allowed with the middle value of the other grid, but one pair of outer values is not.
         (FACES, {"bodies.first_radius_x": "[4e-3, 5e-3, 25e-3]", "bodies.second_radius_x": "[-60e-3, -30e-3, -20e-3]"},
          ["bodies.first_radius_x: where bodies.first_radius_x is 0.025 and bodies.second_radius_x is -0.02: ",
           "do not meet"]),
@@ -187,7 +187,7 @@ class Shapes(SweepTest):
          ["where bodies.second_radius_x is -0.01397: ", "do not meet"]),
         (FACES, {"bodies.second_radius_x": "[-30e-3, -4e-3, 0.1]"},
          ["bodies.first_radius_x: 0.0047625 is not allowed beside second_radius_x, which is -0.004: the faces do not meet"]),
-        # An ellipse that double cannot hold, of radii that are legal one by one.
+        # Each radius is allowed alone, but double cannot hold the ellipse of the two.
         (ELLIPSE, {"bodies.radius_x": "[1e-250, 9.5e-3, 1]", "bodies.radius_y": "[1e-3, 19e-3, 1e250]"},
          ["bodies.radius_y: where bodies.radius_x is 1e-250 and bodies.radius_y is 1e+250: "]),
         # Distributions that reach a value that is refused.
@@ -203,7 +203,7 @@ class Shapes(SweepTest):
          ["bodies.first_radius_y: where bodies.first_radius_y reaches 0.006: ", "do not meet"]),
         (FACES, {"bodies.first_radius_y": uniform(4e-3, 5e-3), "bodies.second_radius_y": uniform(-6e-3, -4.8e-3)},
          ["where bodies.first_radius_y reaches 0.005 and bodies.second_radius_y reaches -0.0048: ", "do not meet"]),
-        # A law of points beside those of lines, in any place of the list.
+        # A film law of the wrong kind, for points on a line or for lines on an ellipse, at any place of the list.
         (LINE, {"closures.film": '["dowson_higginson_minimum", "dowson_toyoda_central", "hamrock_dowson_central"]'},
          ["closures.film: a value of its grid: \"hamrock_dowson_central\" is not allowed: the contact is a line"]),
         (ELLIPSE, {"closures.film": '["pan_hamrock_central", "hamrock_dowson_central"]'},
@@ -238,7 +238,7 @@ class Shapes(SweepTest):
                 self.assertNotIn("out.h5", self.names())
 
     def test_faces_at_the_rim_of_meeting_are_taken(self):
-        """All pairs of faces meet, though the least of one with the greatest of the other nearly does not."""
+        """All pairs of faces touch. The pair of 19.9e-3 and -20e-3 is only just allowed."""
         self.swept(sweep({**FACES, "bodies.first_radius_x": "[4e-3, 5e-3, 19.9e-3]",
                           "bodies.second_radius_x": "[-60e-3, -30e-3, -20e-3, 0.5]", "speed": "0.1"}))
         with opened(self.path("out.h5")) as file:

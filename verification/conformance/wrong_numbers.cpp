@@ -83,7 +83,7 @@ std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
       counts[one.branch].first += number.is_wrong && number.is_explained ? 1 : 0;
       counts[one.branch].second += number.is_left() ? 1 : 0;
     }
-  // After a named mistake, a few other wrong answers, such as near a border, are not told.
+  // After a named mistake a few other wrong answers, such as near a border, are not reported.
   std::vector<Part> all;
   for (auto& [key, part] : parts) {
     const auto [explained, rest] = counts[part.branch];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that a subject answered for one function, each beside what is expected.
+// The numbers that a subject answered for one function, each with the number that is expected.
 #pragma once
 
 #include <cmath>
@@ -14,15 +14,16 @@ namespace tribo::conformance {
 
 struct AnsweredNumber {
   const Expected* expected;
-  std::size_t place;  // in Numbers
+  std::size_t place;  // the index of the result in Numbers
   double got;
   double allowed;  // absolute error
   bool is_wrong;
-  bool is_explained = false;  // by a mistake that was named
+  bool is_explained = false;  // a mistake that was named explains it
 
-  bool is_left() const { return is_wrong && !is_explained; }  // to be told
-  // How far from `given` an answer may be. Where `given` is far smaller than the right number, as
-  // if Pa were read as GPa, the error that is allowed of the right number would be too much.
+  bool is_left() const { return is_wrong && !is_explained; }  // still to be reported
+  // The error that is allowed if `given` is taken for the right number. If `given` is less than a
+  // tenth of the right number, as if Pa were read as GPa, it is the allowed relative error of
+  // `given`.
   double allowed_of(double given) const {
     const double own = std::abs(given), right = std::abs(expected->high);
     return 10 * own < right ? allowed / right / expected->condition * own : allowed;
@@ -32,14 +33,15 @@ struct AnsweredNumber {
 
 struct AnsweredCase {
   Question question;
-  Question asked;  // as it was asked, without what wrong functions below change (follow.hpp)
+  Question asked;  // as it was sent; wrong functions below may change `question` (follow.hpp)
   // The case's branch of the function, because one branch may be wrong alone: "order 1.5",
-  // "greenwood_tripp". Empty: the function has no branches.
+  // "greenwood_tripp". It is empty for operating points, and if the function has no branches.
   std::string branch;
   std::vector<AnsweredNumber> numbers;
 };
 
-// The answered cases of a function, without fields that are no finite number.
+// The cases of a function that were answered. Only fields with finite numbers are kept, and only
+// cases that have such a field.
 std::vector<AnsweredCase> answered_cases(const std::string& function,
                                          const std::vector<TestCase>& cases,
                                          const Conversation& conversation,
@@ -57,7 +59,7 @@ struct Part {
   std::size_t place = 0;
   std::string branch = {};
   std::vector<Number> all = {};
-  std::vector<const AnsweredNumber*> wrong = {};  // those that a sentence is about
+  std::vector<const AnsweredNumber*> wrong = {};  // those that one sentence of the report is about
 
   const std::string& quantity() const { return wrong.front()->expected->quantity; }
   // The function that was asked; null for operating points.
@@ -69,16 +71,16 @@ std::vector<Part::Number> wrong_of(const Part& part);
 // At most `most` of these numbers, evenly spread, the first and the last among them; `most` ≥ 2.
 std::vector<Part::Number> far_apart(const std::vector<Part::Number>& numbers, std::size_t most);
 
-// The parts with wrong answers that are still to be told. After a named mistake a few wrong
-// answers, such as near a border, are not told.
+// The parts with wrong answers that are not reported yet. If a named mistake explains nearly all
+// wrong answers of a branch, the few others, for example near a border, are not reported.
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);
 
-// The branch of its function that a question is of; empty: it has none.
+// The branch of the function that the question belongs to; empty if it has no branch.
 std::string branch_of(const Question& question);
 
-inline constexpr std::size_t fewest_cases = 8;  // for a pattern to be told
+inline constexpr std::size_t fewest_cases = 8;  // fewer cases are too few to report a pattern
 
-// Whether every answer has at most nine digits, or is a number of single precision. False where
+// Whether every answer has at most nine digits, or is a number of single precision. It is false if
 // there are fewer than `fewest_cases` numbers.
 bool is_single_precision(const std::vector<AnsweredCase>& cases);
 

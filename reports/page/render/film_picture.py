@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The picture of one solved contact: its pressure beside Hertz', and its film beside the formulas'; of an ellipse both over the whole
-contact, and below along its middle.
+"""Draws one solved contact: its pressure with Hertz' pressure, and its film with the films of the formulas. For an ellipse two maps
+above these plots show film and pressure over the whole contact, and the plots are along its middle line.
 
-`tribocheck film --picture` calls this. DATA is one film of what `tribocheck film --profile --format json`
-prints, with its fields if it is an ellipse. Prints what was drawn, as JSON.
+`tribocheck film --picture` calls this. DATA is one film of the output of `tribocheck film --profile --format json`. For an
+ellipse that film must have its fields. Prints as JSON which file was written, or why none was drawn.
 """
 import bisect
 import math
@@ -21,16 +21,16 @@ NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginso
                           "nijenbanning_ei_over_ep_of_s"), "Nijenbanning et al."),
          **dict.fromkeys(("chittenden_central_431", "chittenden_central_430", "chittenden_minimum_368"), "Chittenden et al.")}
 HEIGHT = 840
-MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # greatest, and what stands above and below a map, in points
-MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # the greatest of a map's colours, in central films and in Hertz' peaks
-MAP_PRESSED = 0.06  # part of the greatest pressure that a map shows at least
-LABEL_GAP = 0.06  # part of the film's axis between two labels
+MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # a map's greatest width and height, and the height of the texts above and below it, in points
+MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # a map's colours end near these multiples of the central film and of Hertz' peak, or of the greatest pressure
+MAP_PRESSED = 0.06  # a map shows at least the places where the pressure is above this part of its maximum
+LABEL_GAP = 0.06  # the least distance of two labels, as a part of the film's axis
 LAWS = {"barus": "Barus", "roelands": "Roelands", "incompressible": "incompressible",
         "dowson_higginson": "compressible (Dowson and Higginson)"}
 
 
 def window(contact):
-    """The ends of the picture's axis in half-widths: the pressure, and a little room beside it."""
+    """The ends of the picture's axis, in half-widths. They enclose the pressure, with a small margin on each side."""
     width, peak = contact["half_width"], max(contact["profile"]["pressure"])
     pressed = [x/width for x, p in zip(contact["profile"]["x"], contact["profile"]["pressure"]) if p > 0.02*peak]
     margin = 0.06*(pressed[-1] - pressed[0])
@@ -38,7 +38,7 @@ def window(contact):
 
 
 def spread(labels, low, high, gap):
-    """Labels at places as near to their own as possible without overlap: [(place, label)]."""
+    """Moves labels as little as possible so that they do not overlap. Returns [(place, label)]."""
     placed = []  # clusters: [mean place, labels]
     for place, label in sorted(labels, key=lambda pair: pair[0]):
         place = min(max(place, low), high)
@@ -55,7 +55,7 @@ def spread(labels, low, high, gap):
 
 
 def spike_note(contact):
-    """The place and pressure of the spike, in m and Pa, and its label."""
+    """The place and pressure of a spike whose height is not resolved, in m and Pa, and its label. Without such a spike they are zeros and a blank."""
     if contact["spike_pressure"] is not None or contact["spike_place"] is None:
         return 0.0, 0.0, " "
     place = contact["spike_place"]["value"]
@@ -69,8 +69,8 @@ def signed(per_cent):
 
 
 def axes(contact):
-    """The greatest pressure and film that are shown, in Pa and m. Where the load bends the bodies little, Hertz'
-    pressure is far above that of the film; and a formula that is far off would press the film flat."""
+    """The greatest pressure and film that are shown, in Pa and m. Hertz' peak counts only below three times the solved pressure, and a
+    formula's film only below twice the solved film: greater ones would leave too little room for the solved curves."""
     pressure = max(contact["profile"]["pressure"])
     if contact["peak_pressure"] < 3*pressure:
         pressure = max(pressure, contact["peak_pressure"])
@@ -84,8 +84,8 @@ def row(*cells):
 
 
 def formula_text(contact, formula):
-    """The formula's name and its difference from the solved film, of a starved contact from the flooded one, and in brackets,
-    where it was fitted to another liquid, that from the film of that liquid; a ? where that liquid is not known."""
+    """The formula's name and the difference of its film from the solved film, in per cent; for a starved contact, from its flooded film. If
+    the formula was fitted to another liquid, its difference from the solved film of that liquid follows in brackets; if unknown, a ?."""
     liquid = contact["assumptions"]
     own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
     known = formula["deviation_percent"]
@@ -94,7 +94,8 @@ def formula_text(contact, formula):
 
 
 def drawn_formulas(contact):
-    """The formulas with a film; of a point contact, whose laws are of stiff and of soft bodies, the nearest for each film."""
+    """The formulas that give a film. A point contact has formulas for stiff and for soft bodies: only the one that is nearest to the solved
+    film is kept for each kind of film."""
     known = [one for one in contact["formulas"] if one["film"] is not None]
     if contact["ellipticity"] is None:
         return known
@@ -103,7 +104,7 @@ def drawn_formulas(contact):
 
 
 def blocks(contact):
-    """Tab-separated blocks: the axes; the profile; Hertz' pressure; the formulas' films."""
+    """Tab-separated blocks: the axes, the profile, Hertz' pressure, the films of the formulas and, for an ellipse, the maps."""
     width, profile, peak = contact["half_width"], contact["profile"], contact["peak_pressure"]
     low, high = window(contact)
     pressure_top, film_top = axes(contact)
@@ -121,13 +122,13 @@ def blocks(contact):
 
 
 def nice(step):
-    """The nearest of 1, 2 and 5 times a power of ten that is not below."""
+    """The smallest number that is 1, 2 or 5 times a power of ten and is not below `step`."""
     power = 10**math.floor(math.log10(step))
     return next(one*power for one in (1, 2, 5, 10) if one*power >= step*(1 - 1e-9))
 
 
 class Maps:
-    """Film and pressure over an ellipse: the part that is drawn, and its values at even distances, one a point of the picture."""
+    """Film and pressure over an ellipse. Chooses the part that is drawn, and computes one value for each point of the picture."""
 
     def __init__(self, contact):
         self.contact, fields = contact, contact["fields"]
@@ -144,7 +145,8 @@ class Maps:
 
     @staticmethod
     def between(places, low, high, count):
-        """For `count` even places from low to high: the node before each, and its distance from there in parts of a cell."""
+        """For each of `count` evenly spaced places from `low` to `high`: the index of the node before it, and its distance from that node
+        as a part of the cell."""
         result = []
         for k in range(count):
             place = low + (high - low)*k/(count - 1)

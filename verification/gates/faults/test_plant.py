@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""plant.py on a catalogue of its own: faults that cannot be planted, faults that survive, and faults that count as caught."""
+"""Tests plant.py with a small catalogue of this test: faults that cannot be planted, faults that survive, and faults that count as caught."""
 import contextlib
 import io
 import json
@@ -70,7 +70,7 @@ class Targets(unittest.TestCase):
 
 
 class Look(Tree):
-    """The verdict on a fault from how CTest ended."""
+    """The verdict on a fault, given the result of CTest."""
 
     def look(self, check, *ends):
         scratch = plant.Scratch.__new__(plant.Scratch)
@@ -109,7 +109,7 @@ class Look(Tree):
 
 
 class OfMutants(Tree):
-    """Mutants that the ledger calls caught, planted in a layer above the built tree."""
+    """Mutants that the ledger of mutants lists as caught are planted in an overlay on the built tree."""
 
     def above(self, *ends):
         layer, seen = plant.Above(self.folder / "layer"), []
@@ -140,7 +140,7 @@ class OfMutants(Tree):
             self.above((0, ""), (1, "unshare: operation not permitted"))
 
     def planted(self, compiled, tested):
-        """How many of ten mutants are planted, where each takes so long."""
+        """The number of mutants that are planted if ten of thirty are asked for, and each takes so many seconds to compile and to test."""
         built = mock.Mock(seconds=lambda file, targets: compiled)
         faults = [FAULT | {"id": str(i), "file": "formula.hpp"} for i in range(30)]
         with mock.patch.object(plant.Above, "try_fault", lambda *_: "failed"), contextlib.redirect_stdout(io.StringIO()):
@@ -258,7 +258,7 @@ class Try(Tree):
 
 
 class Ledger(Tree):
-    """The ledger keeps the last verdict on each fault, however the run ends."""
+    """The ledger keeps the last verdict on each fault, even if the run is stopped. It drops the verdict on a fault that has changed."""
     CATALOGUE = [FAULT, FAULT | {"id": "two"}, FAULT | {"id": "three"}]
 
     def ledger(self):
@@ -268,7 +268,7 @@ class Ledger(Tree):
         return {"id": name, "caught": said == "failed", "said": said, "seconds": 1}
 
     def leave(self, **dates):
-        """A ledger with a verdict of each of these dates."""
+        """Writes a ledger that has one verdict for each fault named, with its date."""
         rows = [self.row(name) | {"digest": plant.digest(FAULT), "commit": f"of {name}", "date": date}
                 for name, date in dates.items()]
         (self.folder / "ledger.json").write_text(json.dumps({"faults": rows}))

@@ -13,7 +13,8 @@ import random
 import re
 import shlex
 
-# Folder → room; the longest folder that holds a file counts. None: never mutated (tests, the tools that judge mutants, users' samples).
+# Folder → room, which is a group of folders. The longest path that holds a file counts. A folder with None is never mutated: tests,
+# the tools that judge mutants, and samples for users.
 ROOMS = {"model/include/tribo": "formulas", "model/src": "engine", "model/scene": "scene", "model/catalogue": "catalogue",
          "model/ehl": "film", "model/sweep": "sweep", "verification/conformance": "judging",
          "verification/reproduction": "judging", "verification/accuracy": "judging", "verification/protocol": "judging",
@@ -43,7 +44,7 @@ def room_of(file):
 
 
 def changed_number(text, dice):
-    """A literal of C++ or Python with another value; the suffix stays. None where the text is no plain number."""
+    """A literal of C++ or Python with another value; an integer keeps its suffix. The result is None if the text is no plain number."""
     if re.fullmatch(r"(0|[1-9][0-9']*)([uUlLzZ]*)", text):
         digits, suffix = re.fullmatch(r"([0-9']+)(\w*)", text).groups()
         value = int(digits.replace("'", ""))
@@ -55,7 +56,7 @@ def changed_number(text, dice):
 
 
 class Cpp:
-    """The places of one source, and of the headers it includes that were not seen yet."""
+    """Collects the places of C++ sources and of the headers that they include, each file once."""
 
     def __init__(self, root, rooms=None):
         import clang.cindex
@@ -93,7 +94,7 @@ class Cpp:
             self.walk(child, [], None)
 
     def span(self, cursor):
-        """Bytes of a cursor that stands in this file, outside of macros."""
+        """The offsets of a cursor's begin and end, in bytes. The result is None if the cursor is not in this file or comes from a macro."""
         a, b = cursor.extent.start, cursor.extent.end
         if a.file is None or b.file is None or not a.file.name.endswith(self.file) or a.offset >= b.offset:
             return None
@@ -103,9 +104,10 @@ class Cpp:
         return self.text[slice(*span)].decode()
 
     def add(self, operator, begin, end, replacement, *edits, variable=None):
-        """Adds a place. `variable`: the declaration whose initial value holds the place, and may then not be computed while compiling."""
+        """Adds a place. `variable` is the declaration whose initial value has the place. That value must then be computed when the program runs,
+        and so its constexpr is replaced."""
         if b".reserve(" in self.text[self.text.rfind(b"\n", 0, begin) + 1:begin]:
-            return  # a list grows by itself beyond what was reserved
+            return  # a list grows by itself beyond its reserved size
         if variable is not None:
             place = self.constant(variable)
             if place is False:
@@ -116,7 +118,8 @@ class Cpp:
                             "operator": operator, "edits": edits})
 
     def constant(self, variable):
-        """The edit that makes a constexpr variable a const one. None: no edit is needed; False: the text of the variable is not known."""
+        """The edit that makes a constexpr variable a const one. It is None if no edit is needed, and False if the text of the variable is not
+        known."""
         span = self.span(variable)
         if span is None:
             return False
@@ -128,12 +131,12 @@ class Cpp:
         return span[0] + found.start(), span[0] + found.end(), "inline const" if inline else "const"
 
     def choice(self, operator, span, original, changed, kind, variable, whole=None):
-        """Chooses one expression or the other. Both are evaluated, and compared, where that is cheap and has no other effect."""
+        """Chooses one expression or the other. If both are cheap and have no side effects, both are evaluated and compared."""
         pure = kind in ARITHMETIC and not IMPURE.search(self.text[slice(*span)]) and not (whole and kind in WHOLE)
         if pure:
             text = f"::tribocheck_mutants::choose({{n}}, ({original}), ({changed}))"
         elif kind == "DEPENDENT" and room_of(self.file) != "engine" and not IMPURE.search(self.text[slice(*span)]):
-            # Vectors of the engine are only known to functions that are compiled for their instruction set.
+            # In the engine such a type may be a vector. Only functions that are compiled for its instruction set can take it.
             text = f"::tribocheck_mutants::choose<::tribocheck_mutants::value<decltype({original})>>({{n}}, {original}, {changed})"
         elif kind == "DEPENDENT" or kind not in ARITHMETIC:
             value = f"::tribocheck_mutants::value<decltype({original})>"
@@ -154,7 +157,7 @@ class Cpp:
             variable = None
         if span is not None:
             parent = above[-1] if above else None
-            # The seed depends on the text alone: a place has the same mutants in every run.
+            # The seed depends on the file, the position and the text, so that a place has the same mutants in every run on the same tree.
             self.dice = random.Random(f"{self.file}:{span}:{self.cut(span)}")
             if kind == kinds.BINARY_OPERATOR and len(children) == 2:
                 self.binary(cursor, span, children, above, variable)
@@ -209,7 +212,8 @@ class Cpp:
         if changed is None:
             return
         kind = cursor.type.get_canonical()
-        # A conversion that is silent in the text stays so: braces would refuse it for anything but a literal.
+        # If the literal is converted implicitly, choose() gets the converted type. Inside braces C++ may narrow a literal, but not the
+        # result of choose().
         if parent is not None and parent.kind == self.kinds.UNEXPOSED_EXPR and self.span(parent) == span:
             kind = parent.type.get_canonical()
         if kind.kind.name not in ARITHMETIC:
@@ -239,7 +243,7 @@ class Cpp:
             if not a or not b or a[1] > b[0] or types[i].spelling.removeprefix("const ") != types[i + 1].spelling.removeprefix("const "):
                 continue
             if "=" in re.sub(rb"[=!<>]=", b"", self.text[a[1]:b[0]]).decode():
-                continue  # one argument holds an assignment, which would go to a copy
+                continue  # an operator that assigns stands between them, and would change a copy
             one, two = self.cut(a), self.cut(b)
             if one == two or " = " in one + two or re.match(r'["{\[]', one) or re.match(r'["{\[]', two) or "lambda" in types[i].spelling:
                 continue
@@ -293,7 +297,7 @@ class Cpp:
 
 
 class Fields:
-    """For each field of each record of the project, the other fields of its type."""
+    """For each field of a record of the project: the record's other fields that have the type of that field."""
 
     def __init__(self):
         self.records = {}
@@ -321,27 +325,27 @@ def cpp_part(root, commands, rooms=None):
 
 
 def sources_of(file):
-    """The sources that an entry of the build compiles: itself, or those that CMake joined in a file of its own."""
+    """The sources that an entry of the build compiles: the entry's own file, or those that CMake joined in that file."""
     joined = file.parent.name == "Unity" and file.suffix == ".cxx"
     return re.findall(r'^#include "(.+)"', file.read_text(), flags=re.MULTILINE) if joined else [str(file)]
 
 
 def files_of(root, rooms=None):
-    """The texts of these rooms, or of all, sorted."""
+    """The sorted paths of the texts in these rooms, or in all rooms."""
     return sorted(path for folder in {folder.split("/")[0] for folder in ROOMS} for path in (root / folder).glob("**/*")
                   if path.suffix in (".cpp", ".hpp", ".py", ".md", ".gp", ".js")
                   and (room := room_of(path.relative_to(root).as_posix())) and (rooms is None or room in rooms) and path.is_file())
 
 
 def cpp_places(root, build, workers=2, rooms=None):
-    """Places of all sources of these rooms, or of all, that the build compiles, and of their headers that these include."""
+    """The places of the sources that the build compiles in these rooms, or in all rooms, and of the rooms' headers that they include."""
     entries = json.loads((build / "compile_commands.json").read_text())
     commands = [(one["command"], file) for one in entries for file in sources_of(pathlib.Path(one["file"]))
                 if file.endswith(".cpp") and (name := file.removeprefix(f"{root}/")) != file and room_of(name)]
     if rooms is not None:
         mine = files_of(root, rooms)
         texts = "".join(path.read_text() for path in mine if path.suffix in (".cpp", ".hpp"))
-        # A header that these rooms do not include themselves is read with the first source that does.
+        # A header that no text of these rooms includes is read with the first source that includes it.
         lonely = [path.name for path in mine if path.suffix == ".hpp" and f'{path.name}"' not in texts]
         readers = {next((file for _, file in commands if f'/{name}"' in pathlib.Path(file).read_text()), None) for name in lonely}
         commands = [row for row in commands if pathlib.Path(row[1]) in mine or row[1] in readers]
@@ -417,7 +421,7 @@ def template_places(file, text):
 
     start = 0
     for line in text.splitlines(keepends=True):
-        # A bar within braces is a filter's.
+        # A bar inside {{ }} or {% %} belongs to a filter and does not separate cells.
         if line.startswith("| ") and "{{" in line:
             bars = [m.start() for m in re.finditer(r"\{\{.*?\}\}|\{%.*?%\}|\|", line) if m[0] == "|"]
             cells = list(zip(bars, bars[1:]))
@@ -471,7 +475,8 @@ def text_places(file, text):
 
 
 def decides_while_compiling(text, begin):
-    """Whether a place stands in the brackets of an expression that the compiler evaluates: no switch is on there."""
+    """Whether a place stands in the brackets of an expression that the compiler evaluates. A mutant there cannot be switched on when the
+    program runs."""
     for found in re.finditer(r"\b(if constexpr|requires|static_assert|noexcept|sizeof|alignas)\s*\(", text[max(0, begin - 300):begin].decode(errors="replace")):
         after = found.string[found.end():]
         if after.count("(") >= after.count(")") and all(after[:i].count("(") >= after[:i].count(")") for i in range(len(after))):
