@@ -419,30 +419,39 @@ std::string cut_at(const Part& part, const std::string& input, const std::vector
   return {};
 }
 
-// Empty, unless each wrong answer is the right one of a case that differs in the same input alone.
-std::string kept_answers(const Part& part) {
-  std::string input, example;
-  std::vector<double> given;  // that input of these cases
+// Empty, unless each wrong answer is the right one of a case that differs in the same input alone,
+// or in no other than the same two.
+std::string kept_answers(const Part& part, std::size_t most_inputs) {
+  constexpr std::size_t fewest_of_two = 3;
+  std::set<std::string> inputs;
+  std::set<double> answers;
+  std::string example;
+  std::vector<double> given;  // the input of these cases, where it is one
   for (const Part::Number& wrong : part.all) {
     if (!wrong.answered->is_left()) continue;
     const bool is_kept =
         std::any_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
           if (one.answered->is_wrong || one.answered->got != wrong.answered->got) return false;
           const std::vector<std::string> different = different_inputs(*wrong.of, *one.of);
-          if (different.size() != 1 || (!input.empty() && different[0] != input)) return false;
-          if (input.empty())
+          std::set<std::string> all = inputs;
+          all.insert(different.begin(), different.end());
+          if (different.empty() || all.size() > most_inputs) return false;
+          if (inputs.empty())
             example = fmt::format("{} is answered as {}", wrong.of->question.asked->id,
                                   one.of->question.asked->id);
-          input = different[0];
+          inputs = std::move(all);
+          answers.insert(one.answered->got);
           if (part.function() != nullptr)
             for (std::size_t i = 0; i < part.function()->parameters.size(); ++i)
-              if (part.function()->parameters[i].name == input) given.push_back(one.input(i));
+              if (part.function()->parameters[i].name == different[0])
+                given.push_back(one.input(i));
           return true;
         });
     if (!is_kept) return {};
   }
-  if (input.empty()) return {};
-  const std::string cut = cut_at(part, input, given);
+  if (inputs.empty() || (inputs.size() > 1 && answers.size() < fewest_of_two)) return {};
+  const std::string cut = inputs.size() == 1 ? cut_at(part, *inputs.begin(), given) : std::string();
+  const std::string input = fmt::format("{}", fmt::join(inputs, " and "));
   if (!cut.empty() && given.size() >= fewest_cases) return cut + '.';
   if (!cut.empty())
     return fmt::format(
@@ -500,8 +509,9 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes, bo
   // A cache, too, gives answers to other questions; the default is the simpler cause.
   if (const std::string other = other_default(part); !other.empty())
     return {text + '.' + with(other), true, other, {}};
-  if (const std::string kept = kept_answers(part); !kept.empty())
-    return {text + ". " + kept, true, {}, {}};
+  for (const std::size_t inputs : {1, 2})
+    if (const std::string kept = kept_answers(part, inputs); !kept.empty())
+      return {text + ". " + kept, true, {}, {}};
   if (2 * part.wrong.size() < part.all.size())
     if (const std::string kept = kept_from_before(part); !kept.empty())
       return {text + ". " + kept, false, {}, {}};
@@ -511,7 +521,7 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes, bo
       is_in_place = place->holds;
     }
   text += '.';
-  if (const std::string lost = digits_lost_below_one(part); !lost.empty())
+  if (const std::string lost = digits_lost_below_one(part); !lost.empty() && !rests_on_wrong)
     return {text + ' ' + lost, true, {}, is_in_place};
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true, {}, is_in_place};

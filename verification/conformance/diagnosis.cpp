@@ -450,11 +450,8 @@ class Diagnoser {
         fmt::format("{} is off by at most {:.2g} of its value in {} of {} cases", quantity,
                     greatest, part.wrong.size(), part.all.size());
     if (greatest < few_ulp) return text + ": rounding, and no wrong formula.";
-    if (greatest < rounding && is_single_precision(cases_))
-      return text +
-             ". All answers have at most nine digits: they are computed, or written, in single "
-             "precision.";
-    return {};
+    const std::string digits = few_digits(cases_, greatest);
+    return digits.empty() ? digits : text + ". " + digits;
   }
 
   // Branches that are off in the same way are told at once.

@@ -343,6 +343,19 @@ Mistake power_of_roughness(const std::string& name, std::string text, double Que
   return mistake;
 }
 
+// A number of a scene where 0 is given, as where a program takes 0 for a field that is left out.
+Mistake other_for_zero(const char* path, double value) {
+  const auto field = *scene_detail::find_field(path);
+  Mistake mistake =
+      of_points(fmt::format("{} = {:g} for 0", path, value),
+                fmt::format("`{}` = {:g} where it is given as 0", path, value), {path});
+  mistake.before = [field, value](Question& asked) {
+    if (asked.scene && scene_detail::value_in(*asked.scene, field) == 0.0)
+      scene_detail::store_of(field)(*asked.scene, value);
+  };
+  return mistake;
+}
+
 // The real area or the number of summits by another moment of the heights.
 struct Counted {
   const char* symbol;
@@ -427,6 +440,8 @@ std::vector<Mistake> mistakes_of_insides() {
   all.push_back(power_of_roughness("count-without-roughness",
                                    "nA in place of nA nβσ_s in the number of summits",
                                    &Question::summit_count_times, 1));
+  all.push_back(other_for_zero("surface.offset_planes", 1));
+  all.push_back(other_for_zero("surface.offset_planes", 2));
   const auto models = scene_fields()[*scene_detail::find_field("closures.asperity")].choices;
   for (const Counted& counted :
        {Counted{"real area", &Question::real_area_times, area_order},

@@ -300,7 +300,9 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
         [more, &input](const Question& question) { return more + input.get(question); });
   if (input.kind == Kind::single || input.kind == Kind::group) {
     // One answer decides where the number has few digits.
-    const std::size_t fewest = is_of_digits(value, digits_of_defaults) ? 1 : fewest_cut;
+    const std::size_t fewest = is_of_digits(value, digits_of_defaults) ? 1
+                               : is_of_few_digits(number)              ? fewest_cut
+                                                                       : fewest_wrong;
     add(
         rank_of_number, is_number + " wherever it is greater: it is cut off there",
         [number, &input](const Question& question) {

@@ -27,8 +27,8 @@ Growth growth_of(const Part& part);
 // or in an order, or the function has no iteration.
 std::string ended_early(const Part& part);
 
-// Errors of the last digits of 1 where the right answers are far less: "No error is above 1.1e-16 …".
-// Empty: some are greater, or the answers do not reach 1.
+// Errors of the last digits of 1 where the right answers are far less: "No error is above 1.1e-16
+// …". Empty: some are greater, or the answers do not reach 1.
 std::string digits_lost_below_one(const Part& part);
 
 // Answers that are whole steps from each other, as of a bisection that ends early, or of rounding:

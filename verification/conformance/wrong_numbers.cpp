@@ -93,17 +93,31 @@ std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
   return all;
 }
 
-bool is_single_precision(const std::vector<AnsweredCase>& cases) {
+std::string few_digits(const std::vector<AnsweredCase>& cases, double greatest) {
+  constexpr int fewest = 3, of_single = 8, most = 9;
+  constexpr double of_single_precision = 1e-5;
   std::size_t count = 0;
+  int digits = fewest;
+  bool is_single = true;
   for (const AnsweredCase& one : cases)
     for (const AnsweredNumber& number : one.numbers) {
-      const double nine_digits = std::strtod(fmt::format("{:.9g}", number.got).c_str(), nullptr);
-      if (nine_digits != number.got &&
-          static_cast<double>(static_cast<float>(number.got)) != number.got)
-        return false;
+      const auto rounded = [&] {
+        return std::strtod(fmt::format("{:.{}g}", number.got, digits).c_str(), nullptr);
+      };
+      while (digits <= most && rounded() != number.got) ++digits;
+      is_single = is_single && static_cast<double>(static_cast<float>(number.got)) == number.got;
+      if (digits > most && !is_single) return {};
       ++count;
     }
-  return count >= fewest_cases;
+  if (count < fewest_cases) return {};
+  if (digits < of_single && greatest > 0.51 * std::pow(10, 1 - digits)) return {};
+  if (digits < of_single)
+    return fmt::format(
+        "All answers have at most {} digits: they are written with so few, or rounded to them.",
+        digits);
+  if (greatest > of_single_precision) return {};
+  return "All answers have at most nine digits: they are computed, or written, in single "
+         "precision.";
 }
 
 }  // namespace tribo::conformance

@@ -80,8 +80,9 @@ std::string branch_of(const Question& question);
 
 inline constexpr std::size_t fewest_cases = 8;  // fewer cases are too few to report a pattern
 
-// Whether every answer has at most nine digits, or is a number of single precision. It is false if
-// there are fewer than `fewest_cases` numbers.
-bool is_single_precision(const std::vector<AnsweredCase>& cases);
+// A sentence where every answer has at most nine digits, or is a number of single precision, and
+// this explains the greatest relative error. Empty if it does not, or there are fewer than
+// `fewest_cases` numbers.
+std::string few_digits(const std::vector<AnsweredCase>& cases, double greatest);
 
 }  // namespace tribo::conformance

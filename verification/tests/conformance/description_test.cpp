@@ -836,6 +836,39 @@ TEST(Shares, ThatAreOneLessANumberNearOneAreTold) {
   }
 }
 
+// Numbers that are printed with so many digits.
+TEST(Digits, ThatAreFewAreToldWithTheirNumber) {
+  const auto printed = [](int digits) {
+    return [digits](const TestCase&, json& fields) {
+      for (json& field : fields)
+        if (field.is_number())
+          field = std::strtod(fmt::format("{:.{}g}", field.get<double>(), digits).c_str(), nullptr);
+    };
+  };
+  const char* const function = "hamrock_dowson_central";
+  expect_said(said_of({{function, printed(6)}}),
+              "All answers have at most 6 digits: they are written");
+  expect_said(said_of({{function, printed(5)}}), "at most 5 digits");
+  expect_said(said_of({{function, printed(12)}}), "digits", false);
+}
+
+// A modulus is kept under both Young's moduli alone.
+TEST(Cache, ThatLacksTwoInputsIsSaidWithBoth) {
+  const auto keeping = [](auto key_of) {
+    return [key_of, kept = std::map<std::string, json>()](const TestCase& asked,
+                                                          json& fields) mutable {
+      fields = kept.try_emplace(key_of(asked.inputs), fields).first->second;
+    };
+  };
+  const auto without_ratios = [](const json& in) {
+    return in.at("first_modulus").dump() + ' ' + in.at("second_modulus").dump();
+  };
+  expect_said(said_of({{"effective_modulus", keeping(without_ratios)}}),
+              "a case that differs in first_poisson_ratio and second_poisson_ratio alone");
+  expect_said(said_of({{"effective_modulus", keeping([](const json& in) { return in.dump(); })}}),
+              "cache", false);
+}
+
 TEST(Insides, AreNamedWhereAnotherNumberOfThePointStandsInTheirPlace) {
   const std::vector<Mistake> mistakes = mistakes_of_insides();
   ASSERT_GE(mistakes.size(), 20U);
