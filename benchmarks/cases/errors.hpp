@@ -14,7 +14,7 @@ struct Errors {
   // The number failed_beyond is that of the tolerance `engineering` of `verify`.
   std::size_t failures = 0;
   std::size_t no_numbers = 0;  // failures whose answer is not finite
-  double max_ulp = 0;          // this and the next two numbers are over the finite answers
+  double max_ulp = 0;          // this number and the next two are of the finite answers
   double p99_ulp = 0;
   double mean_ulp = 0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film of a line contact as textbooks program it: the equations of model/ehl, with a full
-// matrix of how the pressure at each node changes the film at each node, and Newton's linear
-// equations solved by Eigen's PartialPivLU in N³ operations a step.
+// The film of a line contact as textbooks program it. The equations are those of model/ehl.
+// Newton's linear equations have a full matrix, which says how the pressure at each node changes
+// the film at each node, and Eigen's PartialPivLU solves them in N³ operations a step.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,10 +14,11 @@
 
 namespace tribo::benchmarks {
 
-// Adds a part of a change of pressure and separation to the film `now`, as model/ehl does. The part
-// is all of the change, or what changes the pressure by at most 0.5, and is halved until the least
-// film is more than a fifth of what it was. Returns the greatest change where all was made, 1 where
-// a part was made, and NaN where no part above 1e-4 will do.
+// Adds a change of pressure and separation, or a part of it, to the film `now`, as model/ehl does.
+// The first part tried is the whole change, or less where the whole would move the pressure by more
+// than 0.5. The part is halved until the least film is more than a fifth of what it was. Returns
+// the greatest change if the whole was added, and 1 if a part was added. Returns NaN and adds
+// nothing if the change is not finite or no part above 1e-4 will do.
 template <class Film, class FilmOf>
 double damped_step(Film& now, const Eigen::VectorXd& change, double rise, const FilmOf& film_of) {
   const double greatest = change.cwiseAbs().maxCoeff();
@@ -39,14 +40,14 @@ double damped_step(Film& now, const Eigen::VectorXd& change, double rise, const 
 
 class DenseNewton {
  public:
-  // Fills the matrix, N² entries.
+  // Fills the kernel, a matrix of N² entries.
   DenseNewton(const ehl::LineContact& contact, const ehl::Numbers& x);
 
   void start_from(const ehl::LineFilm& film);
   // Makes a step, damped by damped_step(), and returns what that function returns.
   double step();
-  // Makes steps until step() returns less than 1e-8, but at most 60. Otherwise the outcome of the
-  // film is not_converged.
+  // Makes at most 60 steps, until step() returns less than 1e-8. If that does not happen, or a step
+  // returns NaN, the outcome of the film is not_converged.
   ehl::LineFilm run();
   std::size_t bytes() const;  // size of both matrices
 

@@ -8,8 +8,8 @@
 
 namespace tribo::benchmarks {
 
-// Film numbers, (h/R)(2U)^{−1/2}. A number that the method does not give is NaN. A formula gives
-// one of the three numbers.
+// Numbers (h/R)(2U)^{−1/2} of a film. A number that the method does not give is NaN; a formula
+// gives only one of the three.
 struct FilmAnswer {
   double central = std::numeric_limits<double>::quiet_NaN();
   double minimum = std::numeric_limits<double>::quiet_NaN();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// F_n by quadrature: the integrand in the two forms that programs have, (s−d)ⁿ by pow and, for n =
-// 5/2, by u·u·√u; and GSL's adaptive rules.
+// F_n by GSL's adaptive quadrature. The integrand has the two forms that programs use: (s−d)ⁿ by
+// pow, and u·u·√u for n = 5/2, where u is s − d.
 #pragma once
 
 #include <gsl/gsl_integration.h>
@@ -47,7 +47,7 @@ gsl_function gsl_view(Integrand& integrand) {
 }
 
 inline constexpr std::size_t gsl_intervals = 1000;
-// An upper end of the integral that is so far out that the part beyond it is below 1e-20 of F.
+// The upper end of the integral. The part beyond it is less than 1e-20 times F_n(d).
 inline double finite_end(double d) { return std::max(d, 0.0) + 10; }
 
 class GslWorkspace {

@@ -21,10 +21,10 @@ using conformance::PluginFunctions;
 constexpr const char* family = "plugin";
 constexpr int unset = -1;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double slow = 5e-6;  // with more seconds a case, a contender is timed on fewer cases
+constexpr double slow = 5e-6;  // s a case; a contender that takes longer is timed on fewer cases
 
-// The answer that counts: not_offered, if the status says so; the number, if it is finite and its
-// status is TRIBOCHECK_DONE, as in `verify`; else NaN.
+// The answer that counts. It is not_offered if the status says so, and the number if that is finite
+// and its status is TRIBOCHECK_DONE, as in `verify`. Otherwise it is NaN.
 double answer_of(int status, double value) {
   if (status == TRIBOCHECK_NOT_OFFERED) return not_offered;
   return status == TRIBOCHECK_DONE && std::isfinite(value) ? value : no_number;
@@ -39,8 +39,8 @@ double seconds_of(Call&& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Arrays that are kept between calls, so that the timed call allocates none: the argument that is
-// the same in all cases, and the status of each case.
+// Arrays that are kept between calls, so that the timed call allocates nothing. One has the
+// argument that is the same in all cases, the other one the status of each case.
 struct Room {
   std::vector<double> shared;
   std::vector<int> status;
@@ -135,7 +135,7 @@ void solve_points(const PluginFunctions& functions, PointRoom& room, const Scene
   }
 }
 
-// A scene whose film is neither starved nor far from the roughness.
+// A scene that is not starved, with a film of about the height of the roughness.
 Scene ordinary_scene() {
   Scene scene;
   scene.load = 50;

@@ -31,8 +31,8 @@ ehl::PointFilm coarse_film(const ehl::PointContact& contact, int cells) {
   return ehl::solve_from_nothing(contact, ehl::grid_for(contact, cells), {});
 }
 
-// Each grid has half the node distances of the grid before, and the solution on it starts from the
-// film on that grid.
+// The node distances of each grid are half of those of the grid before it. The solution on a grid
+// starts from the film on the grid before it.
 FilmAnswer on_one_grid(const ehl::PointContact& contact, int cells) {
   const int coarsest = coarsest_cells(contact);
   ehl::PointFilm film = coarse_film(contact, coarsest);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two methods of textbooks: λ = λ₀(1−A)^−0.14 as a fixed point, and Newton's method on λ −
-// λ₀(1−A)^−0.14. Neither method has a safeguard.
+// Two methods of textbooks: the fixed point of λ = λ₀(1−A)^−0.14, and Newton's method for the root
+// of λ − λ₀(1−A)^−0.14. Neither method has a safeguard.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct FixedPoint {
     double film = c.flooded;
     for (int i = 0; i < most_iterations; ++i) {
       const double next = c.flooded * std::pow(1 - balance.asperity_share(film), -film_exponent);
-      if (!(std::abs(next - film) > tolerance * next)) return next;  // NaN too
+      if (!(std::abs(next - film) > tolerance * next)) return next;  // also if it is NaN
       film = next;
     }
     return std::numeric_limits<double>::quiet_NaN();
@@ -46,7 +46,7 @@ struct NewtonOnFilm {
       const double slope = 1 - film_exponent * thicker * asperity_slope / (1 - asperity);
       const double step = (film - thicker) / slope;
       film -= step;
-      if (!(std::abs(step) > tolerance * film)) return film;  // NaN too
+      if (!(std::abs(step) > tolerance * film)) return film;  // also if it is NaN
     }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""gate.py and measure.py from the command line, on a made-up program and a made-up valgrind; and the output of the real program."""
+"""Tests gate.py and measure.py on the command line, with a made-up program and a made-up valgrind; and the output of the real program."""
 import datetime
 import json
 import os
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
-# The made-up program answers as the file beside it says, and notes that it was asked for times.
+# The made-up program answers from NAME.json, which lies beside it, and writes a line to a file at each call for times.
 PROGRAM = """#!/usr/bin/python3
 import json, os, pathlib, sys
 here = pathlib.Path(__file__)
@@ -83,15 +83,15 @@ class OnAProgram(unittest.TestCase):
         return self.write(name, PROGRAM)
 
     def gate(self, *words, tools="tools"):
-        """Exit code, lines without times, and what was said on the other stream. `tools`: the folder in which commands are found;
-        `without` has no valgrind."""
-        # The made-up program tells its own instruction sets, whatever sets this test has to leave unused.
+        """Runs gate.py and returns its exit code, its lines without times, and its stderr. `tools` is the folder of commands;
+        the folder `without` has no valgrind."""
+        # GLIBC_TUNABLES is left out, because the made-up program derives its instruction set from it, and all tests may run with it.
         environment = {name: value for name, value in os.environ.items() if name != "GLIBC_TUNABLES"} | {"PATH": str(self.folder / tools)}
         done = subprocess.run([sys.executable, "-B", HERE / "gate.py", *map(str, words)], capture_output=True, text=True, env=environment)
         return done.returncode, re.sub(r"; \d+\.\d s$", "", done.stdout, flags=re.MULTILINE).splitlines(), done.stderr
 
     def made(self):
-        """The baseline of the program."""
+        """Writes the baseline of the made-up program and returns its content."""
         self.assertEqual(self.gate(self.now, "--baseline", self.baseline, "--update")[0], 0)
         return json.loads(self.baseline.read_text())
 
@@ -256,7 +256,7 @@ class Rounds(OnAProgram):
 
 
 class Kernels(unittest.TestCase):
-    """The real program: its modes list the same workloads, each on the instruction sets that the machine has."""
+    """Tests the real program. Its modes run the same workloads, or a part of them, on the instruction sets of the machine."""
     PROGRAM = os.environ.get("TRIBOCHECK_GATE_KERNELS", "")
 
     def rows(self, *words):

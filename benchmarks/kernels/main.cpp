@@ -127,7 +127,7 @@ bool asks_for_another_format(int count, char** arguments) {
   return false;
 }
 
-// Google Benchmark takes the filter as an extended regular expression, and a leading - as "not".
+// Google Benchmark reads the filter as an extended regular expression, which a leading '-' negates.
 bool matches_any(std::string filter, std::span<const std::string> names) {
   const bool is_negative = filter.starts_with('-');
   if (is_negative) filter.erase(0, 1);
@@ -138,7 +138,7 @@ bool matches_any(std::string filter, std::span<const std::string> names) {
   });
 }
 
-// The plug-in of --plugin=LIBRARY, which is taken out of the arguments.
+// The plug-in of --plugin=LIBRARY. This option is taken out of the arguments.
 std::optional<std::string> take_plugin(int& count, char** arguments) {
   constexpr std::string_view option = "--plugin=";
   std::optional<std::string> path;
@@ -176,7 +176,7 @@ void run_as_json(int output) {
 }
 
 // A plug-in can end this process with any exit code. A program that asked for JSON therefore reads
-// the reason in this line, and does not trust the exit code.
+// the reason from the line that this function writes, and does not trust the exit code.
 int refuse(int code, const std::string& why, int output) {
   if (output >= 0)
     write_whole(output, why + '\n');

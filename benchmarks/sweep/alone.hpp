@@ -19,11 +19,11 @@ class Alone {
   // onset, it solves for the speed, film and film parameter of the onset at the film maximum.
   explicit Alone(const sweep::SceneSweep& sweep);
 
-  // inputs: case by case, as CaseGenerator makes them.
+  // `inputs` has the numbers of one case after the other, as CaseGenerator makes them.
   void solve(std::span<const double> inputs, std::span<double> results);
 
-  // --- Its steps, to be timed one by one.
-  void prepare(std::span<const double> inputs);  // a contact for each case, at most block_cases
+  // --- The steps of solve(), which are timed one by one.
+  void prepare(std::span<const double> inputs);  // a contact for each of at most block_cases cases
   void solve_points(std::span<double> results);
   void find_onsets(std::span<double> results);
 

@@ -12,20 +12,20 @@
 
 namespace tribo::sweep {
 
-// The rows of the lower triangle L with L·Lᵀ = the matrix, which is given by its rows and is
-// symmetric with ones on its diagonal; or why there is none ("not positive definite: its least
-// eigenvalue is -0.2").
+// The rows of the lower triangle L with L·Lᵀ = the matrix. The matrix is given by its rows, and is
+// symmetric with ones on its diagonal. If there is no L, `fault` says why ("not positive definite:
+// its least eigenvalue is -0.2").
 struct CorrelationRoot {
   std::vector<std::vector<double>> rows;
-  std::string fault;  // empty: none
+  std::string fault;  // empty if there is none
 };
 CorrelationRoot correlation_root(const std::vector<std::vector<double>>& matrix);
 
-// Turns each u into the z of a standard normal with P(Z < z) = u, 0 ≤ u ≤ 1; infinite at the ends.
-// Error: 4 ulp, around u = ½ too.
+// Turns each u, 0 ≤ u ≤ 1, into the z of a standard normal for which P(Z < z) = u. At the ends z is
+// infinite. The error is at most 4 ulp, also near u = ½, where z is small.
 void standard_normals(std::span<double> units);
 
-// Mixes independent normals in place.
+// Mixes independent normals in place, by the rows of CorrelationRoot.
 void correlate(const std::vector<std::vector<double>>& root, std::span<double> normals);
 
 }  // namespace tribo::sweep

@@ -21,11 +21,12 @@ using Eigen::VectorXd;
 using Ends = std::vector<double>;  // ends of elements, rising
 
 constexpr int newton_steps = 25;
-// Relative error of the films and X_e with an inlet of 100; it falls as the inlet's fourth power.
+// Relative error of the films and of X_e with an inlet of length 100. It is inversely proportional
+// to the fourth power of this length.
 constexpr double inlet_error = 5e-8;
 constexpr double first_fluidity = 1e-2, last_fluidity = 3e-6;
 
-// A state: the elements, the pressure at their nodes, the separation and the flow.
+// A state: the elements, the pressure at their nodes, the separation H₀ and the flow c.
 struct State {
   Ends ends;  // the last one is X_e
   VectorXd pressure;
@@ -52,13 +53,13 @@ class Collocation {
     return x;
   }
 
-  // The pressure far upstream: η̄ is 1, c is small beside H, and H is X²/2.
+  // The pressure far upstream, where η̄ is 1, c is small beside H, and H is X²/2.
   double inlet_pressure(const Ends& ends) const {
     return contact_.theta() * 4 / 3 / std::pow(-ends.front(), 3);
   }
 
-  // Newton's method for all unknowns: the pressures between the ends, c, H₀ and X_e. Returns the
-  // number of steps; 0: the method did not converge.
+  // Solves for all unknowns by Newton's method: the pressures between the ends, c, H₀ and X_e.
+  // Returns the number of steps, or 0 if the method did not converge.
   int solve(State& state) const {
     state.pressure[0] = inlet_pressure(state.ends);
     state.pressure[state.pressure.size() - 1] = 0;
@@ -95,7 +96,7 @@ class Collocation {
     return v;
   }
 
-  // The same pressure, after each element for which is_halved holds was halved.
+  // The same pressure on finer elements: those for which is_halved holds are cut into halves.
   template <class Predicate>
   State halved(const State& state, const Predicate& is_halved) const {
     State finer{{}, {}, state.separation, state.mass_flow};
@@ -136,7 +137,7 @@ class Collocation {
 
   double fluidity(double p) const { return std::exp(-contact_.fluid.log_viscosity(p)) + fluidity_; }
 
-  // Weights of the pressures at the nodes in the film at x.
+  // The film at x is the sum of the pressures at the nodes times these weights, and of X²/2 + H₀.
   VectorXd film_weights(const Ends& ends, double x) const {
     VectorXd weights = VectorXd::Zero(node_count(ends));
     const LogElement::Weights integral = element_.integral();
@@ -160,7 +161,8 @@ class Collocation {
     return film_weights(state.ends, x).dot(state.pressure) + x * x / 2 + state.separation;
   }
 
-  // Weights of the pressures at the nodes in the load, and the load upstream of the first node.
+  // The load is the sum of the pressures at the nodes times these weights, and of the load upstream
+  // of the first node, upstream_load().
   VectorXd load_weights(const Ends& ends) const {
     VectorXd weights = VectorXd::Zero(node_count(ends));
     for (std::size_t e = 0; e + 1 < ends.size(); ++e)
@@ -178,7 +180,7 @@ class Collocation {
     return slopes;
   }
 
-  // Residuals of Reynolds' equation at the nodes, and last that of the load.
+  // Residuals of Reynolds' equation at the nodes; the last residual is that of the load.
   VectorXd residual(const State& state, const VectorXd& film, const VectorXd& slopes) const {
     const Index count = film.size();
     VectorXd left(count + 1);
@@ -192,7 +194,7 @@ class Collocation {
     return left;
   }
 
-  // The outlet moves, and with it all elements downstream of X = 0.
+  // The elements after the outlet has moved. All ends downstream of X = 0 move with it.
   static Ends stretched(Ends ends, double outlet) {
     const double factor = outlet / ends.back();
     for (double& end : ends)
@@ -200,7 +202,7 @@ class Collocation {
     return ends;
   }
 
-  // The derivative of the residual by the pressures between the ends, c, H₀ and X_e.
+  // The derivatives of the residuals with respect to the pressures between the ends, c, H₀ and X_e.
   MatrixXd jacobian(const State& state, const MatrixXd& kernel, const VectorXd& film,
                     const VectorXd& slopes) const {
     const Index count = film.size(), inner = count - 2;
@@ -240,9 +242,10 @@ class Collocation {
     return j;
   }
 
-  // Makes a part of a step of Newton's method, or all of it, so that the film stays positive.
-  // Returns the greatest change of P, c or X_e that the whole step would make; infinity where the
-  // equations have no finite solution, or where the part would be too small.
+  // Makes a step of Newton's method, or a part of it: the part is halved until the least film is
+  // more than 0.3 of what it was, or the part is at most 1e-4. Returns the greatest change of P, c
+  // or X_e that the whole step would make. Returns infinity and makes no step if the equations have
+  // no finite solution, or if the first part would be at most 1e-4.
   double make_step(State& state) const {
     const VectorXd x = nodes(state.ends);
     const MatrixXd kernel = this->kernel(state.ends, x);
@@ -260,7 +263,7 @@ class Collocation {
     const double of_outlet = std::fabs(change[count]);
     const double room = (state.ends.back() - state.ends[state.ends.size() * 19 / 20 - 1]) / 3;
     double part = std::min({1.0, 0.3 / of_pressure, room / of_outlet});
-    if (!(part > 1e-4)) return std::numeric_limits<double>::infinity();  // the step is too small
+    if (!(part > 1e-4)) return std::numeric_limits<double>::infinity();  // the part is too small
     State next;
     for (; part > 1e-4; part /= 2) {
       next = state;
@@ -330,9 +333,9 @@ class Collocation {
   int degree_;
 };
 
-// Ends of `count` elements, which have equal shares of a density. Half of the density goes with the
-// square root of the pressure's curvature, a quarter with the slope of ln H, and a quarter with
-// 1/(1 + |X|).
+// Ends of `count` elements that have equal shares of a density. The density has three parts: a half
+// of it is proportional to the root of the pressure's curvature, a quarter to the slope of ln H,
+// and a quarter to 1/(1 + |X|).
 Ends first_ends(const FilmStart& start, double inlet, double outlet, int count) {
   const auto x = start.x, p = start.pressure;
   std::vector<double> bend(x.size(), 0.0);
@@ -389,8 +392,8 @@ State first_state(const FilmStart& start, const Ends& ends, const VectorXd& node
   return state;
 }
 
-// Solves, and halves elements, until P is resolved on all of them. Where that is not possible, it
-// returns false and does not change the state.
+// Solves, and halves elements, until P is resolved on all of them. If that is not possible, returns
+// false and leaves the state as it was.
 bool solve_resolved(const Collocation& way, const CollocationOptions& options, State& state,
                     int& steps) {
   const auto is_coarse = [&](const VectorXd& c) {
@@ -412,14 +415,15 @@ bool solve_resolved(const Collocation& way, const CollocationOptions& options, S
   }
 }
 
-// The solution for one φ.
+// The solution for one fluidity φ.
 struct Level {
   double fluidity;
   Values values;
 };
 
 // Extrapolates the last two levels linearly to φ = 0. The error is the sum of all further changes
-// of this value if they fall with the root of φ, because near the spike they fall slower than φ².
+// of this value, if they shrink as √φ. That is assumed because near the spike they shrink more
+// slowly than φ².
 CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Values::*member) {
   const auto extrapolated = [&](std::size_t i) {
     const Level &coarse = levels[i - 1], &fine = levels[i];
@@ -433,7 +437,7 @@ CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Value
   return {extrapolated(last), changed * root / (1 - root)};
 }
 
-// Solves with a given number of elements at first.
+// Solves on a mesh that begins with options.elements elements.
 CollocatedFilm collocate(const LineContact& contact, const FilmStart& start,
                          const CollocationOptions& options) {
   CollocatedFilm result;

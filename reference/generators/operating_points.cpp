@@ -10,10 +10,11 @@
 namespace tribo::reference {
 namespace {
 
-// Circles with the default law first, then, up to scene_count, all shapes with each law.
+// The first circle_count random scenes are circles with the default law; the others have any shape
+// and law.
 constexpr std::size_t circle_count = 320, scene_count = 480;
 
-// Chooses another shape, or another law of circles.
+// Draws the shape of the contact, its film law and, except for a circle, its second dimension.
 void choose_shape(Inputs& in, Sampler& sampler) {
   auto& v = in.value;
   in.shape = sampler.pick({Shape::circle, Shape::ellipse, Shape::line});
@@ -57,7 +58,8 @@ Inputs random_inputs(Sampler& sampler) {
   return in;
 }
 
-// Neighbours: one number after the other is exchanged, then one word after the other.
+// Adds neighbours: scenes that follow each other differ in one number, in one word, or in the kind
+// and value of the supply.
 void add_steps(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   Inputs in;
   in.shape = shape;
@@ -89,9 +91,9 @@ void add_steps(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   for (const double ratio : {1.2, 0.9}) exchange(in.value[Inputs::supply], ratio);
 }
 
-// Two points at the ends of the ranges of friction. In the first one the exponent αp is next to 70,
-// and every field that has a default has it; in the second one, a starved film of constant
-// viscosity, η₀γ̇/τ₀ is next to 1e4.
+// Adds two points at the ends of the range of friction. At the first one the exponent αp is next to
+// 70, and every field that has a default keeps it. The second one is a starved film of constant
+// viscosity, with η₀γ̇/τ₀ next to 1e4.
 void add_ends(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   Inputs in;
   in.shape = shape;
@@ -127,8 +129,8 @@ void add_ends(std::vector<Inputs>& scenes, Shape shape, std::size_t film) {
   scenes.push_back(in);
 }
 
-// The random inputs, then those of add_steps() and add_ends() for each shape, and for a second law
-// of circles.
+// The random inputs, then those of add_steps() and add_ends(): for circles with two laws, and for
+// ellipses and lines with one law each.
 std::vector<Inputs> all_inputs() {
   std::vector<Inputs> scenes;
   Sampler sampler(505), shapes(507);
@@ -173,7 +175,7 @@ constexpr std::array output_names{"film_flooded",
                                   "summit_count",
                                   "friction"};
 
-// Sum over the inputs of |d ln output/d ln input|, by steps of 2^-100, at least 1.
+// The sum of |d ln output/d ln input| over all inputs, by steps of 2^-100; it is at least 1.
 Outputs conditions(const Inputs& in, const Outputs& base) {
   Outputs sum;
   const Ball h = pow(Ball(2), Ball(-100));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The summaries of a sweep: for people, as tables; for machines, unrounded.
+// Writes a sweep's summaries as tables for people and unrounded for machines, writes its kept
+// points, and draws its pictures.
 #pragma once
 
 #include <cstdint>
@@ -16,49 +17,50 @@
 
 namespace tribo::report {
 
-// The unit in which a table for people has numbers of an SI unit that are at most `greatest`: one
-// that leaves few zeros, nm where all values are films.
+// The unit of a table for people, for numbers in the SI unit `unit` of which the greatest is
+// `greatest`. It leaves few zeros: films, for example, are shown in nm.
 struct ReadableUnit {
   std::string name;
   double factor;  // multiplies a number in the SI unit
 };
 ReadableUnit readable_unit(const std::string& unit, double greatest);
 
-// The numbers, the words and the Sobol indices of each scene. Where grids are crossed with
-// distributions, there is a row for each set of grid values, and below them a row for all sets
-// together. `cells` has an element for each scene.
+// The tables of the numbers, of the words and of the Sobol indices of each scene. If a sweep
+// crosses grids with distributions, its tables have a row for each set of grid values, and below
+// them a row for all sets together. `cells` has an element for each scene.
 std::vector<TextTable> sweep_tables(const sweep::SweepResult& result,
                                     const std::vector<SweepCells>& cells);
 
-// A row for each scene, column and speed, and below these the rows of each set of grid values. A
-// cell is empty where its number is undefined.
+// A row for each scene, column and speed, over all sets of grid values. Below the rows of a scene
+// are those of each single set. The cell of an undefined number is empty.
 std::string sweep_csv(const sweep::SweepResult& result, const std::vector<SweepCells>& cells);
 
-// All there is but the cases themselves; what is undefined, and an unbounded end, is null.
+// Everything but the cases themselves. A number that is undefined, and an end that is unbounded, is
+// null.
 nlohmann::ordered_json sweep_json(const sweep::SweepResult& result,
                                   const std::vector<SweepCells>& cells);
 
-// The p-quantile, of one of sweep::quantile_levels.
+// The quantile at `level`, which is one of sweep::quantile_levels. It is NaN if the value has none.
 const sweep::Bounded& quantile(const sweep::ColumnResult::Value& value, double level);
-// In how many cases a column of words had each of its words.
+// The number of cases that had each word of a column. `words` is the number of these words.
 std::vector<std::uint64_t> word_counts(const sweep::ColumnResult::Value& value, std::size_t words);
 
-// Are all scenes grids alone, of so few points that a screen has room for each of them?
+// Is each scene a grid alone, with kept points, and do all points together fit on a screen?
 bool is_small_grid(const sweep::SweepResult& result);
 
-// The kept points of a sweep's result, a row each: what varies, the speed, and each output.
+// The formats of a sweep's kept points. Each point is a row: what varies, the speed, the outputs.
 enum class CaseFormat : std::uint8_t { table, csv, json };
 
-// Calls told(text) with the next lines: a table for each scene, one CSV for all scenes, or an
-// object of JSON a line. Numbers are unrounded, but in a table, which has the first hundred points.
-// `file`: the result. Throws std::invalid_argument where a scene has no points, or more numbers
-// than fit into memory comfortably.
+// Calls told(text) with the next lines of the text: a table for each scene, one CSV for all scenes,
+// or a JSON object on each line. Numbers are rounded only in a table, and a table has only the
+// first hundred points. `file` is the file of the result. Throws std::invalid_argument if a scene
+// has no kept points, or more than 50 million numbers.
 void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,
                        CaseFormat format, const std::function<void(std::string_view)>& told);
 
-// Draws the summaries as SVG and PNG into a folder, with their data beside them; makes the folder
-// if it is missing. `cells`: of each scene, which are drawn apart where they are few. `source`: the
-// result, from which kept points are read where a picture needs them.
+// Draws the summaries as SVG and PNG into a folder, with their data beside them. Makes the folder
+// if it is missing. `cells` has the sets of grid values of each scene; few sets are drawn
+// separately. `source` is the file of the result; some pictures need its kept points.
 Rendering draw_sweep_pictures(const sweep::SweepResult& result,
                               const std::vector<SweepCells>& cells, const sweep::ResultFile& source,
                               const std::string& folder);

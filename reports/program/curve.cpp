@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck curve: the Stribeck curve over the range of a scene's speeds, even in their logarithm,
-// or at the speeds of its list.
+// `tribocheck curve` prints the Stribeck curve of a scene: at points over its range of speeds that
+// are evenly spaced in the logarithm, or at the speeds of its list.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,8 +26,8 @@ namespace tribo::cli {
 namespace {
 
 struct CurveArguments : SceneArguments {
-  std::string data;     // a file of measured points; empty: none
-  std::string picture;  // empty: none
+  std::string data;     // the file of measured points; empty without one
+  std::string picture;  // the file to draw; empty without one
 };
 
 void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
@@ -41,7 +41,7 @@ void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
   writer.finish({{"warnings", loaded.warnings.json()}});
 }
 
-// The scene at the speeds of what was measured, which may lie beyond its own.
+// Compares the scene with the measured points. Their speeds may lie outside of the scene's own.
 std::vector<Comparison> compared(const Scene& scene,
                                  const std::vector<MeasuredNumber>& measurements) {
   const MixedContact<double> contact(scene);
@@ -60,7 +60,8 @@ std::vector<Comparison> compared(const Scene& scene,
   return comparisons;
 }
 
-// Why these scenes cannot be drawn, or compared with what was measured; empty if they can.
+// The reason why these scenes cannot be drawn or compared with measured points; empty if there is
+// none.
 std::string fault_of(const CurveArguments& arguments, const std::vector<Scene>& scenes) {
   if (!arguments.data.empty() && scenes.size() > 1)
     return fmt::format("--data is compared with one scene, and these are {}; allowed: one scene",

@@ -85,8 +85,8 @@ std::string with(std::string text, std::string_view mark, const std::string& wor
   return place == std::string::npos ? text : text.replace(place, mark.size(), shell_word(word));
 }
 
-// The word that starts this program in a user's shell: its name if the shell finds it by that, else
-// its path.
+// The word that starts this program in a user's shell: its name if the shell finds the program by
+// this name, else its path.
 std::string own_name() {
   const fs::path self = fs::read_symlink("/proc/self/exe");
   std::error_code ignored;
@@ -115,7 +115,7 @@ std::string next_line(const Language& language, const fs::path& include, const s
 
 constexpr std::size_t widest_comment = 92;  // columns
 
-// The lines of a text, for a comment: {{#about}}{{line}}{{/about}}.
+// The lines of a text, for the section {{#about}}{{line}}{{/about}} in a comment of a template.
 data lines_of(const std::string& text) {
   data lines(data::type::list);
   for (const std::string& line : report::wrapped(text, widest_comment)) lines << data("line", line);
@@ -137,7 +137,7 @@ data entry_of(const Named& named, std::size_t place, std::size_t count) {
 }
 
 // {{allowed}} is the allowed range, such as "a number above 0", or the list of the allowed words.
-// In {{coded}} each of these words has its code of tribocheck_plugin.h before it.
+// In {{coded}} each of these words stands behind its code of tribocheck_plugin.h.
 data parameters_of(const catalogue::Function& function) {
   data list(data::type::list);
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -179,10 +179,10 @@ data function_of(const catalogue::Function& function) {
   return entry;
 }
 
-// Fills a template of Mustache, in which a text between {{#functions}} and {{/functions}} is
-// written once for each function of the catalogue. `text` is the content of the file `path`, and
-// `next` is the command for {{next}}. Throws std::runtime_error with a message of one line if the
-// text is not valid Mustache.
+// Fills a Mustache template, in which a text between {{#functions}} and {{/functions}} is written
+// once for each function of the catalogue. `text` is the content of the file `path`, and `next` is
+// the command for {{next}}. Throws std::runtime_error with a message of one line if the text is not
+// valid Mustache.
 std::string filled_template(const std::string& text, const std::string& path,
                             const std::string& next) {
   mustache filled(text);

@@ -27,16 +27,16 @@ constexpr const char* last_errors = "the last it wrote to stderr:";
 
 // The solver that is asked, and the way to start it.
 struct Subject {
-  std::string name;     // as it was given
-  std::string command;  // of the shell
+  std::string name;     // as the user gave it
+  std::string command;  // a command of the shell
   Limits limits;
   AskedWays ways;
 
   bool is_plugin() const { return limits.flushes; }
 };
 
-// Empty where neither --subject nor --plugin is given. A program that does not exist is bad input,
-// not a solver that fails.
+// Returns std::nullopt if neither --subject nor --plugin is given. Throws std::invalid_argument if
+// a program does not exist: that is bad input, and not a solver that fails.
 std::optional<Subject> subject_of(const SubjectArguments& given) {
   if (!given.has_subject()) return std::nullopt;
   check_solver(given.plugin, given.command);
@@ -52,8 +52,8 @@ std::optional<Subject> subject_of(const SubjectArguments& given) {
                  given.ways};
 }
 
-// Checked after the run: only the shell (exit codes 126 and 127) or the process that loads the
-// plug-in (2) can tell that the subject did not start.
+// This check follows the run, because only the shell (exit codes 126 and 127) or the process that
+// loads the plug-in (2) can tell that the subject did not start.
 void check_started(const Subject& subject, const Conversation& conversation) {
   const int code = conversation.exit_code_without_answer;
   const bool of_plugin = subject.is_plugin() && code == exit_bad;
@@ -77,7 +77,7 @@ std::string option_text(const char* option, const std::string& value) {
   return fmt::format(" {} {}", option, shell_word(value));
 }
 
-// The start of a line that asks the same subject by the same tables and tolerance.
+// The start of a command line that asks the same subject with the same tables and tolerance.
 std::string same_question(const SubjectArguments& arguments) {
   std::string line = "tribocheck verify";
   line += arguments.plugin.empty() ? option_text("--subject", arguments.command)
@@ -92,14 +92,14 @@ std::string same_question(const SubjectArguments& arguments) {
   return line;
 }
 
-// The line that makes the baseline anew.
+// The command line that writes the baseline anew.
 std::string renewal(const SubjectArguments& arguments) {
   std::string line = same_question(arguments);
   if (arguments.sample > 0) line += option_text("--sample", std::to_string(arguments.sample));
   return line + option_text("--baseline", arguments.baseline.file) + " --update-baseline --force";
 }
 
-// Writes the baseline anew where that was asked for, and it would not hold the subject to the same.
+// Writes the new baseline if that was asked for, unless it would demand the same as the old one.
 void update_baseline(const BaselineUse& use, const nlohmann::json& before,
                      SubjectVerdict& verdict) {
   if (!use.update) return;
@@ -126,8 +126,9 @@ void update_baseline(const BaselineUse& use, const nlohmann::json& before,
   verdict.changes = compare(verdict.result, after);
 }
 
-// Diagnoses of quantities that hold and are worse than the baseline says: as of a tolerance that
-// allows them as much as the baseline does, and all others anything.
+// Diagnoses of quantities that are within the tolerance, but worse than in the baseline. They are
+// found with another tolerance: it allows such a quantity only what the baseline allows, and all
+// other quantities any error.
 std::vector<Diagnosis> slight_diagnoses(const std::vector<TestCase>& cases,
                                         const SubjectVerdict& verdict,
                                         const std::vector<Mistake>& mistakes) {
@@ -164,7 +165,7 @@ std::vector<TestCase> shown_of(const std::vector<std::string>& ids,
   return cases;
 }
 
-// Each case is asked and judged alone, as a quantity's verdict is one on all of its cases.
+// Asks and judges each case alone, because the verdict on a quantity is about all of its cases.
 int show(const std::optional<Subject>& subject, const SubjectArguments& arguments,
          const std::vector<TestCase>& cases, const Tolerance& tolerance, OutputStream& output) {
   const auto asked = [&](const TestCase& one) { return asked_by(arguments.ways, {one}).front(); };
@@ -246,7 +247,7 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
                                                     forecast.step();
                                                   },
                                                   {arguments.jobs, cases_to_repeat(cases)});
-    if (!conversation.never_answered.empty())  // what is wrong is one thing: nothing is judged
+    if (!conversation.never_answered.empty())  // one fault is behind it all: nothing is judged
       return fail_unjudged(
           arguments,
           fmt::format("{} never answered: {}", subject->name, conversation.never_answered),
@@ -259,7 +260,7 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   verdict.same_question = same_question(arguments);
   verdict.changes = changes_since(before, arguments.baseline, verdict.result);
   if (std::string newer = before.is_null() ? "" : newer_version_text(before); !newer.empty()) {
-    newer[0] = 'T';  // a sentence
+    newer[0] = 'T';  // as a sentence begins
     verdict.result.notes.push_back(newer + '.');
   }
   if (verdict.changes)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the groups of report.json that come from reference/baselines a second time."""
+"""Makes a second time those groups of report.json that are made from reference/baselines."""
 RUN = ("commit", "date", "seconds")
 
 
@@ -117,7 +117,7 @@ def work_precision(base):
 
 
 def promised(bases):
-    """Each group by its name in report.json; `bases` reads a file of reference/baselines by its stem."""
+    """Returns each group under its name in report.json. The function `bases` reads reference/baselines/NAME.json."""
     made = {name: globals()[name](bases(name)) for name in ("stress", "mutants", "planted_faults", "diagnosis", "work_precision")}
     return made | {"gates": gates(bases("gates"), bases("performance")), "sweep_speed": sweep_speed(bases("sweep"))}
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""film: solved contacts, their errors, each formula beside them, and failures."""
+"""Tests `tribocheck film`: solved contacts, their errors, the formulas beside them, and failures."""
 
 import csv
 import math
@@ -23,12 +23,12 @@ QUANTITIES = ["central_film", "minimum_film", "film_at_greatest_pressure"]
 SPIKE = ["spike_pressure", "spike_place"]
 FORMULAS = ["moes_line", "ertel_grubin", "dowson_higginson_minimum", "dowson_toyoda_central",
             "pan_hamrock_minimum", "pan_hamrock_central"]
-# Inputs that M and L leave free: E* and R_x, and a liquid of 0.01 Pa·s.
+# Inputs that M and L leave free: E*, R_x, a viscosity of 0.01 Pa·s, and the length.
 MODULUS, RADIUS, VISCOSITY, LENGTH = 1.1e11, 0.01, 0.01, 0.02
 
 
 def shear_stress(tree, pressure, film):
-    """The oil's, by the law of a scene's friction and its own viscosity at this pressure."""
+    """The shear stress of the oil at this pressure and film, by the laws of the scene's friction."""
     oil, friction = tree["lubricant"], tree["friction"]
     log_scale = math.log(oil["viscosity"]) + 9.67
     z = oil["pressure_viscosity"]*1.96e8/log_scale
@@ -39,7 +39,7 @@ def shear_stress(tree, pressure, film):
 
 
 def line(load_number, material_number, **changes):
-    """A scene with these numbers of Moes and no field that is not needed, at 1 m/s."""
+    """A scene with these numbers of Moes at 1 m/s. It has only the fields that are needed."""
     twice_u = VISCOSITY/(MODULUS*RADIUS)
     tree = {"id": "line", "speed": 1,
             "load": load_number*2*MODULUS*RADIUS*LENGTH*math.sqrt(twice_u),
@@ -79,7 +79,7 @@ class Numbers(FilmTest):
             self.assertLess(solved["error"], 1e-4*solved["value"])
         self.assertAlmostEqual(found["load_number"], 10, delta=1e-12)
         self.assertAlmostEqual(found["material_number"], 5, delta=1e-12)
-        # 0.931 of Hertz' peak, at 0.75 of his half-width.
+        # The spike has 0.931 of Hertz' peak pressure, at 0.75 of his half-width.
         self.assertAlmostEqual(found["spike_pressure"]["value"]/found["peak_pressure"], 0.931, delta=0.001)
         self.assertAlmostEqual(found["spike_place"]["value"]/found["half_width"], 0.75, delta=0.001)
 
@@ -112,7 +112,7 @@ class Numbers(FilmTest):
                 else:
                     self.assertAlmostEqual(one["deviation_percent"], off(liquids[one["fitted_to"]]), delta=1e-10)
                 self.assertEqual(one["fitted_to"] == "roelands, compressible", one["name"].startswith("pan_"))
-        # No text tells whose viscosity Pan and Hamrock took; their formulas are nearer to Roelands' films.
+        # No publication says which law of viscosity Pan and Hamrock took. Their formulas are nearer to the films of Roelands' law.
         barus, roelands = ([abs(one["this_liquid_deviation_percent"]) for one in liquids[f"{law}, compressible"]["formulas"]
                             if one["name"].startswith("pan_")] for law in ("barus", "roelands"))
         self.assertTrue(all(near < far for near, far in zip(roelands, barus, strict=True)), (roelands, barus))
@@ -146,7 +146,7 @@ class Numbers(FilmTest):
                 self.assertEqual(self.film(tree, "--viscosity", option)["assumptions"]["viscosity"], option)
         self.assertLess(films["roelands"][0], 0.99*films["barus"][0])
         self.assertEqual(films["roelands"][1], "roelands")
-        # `ambient` is meant for friction alone.
+        # The law `ambient` is only for friction; the film is solved with Barus' law.
         self.assertEqual([films[law] for law in ("ambient", None)], 2*[films["barus"]])
 
     def test_formulas_are_those_of_the_catalogue(self):
@@ -179,7 +179,7 @@ class Numbers(FilmTest):
 
     def test_a_spike_is_told_up_to_an_error_of_2_percent(self):
         told, untold = [], []
-        for material in (5.88, 5.9, 5.94, 5.96, 5.97):  # where the spike becomes too sharp for that
+        for material in (5.88, 5.9, 5.94, 5.96, 5.97):  # the spike becomes too sharp between these
             found = self.film(line(10, material))
             if found["spike_pressure"]:
                 told.append(found["spike_pressure"]["error"] / found["spike_pressure"]["value"])
@@ -238,7 +238,7 @@ class Formats(FilmTest):
         x, pressure, film = (found["profile"][name] for name in ("x", "pressure", "film"))
         carried = sum((b - a)*(p + q)/2 for a, b, p, q in zip(x, x[1:], pressure, pressure[1:]))
         self.assertAlmostEqual(carried/(tree["load"]/LENGTH), 1, delta=1e-9)
-        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # a profile is the film of one grid
+        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # the profile is that of one grid
         self.assertEqual([round(pressure[end], 9) for end in (0, -1)], [0, 0])
         self.assertGreaterEqual(min(pressure), 0)
         self.assertEqual(len(x), found["cells"] + 1)
@@ -310,7 +310,7 @@ class Scenes(FilmTest):
         tree = line(10, 0)
         self.assertEqual(tree["lubricant"]["pressure_viscosity"], 0)
         found = self.film(tree)
-        for more in [(), ("--viscosity", "roelands")]:  # Roelands' law has no z at α = 0, and so no warning
+        for more in [(), ("--viscosity", "roelands")]:  # at α = 0 Roelands' law has no z, so that there is no warning
             result = run("film", self.write(tree), *more, "--format", "json")
             self.assertEqual((result.code, result.err), (0, ""))
             self.assertEqual(result.json()["films"][0]["central_film"], found["central_film"])
@@ -334,7 +334,7 @@ class Scenes(FilmTest):
 
     def test_a_z_is_implausible_beyond_its_limits_and_not_at_them(self):
         def at(limit):
-            """A viscosity and the α at which z is the limit to the last bit."""
+            """Returns a viscosity and an α whose z equals the limit to the last bit."""
             for viscosity in (0.01 + i/1024 for i in range(1000)):
                 scale = math.log(viscosity) + 9.67
                 alpha = limit*scale/196e6
@@ -365,7 +365,7 @@ class Failures(FilmTest):
         self.assertEqual((result.code, result.out, len(result.error_lines)), (2, "", 2))
         self.assertEqual(result.error_lines[0], f"tribocheck: {bad}: cannot be read: No such file or directory")
         self.assertTrue(result.error_lines[1].startswith("tribocheck: --profile takes no file, and prints nothing"), result.err)
-        result = run("film", good, bad, "--tolerance", "1e-2")  # the films of good scenes come out
+        result = run("film", good, bad, "--tolerance", "1e-2")  # the films of good scenes are printed
         self.assertEqual((result.code, "central film" in result.out, len(result.error_lines)), (2, True, 1))
 
     def test_bad_options(self):
@@ -379,7 +379,7 @@ class Failures(FilmTest):
                                  "--picture", self.folder.path("film.png"))
 
     def test_contacts_that_are_not_solved_leave_the_others(self):
-        # M ∝ u^(−1/2), L ∝ u^(1/4): a film below the grids' resolution, a contact as good as rigid.
+        # M ∝ u^(−1/2) and L ∝ u^(1/4). The first film is too thin for the grids, and the last contact is nearly rigid.
         tree = line(10, 5, speed=[1e-20, 1, 1e10])
         path = self.write(tree)
         result = run("film", path, "--format", "json")
@@ -413,7 +413,7 @@ class Failures(FilmTest):
                                         r"(; line at \S+ m/s: .*stopped on the grid of \d+ cells, before step \d+.*)?\n$")
 
     def kept(self, *arguments, code=0):
-        """What a run with --keep prints, and how many films it took from the file."""
+        """Runs with --keep, and returns what is printed and how many films were taken from the file."""
         result = run("film", *arguments, "--keep", self.folder.path("kept"))
         self.assertEqual(result.code, code, result.err)
         said = re.search(r"(\d+) of \d+ films are taken from", result.err)
@@ -437,7 +437,7 @@ class Failures(FilmTest):
             self.assertEqual(self.kept(*arguments), (whole, 15))
 
     def test_several_threads_show_and_keep_the_same_bytes(self):
-        """Contacts of very different cost, one of them refused, so that films wait for those before them."""
+        """The contacts cost very different times, and two of them are refused, so that films wait for those before them."""
         speeds = [1e10, 5, 1e-20, 0.01, 2, 20, 0.02]
         path = self.write(line(10, 5, speed=speeds))
         for form, threads in (("json", "2"), ("csv", "50"), ("table", "7")):
@@ -466,7 +466,7 @@ class Failures(FilmTest):
     def test_estimate_tells_the_memory_of_all_threads(self):
         path = self.write(line(10, 5, speed=[0.5, 1, 2]))
         told = {}
-        for threads in ("1", "2", "3", "50"):  # never more threads than contacts
+        for threads in ("1", "2", "3", "50"):  # there are never more threads than contacts
             out = run("film", path, "--estimate", "--threads", threads).out
             told[threads] = re.search(r"time   .* on (\d+ threads?), roughly\nmemory (\S+) (\S+)", out).groups()
         self.assertEqual([one[0] for one in told.values()], ["1 thread", "2 threads", "3 threads", "3 threads"])
@@ -479,7 +479,7 @@ class Failures(FilmTest):
         path = self.write(line(10, 5, speed=[1e-20, 1, 1e10]))
         whole, none = self.kept(path, code=1)
         self.assertEqual((none, run("film", path).out), (0, whole))
-        self.assertEqual(self.kept(path, code=1), (whole, 3))  # reasons and exit code stay
+        self.assertEqual(self.kept(path, code=1), (whole, 3))  # the reasons and the exit code stay the same
         said = [run("film", path, *keep).error_lines for keep in ((), ("--keep", self.folder.path("kept")))]
         self.assertEqual(said[1][:len(said[0])], said[0])
         def with_friction(stress, **friction):
@@ -500,7 +500,7 @@ class Failures(FilmTest):
         with open(kept, encoding="utf-8") as file:
             text = file.read()
         lines = text.splitlines(keepends=True)
-        self.folder.write("kept", text[:-5])  # killed in the middle of the second film
+        self.folder.write("kept", text[:-5])  # as after a kill in the middle of the second film
         self.assertEqual(self.kept(path), (whole, 1))
         for bad, said in ((lines[0] + "no film\n" + lines[1], "line 2 is no film"), (lines[0] + lines[1].replace('"text":"', '"text":5,"a":"'), "line 2 is no film"),
                           ("notes\n", "is no file that tribocheck has left")):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outputs of an operating point as answers show them: what is undefined has its reason.
+// The outputs of an operating point as answers show them: each has a value, or a reason why it is
+// undefined.
 #pragma once
 
 #include <string_view>
@@ -30,8 +31,9 @@ struct OutputValue {
 
 // `output` must not be one of smooth_outputs(), because a point does not hold these.
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
-// Any output. `smooth` is the scene's smooth contact where needs_smooth_contact(scene), else null.
-// The point has to be solved with the outputs of needed_for() (answers.hpp).
+// Takes any output. `smooth` is the scene's smooth contact; it may be null only if
+// needs_smooth_contact(scene) is false. The point must be solved with the outputs of needed_for()
+// (answers.hpp).
 OutputValue value_of(const OperatingPoint<double>& point, const SmoothContact* smooth,
                      Output output);
 bool needs_smooth_contact(const Scene& scene);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Asks chemicals by Caleb Bell and contributors in m^2/s, without rounding."""
+"""Asks the package `chemicals` by Caleb Bell and contributors for the viscosity index without rounding, from viscosities in m^2/s."""
 
 import os
 import sys

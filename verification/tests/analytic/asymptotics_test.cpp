@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ends of the ranges: how the film depends on the speed where one term is far greater than the
-// others. The comment above each limit proves a bound on the distance to the limit, and mostly a
-// bound from below, too, so that no window is loose. Slopes are by automatic differentiation in 50
-// digits, and nothing but the rounding of these digits is allowed for.
+// How the film depends on the speed at the ends of the ranges, where one term is far greater than
+// the others. The comment above each limit proves a bound on the distance to the limit, and in most
+// cases also a lower bound, so that no window is loose. Slopes come from automatic differentiation
+// in 50 digits, and the tests allow for nothing but the rounding of these digits.
 #include <gtest/gtest.h>
 
 #include "support/autodiff.hpp"
@@ -15,10 +15,11 @@ namespace {
 
 using enum StarvationClosure;
 
-// The accuracy of a slope in 50 digits; 1 − A and s + e·dln y/dln r lose some of them.
+// The accuracy of a slope in 50 digits. Some are lost in 1 − A, and in s + σ·d ln r/d ln u, where σ
+// is d ln y/d ln r.
 const Reference digits("1e-45");
 
-// low ≤ got ≤ high, to rounding.
+// Is low ≤ got ≤ high, up to rounding?
 testing::AssertionResult is_between(const Reference& low, const Reference& got,
                                     const Reference& high, std::initializer_list<Input> inputs) {
   const Reference rounding = digits * (1 + abs(low) + abs(high));
@@ -33,11 +34,11 @@ testing::AssertionResult is_between(const Reference& low, const Reference& got,
 const Reference film_exponent("0.67");
 const Reference sharing_exponent_of_film("0.14");
 
-// Two-sided bounds on A and on −d ln A/dλ for d = λ − δ > 0, p the order in the load:
+// Two-sided bounds on A and on −d ln A/dλ, for d = λ − δ > 0 and the order p of F_p in the load.
 //   F_p(d) = φ(d) ∫ t^p e^{−td−t²/2} dt lies between φ(d)Γ(p+1)d^{−p−1}(1 − (p+1)(p+2)/(2d²)) and
-//   φ(d)Γ(p+1)d^{−p−1}, for 1 − t²/2 ≤ e^{−t²/2} ≤ 1; and below F_p(0)e^{−d²/2}, for e^{−td} ≤ 1;
-//   −F_p′/F_p = d + F_{p+1}/F_p, where F_{p+1}/F_p is the mean of t under t^p e^{−td−t²/2}:
-//   positive, and below the same mean without e^{−t²/2}, (p+1)/d.
+//   φ(d)Γ(p+1)d^{−p−1}, because 1 − t²/2 ≤ e^{−t²/2} ≤ 1. It is also below F_p(0)e^{−d²/2}, because
+//   e^{−td} ≤ 1. −F_p′/F_p is d + F_{p+1}/F_p. This quotient is the mean of t with the weight
+//   t^p e^{−td−t²/2}; it is positive, and below the mean without e^{−t²/2}, which is (p+1)/d.
 struct ShareBounds {
   Reference share_low, share_high, hazard_low, hazard_high;
 };
@@ -59,7 +60,7 @@ ShareBounds share_bounds(AsperityModel model, const Reference& stiffness, const 
           q * (d + (p + 1) / d)};
 }
 
-// 0.67 − s for s = d ln h/d ln u = 0.67/(1 + m), m = 0.14 λ|A′|/(1−A): it is 0.67 m/(1 + m).
+// 0.67 − s = 0.67 m/(1 + m), where s = d ln h/d ln u = 0.67/(1 + m) and m = 0.14 λ|A′|/(1 − A).
 struct SlopeDeficit {
   Reference low, high;
 };
@@ -87,7 +88,7 @@ TEST(Asymptotics, FloodedFilmTendsToTheSlope067AsTheAsperitiesLetGo) {
             flooded_slope_deficit(model, sharing.stiffness(), sharing.offset(), lambda);
         EXPECT_TRUE(is_between(bounds.low, film_exponent - film_log_slope(scene, u), bounds.high,
                                {{"d", above}}));
-        // the quotient of the two bounds is 1 − O(1/d²)
+        // The quotient of the two bounds is 1 − O(1/d²).
         if (above > 5) {
           EXPECT_LT(bounds.high, 2 * bounds.low) << describe({{"d", above}});
         }
@@ -95,10 +96,11 @@ TEST(Asymptotics, FloodedFilmTendsToTheSlope067AsTheAsperitiesLetGo) {
     }
 }
 
-// At the floor A = 1: with w = 1 − A = (λ₀/λ)^{1/0.14} ≤ (λ₀/λ_b)^{1/0.14},
-//   s = 0.67 w/(w + 0.14 λ|A′|) ≤ 0.67 w/(0.14 (1−w) λ_b H),  H the least −d ln A/dλ:
-// q p F_{p−1}/F_p grows with d, and F_p/F_{p−1}, the mean of t under t^{p−1}e^{−(t+d)²/2}, grows by
-// no more than |d| from d = 0 to d < 0, for the variance of t is below 1 (Brascamp and Lieb).
+// At the floor A is 1. With w = 1 − A = (λ₀/λ)^{1/0.14} ≤ (λ₀/λ_b)^{1/0.14} the slope is
+//   s = 0.67 w/(w + 0.14 λ|A′|) ≤ 0.67 w/(0.14 (1−w) λ_b H),
+// where H is the least −d ln A/dλ = q p F_{p−1}/F_p. This grows with d. F_p/F_{p−1} is the mean of
+// t with the weight t^{p−1}e^{−(t+d)²/2}. From d = 0 to d < 0 this mean grows by at most |d|,
+// because the variance of t is below 1 (Brascamp and Lieb).
 TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
   Scene scene = paper_scene(PaperSurface::rough, AsperityModel::greenwood_williamson);
   scene.supply = {};
@@ -114,7 +116,7 @@ TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
         sqrt(Reference(2)) * tgamma(Reference((p + 1) / 2)) / tgamma(Reference(p / 2));
     const Reference d = sharing.floor() - sharing.offset();
     const Reference hazard = q * p / (mean + (d < 0 ? Reference(-d) : Reference(0)));
-    for (const double part : {0.5, 0.1, 0.01, 1e-3}) {  // λ₀/λ_b
+    for (const double part : {0.5, 0.1, 0.01, 1e-3}) {  // this part is λ₀/λ_b
       const Reference u = contact.speed_at(Reference(part * sharing.floor()));
       const Reference w = pow(Reference(part), Reference(1) / sharing_exponent_of_film);
       const Reference bound =
@@ -127,17 +129,17 @@ TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
   }
 }
 
-const Reference speed = 1;  // of the starved scenes, m/s
+const Reference speed = 1;  // the speed of the starved scenes, m/s
 
-// A scene whose inlet makes r = h_ff/h_oil about the given value at this speed. Flow and film of
-// the inlet are one number there.
+// A scene whose inlet makes r = h_ff/h_oil about the given value at 1 m/s. At this speed the flow
+// and the film of the inlet are the same number.
 Scene scene_at_ratio(StarvationClosure closure, SupplyKind supply, double r) {
   Scene scene = starved_scene(PaperSurface::smooth, closure, SupplyKind::flooded);
   scene.supply = {supply, MixedContact<double>(scene).solve(1).film_flooded / r};
   return scene;
 }
 
-// r, x = h*/h_oil = r y and 0.67 − s of such a scene.
+// Such a scene's r, its x = h*/h_oil = r y, and its 0.67 − s.
 struct StarvedState {
   Reference r, x;
   SlopeDeficit deficit;
@@ -151,11 +153,12 @@ StarvedState starved_state(const Scene& scene) {
                                 contact.sharing().offset(), film.shares.film_parameter)};
 }
 
-// `starved_inlet`: 1 = x + r ψ^{3/2}/c. With b = 5.4/π, κ = 1/(c b^{3/2}) = 0.837 and z = πy/2 =
-// πx/(2r), ψ = tan(z)/2.7 lies between y/b and (y/b)/(1 − 4z²/π²) (Becker and Stark), so that
+// `starved_inlet` means 1 = x + r ψ^{3/2}/c. With b = 5.4/π, κ = 1/(c b^{3/2}) = 0.837 and z = πy/2
+// = πx/(2r), ψ = tan(z)/2.7 lies between y/b and (y/b)/(1 − 4z²/π²) (Becker and Stark), so that
 //   κ r^{−1/2} x^{3/2} ≤ 1 − x ≤ κ r^{−1/2} x^{3/2} (1 − x²/r²)^{−3/2}.
-// With x ≤ 1 the right side is below U = κ r^{−1/2} (1 − r^{−2})^{−3/2}; then x^{3/2} ≥ 1 − 3U/2 on
-// the left: h*/h_oil = 1 − κ r^{−1/2} with an error of the order of 1/r.
+// Because x ≤ 1, the right side is below U = κ r^{−1/2} (1 − r^{−2})^{−3/2}, so that
+// x^{3/2} ≥ 1 − 3U/2 on the left side. Thus h*/h_oil = 1 − κ r^{−1/2} with an error of the order of
+// 1/r.
 TEST(Asymptotics, StarvedInletTendsToTheInletFilmAsTheRootOfTheRatio) {
   const Reference c = 3 / (4 * sqrt(Reference(2)));
   const Reference b = Reference("5.4") / pi<Reference>();
@@ -170,10 +173,10 @@ TEST(Asymptotics, StarvedInletTendsToTheInletFilmAsTheRootOfTheRatio) {
   }
 }
 
-// d ln h*/d ln u at constant flow is −1 + (1 + s)(1 + σ), σ = d ln y/d ln r. With k = ψ^{3/2}/c and
-// w = d ln y/d ln ψ, d ln(1/r)/d ln ψ = (yw + 3k/2)/(y + k), so that
+// At constant flow d ln h*/d ln u is −1 + (1 + s)(1 + σ), where σ = d ln y/d ln r. With
+// k = ψ^{3/2}/c and w = d ln y/d ln ψ, d ln(1/r)/d ln ψ is (yw + 3k/2)/(y + k). Therefore
 //   1 + σ = k(3/2 − w)/(yw + 3k/2),  k/y = (1 − x)/x.
-// w = 1/((v + 1/v) arctan v) lies between 1/(1 + v²) and 1, v = 2.7ψ = tan(πx/(2r)).
+// w = 1/((v + 1/v) arctan v) lies between 1/(1 + v²) and 1, where v = 2.7ψ = tan(πx/(2r)).
 TEST(Asymptotics, StarvedInletAtConstantFlowTendsToTheSlopeMinus1) {
   for (const double ratio : {10.0, 1e3, 1e6, 1e10}) {
     const Scene scene = scene_at_ratio(starved_inlet, SupplyKind::inlet_flow, ratio);
@@ -186,14 +189,14 @@ TEST(Asymptotics, StarvedInletAtConstantFlowTendsToTheSlopeMinus1) {
     const Reference distance = 1 + film_log_slope(scene, speed);
     EXPECT_TRUE(is_between((1 + film_exponent - at.deficit.high) * low, distance,
                            (1 + film_exponent) * high, {{"r", ratio}}));
-    // both bounds tend to 1.67/2·κ r^{−1/2}
+    // Both bounds tend to 1.67/2·κ r^{−1/2}.
     EXPECT_LT(high, low * (1 + 10 / (at.r * at.r))) << describe({{"r", ratio}});
     EXPECT_LT(distance, Reference("1.67") / sqrt(at.r));
   }
 }
 
-// `damiens`: x = (1 + r^−γ)^{−1/γ}, d ln x/d ln r = 1/(1 + r^γ): the slope is
-// −1 + (1 + s)/(1 + r^γ), and Bernoulli gives 0 ≤ 1 − x ≤ r^−γ/γ.
+// The closure `damiens` has x = (1 + r^−γ)^{−1/γ} and d ln x/d ln r = 1/(1 + r^γ). The slope is
+// therefore −1 + (1 + s)/(1 + r^γ), and Bernoulli's inequality gives 0 ≤ 1 − x ≤ r^−γ/γ.
 TEST(Asymptotics, DamiensAtConstantFlowTendsToTheSlopeMinus1) {
   for (const double gamma : {1.0, 3.0, 4.5})
     for (const double ratio : {2.0, 30.0, 1e4, 1e8}) {
@@ -208,13 +211,13 @@ TEST(Asymptotics, DamiensAtConstantFlowTendsToTheSlopeMinus1) {
     }
 }
 
-// `printed_exponents`: k = ψ^{3/2}y^{−5/4}/c, d ln(1/r)/d ln ψ = D/(y + k), D = yw + k(3/2 − 5w/4),
-// and
+// The closure `printed_exponents` has k = ψ^{3/2}y^{−5/4}/c and d ln(1/r)/d ln ψ = D/(y + k), where
+// D is yw + k(3/2 − 5w/4). Therefore
 //   σ + 4 = (3yw + 6k(1 − w))/D,  D ≥ k/4.
-// y ≤ bψ and 1 − w ≤ v² = (2.7ψ)² give 0 ≤ σ + 4 ≤ B(ψ) = 12 c b^{9/4} ψ^{3/4} + 24 (2.7ψ)²; and
-// 1/r ≥ k gives ψ ≤ (c b^{5/4}/r)⁴. The slopes are s(1 + σ) at constant h_oil and s + (1 + s)σ at
-// constant flow: −2.01 and −6.01 at s = 0.67 and σ = −4, and with |1 + σ| ≤ 3 off by no more than
-// 3(0.67 − s) + 0.67 B and 3(0.67 − s) + 1.67 B.
+// Because y ≤ bψ and 1 − w ≤ v² = (2.7ψ)², 0 ≤ σ + 4 ≤ B(ψ) = 12 c b^{9/4} ψ^{3/4} + 24 (2.7ψ)².
+// Because 1/r ≥ k, ψ ≤ (c b^{5/4}/r)⁴. The slope is s(1 + σ) at constant h_oil, and s + (1 + s)σ at
+// constant flow. For s = 0.67 and σ = −4 these are −2.01 and −6.01. Because |1 + σ| ≤ 3, the slopes
+// differ from them by at most 3(0.67 − s) + 0.67 B and 3(0.67 − s) + 1.67 B.
 TEST(Asymptotics, PrintedExponentsTendToTheSlopesMinus201AndMinus601) {
   const Reference c = 3 / (4 * sqrt(Reference(2)));
   const Reference b = Reference("5.4") / pi<Reference>();
@@ -224,14 +227,14 @@ TEST(Asymptotics, PrintedExponentsTendToTheSlopesMinus201AndMinus601) {
       const StarvedState at = starved_state(scene);
       const bool flow = supply == SupplyKind::inlet_flow;
       const Reference limit = flow ? Reference("-6.01") : Reference("-2.01");
-      const Reference root = c * b * sqrt(sqrt(b)) / at.r;  // of √√ψ, at most
+      const Reference root = c * b * sqrt(sqrt(b)) / at.r;  // at least √√ψ
       const Reference v = Reference("2.7") * root * root * root * root;
       const Reference departure = 12 * c * b * b * sqrt(sqrt(b)) * root * root * root + 24 * v * v;
       const Reference bound =
           3 * at.deficit.high + (flow ? Reference("1.67") : film_exponent) * departure;
       EXPECT_TRUE(is_between(-bound, film_log_slope(scene, speed) - limit, bound,
                              {{"r", ratio}, {"flow", flow ? 1.0 : 0.0}}));
-      // ψ^{3/4} is r^−3
+      // The bound of ψ^{3/4} falls as r^−3.
       if (ratio > 5) {
         EXPECT_LT(bound - 3 * at.deficit.high, 100 / (at.r * at.r * at.r))
             << describe({{"r", ratio}});
@@ -239,11 +242,11 @@ TEST(Asymptotics, PrintedExponentsTendToTheSlopesMinus201AndMinus601) {
     }
 }
 
-// At a film maximum the slope is 0. The reported speed is a double within `contract` of it: a
-// little to the left the film rises, a little to the right it falls, and between them the slope is
-// no greater than curvature × contract.
+// At a film maximum the slope is 0. The reported speed is a double whose relative distance from the
+// maximum is at most `contract`: a little to its left the film rises, and a little to its right it
+// falls. Between these places the slope is at most curvature × contract.
 TEST(Asymptotics, SlopeAtTheOnsetIs0WithinTheRoundingOfTheSpeed) {
-  const Reference contract("1e-13");  // onset.hpp
+  const Reference contract("1e-13");  // as in onset.hpp
   for (const auto closure : starvation_closures)
     for (const auto supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
       for (const auto model : asperity_models) {
@@ -258,7 +261,8 @@ TEST(Asymptotics, SlopeAtTheOnsetIs0WithinTheRoundingOfTheSpeed) {
         EXPECT_GT(left, 0) << describe({{"u", found.speed}});
         EXPECT_LT(right, 0) << describe({{"u", found.speed}});
         const Reference curvature = (left - right) / (2 * contract);
-        // the curvature is of the order of 1 (no plateau), and the same on both sides
+        // The curvature is of the order of 1, so that there is no plateau. It is taken as the same
+        // on both sides.
         EXPECT_TRUE(is_between(Reference("0.1"), curvature, 100, {{"u", found.speed}}));
         EXPECT_LT(abs(here), curvature * contract) << describe({{"u", found.speed}});
       }

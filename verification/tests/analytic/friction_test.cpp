@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shear laws: limits, and continuity where a branch begins.
+// The shear laws at the ends of their range, and that they have no step where the formula changes.
 #include "tribo/friction.hpp"
 
 #include <gtest/gtest.h>
@@ -14,24 +14,24 @@ namespace {
 using enum FluidShear;
 
 TEST(Friction, SmallShearIsNewtonianAndLargeShearIsWhatTheLawSays) {
-  // x = 1e-9: both laws give ηγ̇
+  // With x = 1e-9 both laws give ηγ̇.
   EXPECT_TRUE(is_within(fluid_shear_stress(eyring, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-15));
   EXPECT_TRUE(is_within(fluid_shear_stress(limiting, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-9));
   EXPECT_EQ(fluid_shear_stress(limiting, 1e6, 1.0, 800.0, 1.0, 1.0), 1e6);
-  // beyond the overflow of x: τ₀(ln 2 + ln x)
+  // Where x overflows, the stress is τ₀(ln 2 + ln x).
   EXPECT_TRUE(is_close(fluid_shear_stress(eyring, 2.0, 1.0, 1000.0, 1.0, 1.0),
                        2 * (log(Reference(2)) + 1000 - log(Reference(2))), 1e-15, {}));
   EXPECT_EQ(fluid_shear_stress(eyring, 2.0, 1.0, 1000.0, 0.0, 1.0), 0);
   EXPECT_EQ(fluid_shear_stress(eyring, 2.0, 1.0, 1000.0, 0.0, 1e-320), 0);
-  for (const auto law : {eyring, limiting}) {  // at speeds that vanish
+  for (const auto law : {eyring, limiting}) {  // the speed is 0 or the least positive number
     EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0.0, 1.0), 0);
     EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0x1p-1074, 1.0), 0x1p-1074);
   }
 }
 
-// x = ηγ̇/τ₀ is 1 or 0x1p-30; quotients of its factors underflow, overflow or do neither.
+// x = ηγ̇/τ₀ is 1 or 0x1p-30. Quotients of its factors underflow, overflow, or do neither.
 TEST(Friction, StressOverItsScaleIsThatOfXWhateverItsFactors) {
-  constexpr int powers[][5] = {// of 2: τ₀, η₀, S·u, separation, η/η₀
+  constexpr int powers[][5] = {// exponents of 2 for τ₀, η₀, S·u, separation, η/η₀
                                {600, -500, 900, -100, 100},  {600, -500, 900, -200, 0},
                                {-600, 500, -900, 100, -100}, {-600, 500, -900, 200, 0},
                                {300, -300, 500, -100, 0},    {20, 10, 20, 10, 0}};

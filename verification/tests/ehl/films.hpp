@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contacts for the tests, and the judgement on an estimate.
+// Contacts for the tests of films, and the check whether an estimate holds the truth.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,8 @@
 
 namespace tribo::verification {
 
-// A Barus liquid, a Roelands liquid at p₀ = 0.98 GPa, and a compressible one at p₀ = 0.59 GPa.
+// A Barus liquid, a Roelands liquid with Hertz' peak p₀ = 0.98 GPa, and a compressible Barus liquid
+// with p₀ = 0.59 GPa.
 inline std::array<ehl::LineContact, 3> three_liquids(double load_number, double material_number) {
   std::array<ehl::LineContact, 3> contacts;
   contacts.fill(ehl::barus_contact(load_number, material_number));
@@ -25,7 +26,7 @@ inline std::array<ehl::LineContact, 3> three_liquids(double load_number, double 
   return contacts;
 }
 
-// Contacts of soft and of stiff bodies, far apart in every number.
+// Contacts of soft and of stiff bodies. Each number is drawn from a wide range.
 inline ehl::FilmConditions random_conditions(Sampler& sampler) {
   return {.speed = sampler.log_uniform(1e-3, 50),
           .viscosity = sampler.log_uniform(1e-3, 1),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model's formulas with derivatives: Boost's forward automatic differentiation in 50 digits,
-// and the functions of the formulas that Boost lacks.
+// Derivatives of the model's formulas by Boost's forward automatic differentiation, in 50 digits;
+// and the functions that these formulas need and Boost lacks.
 #pragma once
 
 #include <boost/math/differentiation/autodiff.hpp>
@@ -9,8 +9,8 @@
 #include "support/judge.hpp"
 #include "tribo/mixed_contact.hpp"
 
-// The model finds these by argument-dependent lookup, like the other functions. Boost 1.74 has
-// neither.
+// Boost 1.74 has no log1p and no expm1 for these numbers. The model finds both by
+// argument-dependent lookup, as it finds Boost's own functions.
 namespace boost::math::differentiation::detail {
 
 template <class Real>
@@ -36,11 +36,11 @@ namespace tribo {
 
 namespace verification {
 
-// Boost 1.74 cannot differentiate with MPFR's numbers; these numbers have fifty digits, too.
+// Boost 1.74 cannot differentiate with MPFR's numbers. The numbers here also have fifty digits.
 using Differentiable = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                                      boost::multiprecision::et_off>;
 
-// A number with its derivative in the one variable.
+// A number with its derivative with respect to one variable.
 using Dual = boost::math::differentiation::autodiff_fvar<Differentiable, 1>;
 
 inline Dual variable(const Reference& x) {
@@ -49,14 +49,15 @@ inline Dual variable(const Reference& x) {
 inline Reference value(const Dual& x) { return Reference(x.derivative(0)); }
 inline Reference derivative(const Dual& x) { return Reference(x.derivative(1)); }
 
-// d ln y/d ln x, for y a function of the variable x.
+// d ln y/d ln x, where y is a function of the variable x.
 inline Reference log_slope(const Dual& y, const Reference& x) {
   return derivative(y) * x / value(y);
 }
 
 }  // namespace verification
 
-// The general form would multiply the derivative of arccos at −1, which does not exist, by 0.
+// The general pi() takes arccos(−1). The derivative of arccos does not exist there, and automatic
+// differentiation would multiply it by 0.
 template <>
 inline verification::Dual pi<verification::Dual>() {
   return verification::Dual(pi<verification::Reference>());
@@ -64,7 +65,7 @@ inline verification::Dual pi<verification::Dual>() {
 
 namespace verification {
 
-// g(λ) = ln λ − ln λ₀ + e ln(1 − A(λ)), whose root λ is.
+// g(λ) = ln λ − ln λ₀ + e ln(1 − A(λ)). The film λ is the root of g.
 inline Dual sharing_residual(const LoadSharing<Dual>& sharing, const Dual& lambda,
                              const Dual& lambda0) {
   return log(lambda) - log(lambda0) +
@@ -72,9 +73,9 @@ inline Dual sharing_residual(const LoadSharing<Dual>& sharing, const Dual& lambd
              log1p(Dual(-sharing.asperity_share(lambda)));
 }
 
-// The root with its derivative. Inside `solve` the value may have converged a step before the
-// derivative; one more Newton step at the converged root makes it whole. g′ comes from automatic
-// differentiation too, not from the model's F_p′.
+// The root with its derivative. In `solve` the value may converge a step before the derivative
+// does; one more Newton step at the converged root corrects the derivative. g′ also comes from
+// automatic differentiation, and not from the model's F_p′.
 inline Dual root_with_derivative(AsperityModel model, const Dual& stiffness, const Dual& offset,
                                  const Dual& lambda0,
                                  const FilmLaw& film = hamrock_dowson_central_law) {
@@ -86,14 +87,14 @@ inline Dual root_with_derivative(AsperityModel model, const Dual& stiffness, con
   return Dual(root) - sharing_residual(moving, Dual(root), lambda0) / Dual(slope);
 }
 
-// d ln h*/d ln u of a scene, from film and inlet of the model alone.
+// d ln h*/d ln u of a scene. Only the film and the inlet of the model are used.
 inline Reference film_log_slope(const Scene& scene, const Reference& u) {
   const MixedContact<Dual> contact(scene);
   const Dual speed = variable(u);
   const Dual root = root_with_derivative(scene.closures.asperity, contact.sharing().stiffness(),
                                          contact.sharing().offset(),
                                          contact.flooded_film_parameter(speed), contact.film());
-  // `inlet` needs λ alone of the shares. Its scalar root ends with a Newton step of its own.
+  // `inlet` reads only λ of the shares. Its own scalar root ends with a Newton step, too.
   return log_slope(root * contact.inlet({speed, {root, Dual(0), Dual(1), 0}}).film_ratio, u);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films of each law, computed by hand; and film laws other than the default one: that of the
-// minimum film, and made-up laws with the least, a small and the greatest exponent a − b that load
-// sharing takes.
+// Films of each law, computed by hand; and film laws other than the default one. These are the law
+// of the minimum film, and made-up laws whose exponent a − b is the least that load sharing takes
+// (0.01), a small one (0.05) and a great one (0.3).
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace tribo::verification {
 
-// h₀ on the paper's Table 1 at 1 m/s, by hand: of a circle, or of a line of 1e5 N/m.
+// h₀ by hand, with the paper's Table 1 at 1 m/s, of a circle or of a line with 1e5 N/m.
 struct FilmByHand {
   FilmFormula film;
   double nanometres;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that the checks use: the paper's surfaces, and random contacts as they are built of steel.
+// Scenes that the checks use: the paper's surfaces, and random scenes.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ inline constexpr std::array starvation_closures{
     StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
     StarvationClosure::printed_exponents, StarvationClosure::damiens};
 
-// The laws that scenes of lines, or of points, may name, if load sharing changes their film by a
-// power of 1 − A. The test analytic.MoesFilm has the other laws.
+// The film laws of lines, or those of points, that scenes can name and whose film load sharing
+// changes by a power of 1 − A. The test analytic.MoesFilm has the other laws.
 inline std::vector<FilmFormula> film_formulas(bool of_lines) {
   std::vector<FilmFormula> formulas;
   for (std::size_t i = 0; i < named_film_laws.size(); ++i)
@@ -56,8 +56,8 @@ inline Scene paper_scene(PaperSurface surface,
   return scene;
 }
 
-// The paper's medium surface, with another density of summits, on a contact of this shape and with
-// this film law.
+// The paper's medium surface with another density of summits, on a contact of this shape, with this
+// film law.
 inline Scene scene_of_law(FilmFormula film, ContactShape shape, double density = 1e11) {
   Scene scene = paper_scene(PaperSurface::medium);
   scene.surface.summit_density = density;
@@ -71,7 +71,8 @@ inline Scene scene_of_law(FilmFormula film, ContactShape shape, double density =
   return scene;
 }
 
-// The paper's surface behind an inlet whose oil starves it within the scene's speeds.
+// A surface of the paper whose supply, unless it is `flooded`, starves the inlet within the scene's
+// speeds.
 inline Scene starved_scene(PaperSurface surface, StarvationClosure closure,
                            SupplyKind supply = SupplyKind::inlet_film_ratio,
                            AsperityModel model = AsperityModel::greenwood_tripp) {
@@ -82,8 +83,8 @@ inline Scene starved_scene(PaperSurface surface, StarvationClosure closure,
   return scene;
 }
 
-// A scene with random numbers and words. It has each field, but of fields that exclude each other
-// only the usual ones (RandomScenes.DrawEachFieldOfTheTable).
+// A scene with random numbers and words in all fields. Where fields exclude each other, it has only
+// the usual ones (test RandomScenes.DrawEachFieldOfTheTable).
 inline Scene random_scene(Sampler& sampler) {
   Scene scene;
   scene.load = sampler.log_uniform(0.1, 1e4);
@@ -124,7 +125,8 @@ inline Scene random_scene(Sampler& sampler) {
   return scene;
 }
 
-// The numbers of a scene by name, with its first speed: the inputs of a condition number.
+// The numbers of a scene with their names, its first speed among them. A condition number has these
+// as its inputs.
 inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene) {
   return {{"load", &scene.load},
           {"speed", scene.speeds.list.data()},
@@ -147,11 +149,11 @@ inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene
           {"damiens_exponent", &scene.closures.damiens_exponent}};
 }
 
-// All numbers and words of a scene; the words as their places in the enumerations of scene.hpp.
+// All numbers and words of a scene. A word is given as its place in its enumeration of scene.hpp.
 inline std::vector<std::pair<std::string_view, double>> describe_numbers(Scene scene) {
   std::vector<std::pair<std::string_view, double>> all;
   for (const auto& [name, number] : numbers_of(scene))
-    if (number != nullptr) all.emplace_back(name, *number);  // null: a range of speeds
+    if (number != nullptr) all.emplace_back(name, *number);  // a range of speeds has no number
   all.emplace_back("offset_planes", static_cast<double>(scene.surface.offset_planes));
   all.emplace_back("shape", static_cast<double>(scene.bodies.shape()));
   all.emplace_back("supply_kind", static_cast<double>(scene.supply.kind));
