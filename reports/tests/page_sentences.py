@@ -34,7 +34,7 @@ def paper(report):
                 (", resting on points beyond the film's collapse" if "beyond_collapse" in got else "") + ")")
 
     def told(key, digits, mark):
-        return of_surfaces(sig(one[mark][key], digits) if one[mark] and one[mark][key] is not None else "none" for one in own)
+        return of_surfaces(sig(one[mark][key], digits) if one[mark] and one[mark][key] is not None else "undefined" for one in own)
     reported = {id: whole(one["reported"]) for id, one in items.items()}
     slow, fast = whole(smooth["slowest"]["speed"]), whole(smooth["fastest"]["speed"])
     slopes = flow["curves"]
@@ -56,7 +56,7 @@ def paper(report):
     yield ("carry half each at " + of_surfaces(sig(one["equal_share_speed"], 3) + " m/s" for one in own) +
            f": later on a rougher surface {judged('C5')}.")
     yield (f"carry least at the onset, {told('asperity_load_share', 3, 'onset')}, and more again at {fast} m/s, "
-           f"{told('asperity_load_share', 3, 'fastest')}: none where the film has collapsed {judged('C6')}.")
+           f"{told('asperity_load_share', 3, 'fastest')} (undefined where the film has collapsed) {judged('C6')}.")
     yield "A(0), is " + of_surfaces(sig(one["contact_share"], 3) for one in own) + "."
     yield "at the onset (●): " + of_surfaces(f"{sig(1e9 * one['onset']['film'], 3)} nm at {sig(one['onset']['speed'], 4)} m/s" for one in own) + "."
     yield (f"{reported['C1.rough']}, {reported['C1.medium']} and {reported['C1.smooth']} m/s (C1: "

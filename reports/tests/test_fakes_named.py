@@ -118,7 +118,7 @@ NAMED = {
     "moment_fit_exponential_2": "moment-fit-exponential-2",
     "moment_fit_error_function": "moment-fit-erf",
     "moment_simpson_201_points": "moment-by-simpson-200-d-plus-20",
-    "moment_simpson_200_intervals": "moment-by-simpson-200-d-plus-4.5",
+    "moment_simpson_200_intervals": "moment-cut-at-d-plus-4.5",
     "moment_zero_beyond_10": "moment-zero-beyond-10",
     "moment_cut_at_4": "moment-cut-at-4",
     "moment_cut_at_5_beyond": "moment-cut-at-d-plus-5",

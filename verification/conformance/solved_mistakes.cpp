@@ -167,15 +167,13 @@ struct Quadrature {
   }
 };
 
-// Quadratures that give the wrong answers. The error of a rule falls with the number of intervals
-// as a power of it: of the numbers beyond the first, those are tried that this leaves.
+// Quadratures that give the wrong answers.
 std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
   constexpr int tried_all = 64;
   constexpr int others[] = {79,  80,  99,  100, 101, 119, 120, 127,  128,  149,  150,  160, 199,
                             200, 201, 249, 250, 255, 256, 299, 300,  399,  400,  499,  500, 501,
                             511, 512, 599, 600, 799, 800, 999, 1000, 1023, 1024, 1999, 2000};
-  constexpr double ends[] = {2,  2.5, 3,  3.5, 4,  4.5, 5,  6,  7,  8,  9,
-                             10, 12,  14, 15,  16, 20,  25, 30, 40, 50, 100};
+  constexpr double ends[] = {3, 4, 4.5, 5, 6, 7, 8, 9, 10, 12, 15, 20, 30, 50, 100};
   constexpr double times_off = 3;
   constexpr std::size_t fewest = 3;
   if (wrong.size() < fewest) return {};
@@ -190,7 +188,7 @@ std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
             [&](const WrongAnswer& a, const WrongAnswer& b) { return size(a) < size(b); });
   // Small errors are those of the rule, great ones may be those of the end.
   std::map<std::string, Mistake> found;
-  for (const std::size_t quarter : {1, 2, 3}) {
+  for (const std::size_t quarter : {1, 2}) {
     const WrongAnswer& first = wrong[quarter * wrong.size() / 4];
     const double order = first.of->question.arguments[0], d = first.of->question.arguments[1];
     const auto look = [&](const Quadrature& one) {
@@ -220,13 +218,13 @@ std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
             if (count == tried_all / 2) half = value - whole;
             last = value - whole;
           }
-          const double power = std::log2(std::abs(half / last));
+          // The error falls as the power that it has now, or less steeply, but at least as 1/count.
+          const double power = std::max(1.0, std::log2(std::abs(half / last)));
+          const double wanted = std::abs(first.number->got - whole) / std::abs(last);
           for (const int count : others) {
-            if (count % step != 0) continue;
-            const double off = last * std::pow(static_cast<double>(count) / tried_all, -power);
-            const double wanted = first.number->got - whole;
-            if (power > 0.5 && (off * wanted < 0 || std::abs(off) > times_off * std::abs(wanted) ||
-                                std::abs(wanted) > times_off * std::abs(off)))
+            const double finer = static_cast<double>(count) / tried_all;
+            if (count % step != 0 || wanted * finer > times_off ||
+                wanted * std::pow(finer, power) < 1 / times_off)
               continue;
             look({rule, count, end, is_distance});
           }

@@ -268,17 +268,19 @@ TEST(Cases, StandBehindThoseThatGiveWhatTheyLeaveOutOtherwise) {
   }
   for (const catalogue::Function& function : catalogue::functions())
     for (const catalogue::Parameter& parameter : function.parameters)
-      if (parameter.default_value)
+      if (parameter.default_value) {
         EXPECT_GE(kept[fmt::format("{}/{}", function.name, parameter.name)], 1U)
             << function.name << ' ' << parameter.name;
+      }
   for (const FieldInfo& field : scene_fields()) {
     std::string path = '/' + std::string(field.path);
     std::replace(path.begin(), path.end(), '.', '/');
     const bool is_given = std::any_of(cases.begin(), cases.end(), [&](const TestCase& one) {
       return one.function == "operating_point" && one.inputs.contains(json::json_pointer(path));
     });
-    if (!field.default_text.empty() && is_given && field.path != "closures.film")
+    if (!field.default_text.empty() && is_given && field.path != "closures.film") {
       EXPECT_GE(kept["operating_point" + path], 1U) << field.path;
+    }
   }
 }
 
