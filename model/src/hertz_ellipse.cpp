@@ -3,16 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "ellipse_pieces.hpp"
+#include <cstddef>
 
 namespace tribo {
+namespace {
+
+#include "ellipse_pieces.inc"
+
+}  // namespace
 
 template <>
 EllipseOfCircle<double> ellipse_of_circle(const double& radius_x, const double& radius_y) {
   const double low = std::min(radius_x, radius_y), high = std::max(radius_x, radius_y);
   const double ratio = high / low;
-  using namespace ellipse_pieces;
   // Below this radius the remainder of the division may be no number of full precision.
   if (!(ratio < std::exp2(octaves) && low > 1e-280)) {
     const auto ellipse = detail::wide_ellipse(radius_x, radius_y);
@@ -23,9 +26,11 @@ EllipseOfCircle<double> ellipse_of_circle(const double& radius_x, const double& 
   const double mantissa = 2 * std::frexp(ratio, &exponent);  // from 1 to 2
   const int part = static_cast<int>((mantissa - 1) * parts);
   const double rest = std::ldexp(std::fma(-ratio, low, high) / low, 1 - exponent);
-  const double u = (mantissa - centre_of(part)) + rest;
-  const Piece* const piece = of(radius_y < radius_x, exponent - 1, part);
-  const auto value = [&](int k) { return piece[k][0] + beyond_first(piece[k], u); };
+  const double centre = 1 + (2 * part + 1) / (2.0 * parts);
+  const double u = (mantissa - centre) + rest;
+  const int row = ((radius_y < radius_x ? octaves : 0) + exponent - 1) * parts + part;
+  const auto* const piece = pieces + static_cast<std::ptrdiff_t>(3 * row);
+  const auto value = [&](int k) { return piece[k][0] + detail::beyond_first(piece[k], u); };
   return {value(0), value(1), value(2)};
 }
 

@@ -12,6 +12,8 @@
 // positive numbers: nothing cancels, at k = 1 either, where K − E does.
 #pragma once
 
+#include <cstddef>
+
 #include "tribo/contract.hpp"
 #include "tribo/real.hpp"
 #include "tribo/two_bodies.hpp"
@@ -140,6 +142,21 @@ EllipseOfCircle<WiderType<T>> wide_ellipse(const T& radius_x, const T& radius_y)
   const Wide approach = first / (2 * second * reduced);
   if (is_exchanged) return {cube * k * k, 1 / k, approach / k / k};
   return {cube / k, k, approach};
+}
+
+// A polynomial in u without piece[0], to which it is added last; piece[1] is what piece[0] leaves
+// of the constant. The even and the odd powers of what multiplies u are two chains.
+template <class T, std::size_t count>
+T beyond_first(const double (&piece)[count], const T& u) {
+  static_assert(count % 2 == 1 && count > 5);
+  const T square = u * u;
+  T even = piece[count - 3] + square * piece[count - 1];
+  T odd = piece[count - 4] + square * piece[count - 2];
+  for (std::size_t k = count - 5; k > 2; k -= 2) {
+    even = piece[k] + square * even;
+    odd = piece[k - 1] + square * odd;
+  }
+  return piece[1] + u * (piece[2] + square * even + u * odd);
 }
 
 }  // namespace detail

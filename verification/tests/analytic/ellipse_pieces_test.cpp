@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A proof that the polynomials of Hertz' ellipse (model/src/ellipse_pieces.hpp) are within 1 ulp at
+// A proof that the polynomials of Hertz' ellipse (model/src/hertz_ellipse.cpp) are within 1 ulp at
 // every ratio of the radii up to 2^octaves, which no number of points can show.
 //
 // The numbers of an ellipse follow from the parameter m = 1 − 1/k² of its integrals without any
@@ -14,8 +14,6 @@
 // those of all its points. The difference between a polynomial and its function is a series in
 // m − m₀ of such balls, whose last coefficient is that of the whole interval: Taylor's theorem with
 // its remainder.
-#include "src/ellipse_pieces.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,12 +24,21 @@
 #include "generators/ball.hpp"
 #include "generators/ellipse_shape.hpp"
 #include "support/case_count.hpp"
+#include "tribo/hertz_ellipse.hpp"
 
 namespace tribo::verification {
 namespace {
 
+#include "ellipse_pieces.inc"
+
+using detail::beyond_first;
 using reference::Ball;
-using namespace ellipse_pieces;
+using Piece = double[degree + 2];
+
+const Piece* pieces_of(bool is_exchanged, int octave, int part) {
+  return pieces +
+         static_cast<std::ptrdiff_t>(3 * (((is_exchanged ? octaves : 0) + octave) * parts + part));
+}
 
 constexpr std::size_t terms = 10;  // the last is that of the remainder
 constexpr int intervals = 32;      // of m in a piece
@@ -161,7 +168,8 @@ struct Rounded {
 double error_bound(const Piece& piece, int octave, int part, std::size_t number, bool is_exchanged,
                    const Ball& radius, const Ellipses& middle, const Ellipses& all) {
   const auto difference = [&](const Ellipses& at, Ball* u_at, Ball* value) {
-    const Series u = scaled(Ball(std::ldexp(1, -octave)), at.ratio) - Series(centre_of(part));
+    const Series u =
+        scaled(Ball(std::ldexp(1, -octave)), at.ratio) - Series(1 + (2 * part + 1) / (2.0 * parts));
     const Series& right = at.numbers[is_exchanged ? 1 : 0][number];
     if (u_at != nullptr) *u_at = u.of[0], *value = right.of[0];
     return Series(piece[0]) + beyond_first(piece, u) - right;
@@ -209,7 +217,7 @@ std::array<std::array<double, 3>, 2> greatest_bounds(int octave, int part, Spoil
     for (const bool is_exchanged : {false, true})
       for (std::size_t number = 0; number < 3; ++number) {
         Piece piece;
-        std::copy_n(of(is_exchanged, octave, part)[number], degree + 2, piece);
+        std::copy_n(pieces_of(is_exchanged, octave, part)[number], degree + 2, piece);
         spoil(piece);
         double& most = greatest[is_exchanged ? 1 : 0][number];
         most = std::max(

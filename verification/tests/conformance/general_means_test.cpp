@@ -401,12 +401,12 @@ TEST(Inputs, OnOneSideOfOneThatAreUpsideDownAreTold) {
       return right_answer("hamrock_dowson_central", inputs);
     };
   };
-  expect_told({{"hamrock_dowson_central", "with the greater of k and 1/k in place of k (",
-                with([](double k) { return std::max(k, 1 / k); })},
-               {"hamrock_dowson_central", "with the less of k and 1/k in place of k (",
-                with([](double k) { return std::min(k, 1 / k); })},
-               {"hamrock_dowson_central", ": 1/k in place of k (",
-                with([](double k) { return 1 / k; })}});
+  expect_told(
+      {{"hamrock_dowson_central", "with the greater of k and 1/k in place of k (",
+        with([](double k) { return std::max(k, 1 / k); })},
+       {"hamrock_dowson_central", "with the less of k and 1/k in place of k (",
+        with([](double k) { return std::min(k, 1 / k); })},
+       {"hamrock_dowson_central", ": 1/k in place of k (", with([](double k) { return 1 / k; })}});
 }
 
 // An oil's index by another row of the table than its own.
