@@ -181,7 +181,7 @@ def build(release):
     (folder / "film_tables.inc").write_text(film_tables(tables))
     # Ellipses are computed by their integrals, as beyond the program's polynomials, which would take 40 kB.
     (folder / "ellipse_pieces.inc").write_text(
-        "constexpr int octaves = 0, parts = 1, degree = 1;\nconstexpr double pieces[1][degree + 2] = {};\n")
+        "constexpr int octaves = 0, parts = 1, degree = 5;\nconstexpr double pieces[1][degree + 2] = {};\n")
     (folder / "least_films.inc").write_text("".join(least_films(tables)))
     (folder / "certified_rows.inc").write_text("".join(f'R"({line}\n)"\n' for line in row_lines()))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
