@@ -20,7 +20,7 @@ struct CurveContender {
   // Fills `points`, which the caller has resized.
   std::function<void(const Scene& scene, std::span<const double> speeds, OperatingPoints& points)>
       run;
-  bool is_slow;  // takes some microseconds a point or more: fewer points are timed
+  bool is_slow;  // a point takes some microseconds or more; then fewer points are timed
 };
 
 OutputSet curve_outputs();

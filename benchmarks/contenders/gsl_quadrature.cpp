@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// F_n by GSL's quadrature: adaptive rules, and fixed ones after Gauss and Laguerre.
+// F_n by GSL's adaptive quadrature rules, and by its fixed rules of Gauss and Laguerre.
 #include "contenders/gsl_quadrature.hpp"
 
 #include <fmt/format.h>
@@ -32,8 +32,9 @@ struct Cquad {
   };
 };
 
-// The fixed rules integrate over u = s − d. The plain one has the weight e^{−u}, the generalised
-// one u^{5/2} e^{−u}: it has the integrand's square root in it, so that the rest is smooth.
+// The fixed rules integrate over u = s − d. The weight of the plain rule is e^{−u}, that of the
+// generalised rule u^{5/2} e^{−u}. The second weight contains the integrand's square root, so that
+// the rest is smooth.
 using Rule = std::shared_ptr<gsl_integration_fixed_workspace>;
 Rule laguerre(double exponent, std::size_t points) {
   return {gsl_integration_fixed_alloc(gsl_integration_fixed_laguerre, points, 0, 1, exponent, 0),
@@ -75,7 +76,7 @@ struct Generalised {
 }  // namespace
 
 std::vector<MomentContender> gsl_quadratures(Settings settings) {
-  gsl_set_error_handler_off();  // the default one aborts
+  gsl_set_error_handler_off();  // the default handler ends the program
   std::vector<MomentContender> all;
   const auto add = [&]<template <class> class Pow, template <class> class Root>(
                        const char* rule, std::initializer_list<double> usual) {

@@ -32,7 +32,8 @@ struct Printed {
   double value, half_digit;
 };
 
-// The number that a decimal text is as a whole.
+// The number that a decimal text stands for. The result is std::nullopt if the text is no number or
+// goes on after it.
 std::optional<double> decimal_number(const std::string& text) {
   const char* const end = text.data() + text.size();
   double number = 0;
@@ -40,9 +41,9 @@ std::optional<double> decimal_number(const std::string& text) {
   return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
-// From "2.0e-8": the value 2e-8, and half a unit of its last digit, 0.5e-9. From "62 km/h" and
-// "75 °C" both in SI: half a unit of the digit that was written, and not of one that the
-// conversion makes.
+// The text "2.0e-8" gives the value 2e-8, and half a unit of its last digit, 0.5e-9. Both numbers
+// of "62 km/h" and "75 °C" are converted to SI. The half unit is that of the digit that was
+// written, not of a digit that the conversion makes.
 std::optional<Printed> read_printed(const std::string& text, std::string_view unit) {
   const auto half = scene_detail::half_last_digit(text);
   if (!half) return std::nullopt;
@@ -223,7 +224,8 @@ class VariableReader {
   struct Range {
     double from, to;
   };
-  // The ends, from < to; a missing end is infinite, where an end need not be given.
+  // Reads the ends, which must have from < to. An end that is missing is refused if `needed`, and
+  // is infinite otherwise.
   std::optional<Range> read_ends(TableReader& table, bool needed) {
     constexpr std::string_view below = "a number below to", above = "a number above from";
     const auto end = [&](std::string_view name, std::string_view allowed) {
@@ -266,7 +268,7 @@ class VariableReader {
     const auto range = read_ends(table, false);
     if (!middle || !sd || !range) return;
     const double from = logarithmic ? std::max(range->from, 0.0) : range->from;
-    // Nearly nothing of the distribution lies farther out than 30 standard deviations.
+    // Almost nothing of a distribution is more than 30 standard deviations from its middle.
     const auto place = [&](double x) { return logarithmic ? std::log(std::max(x, 0.0)) : x; };
     const double below = (place(from) - place(*middle)) / *sd;
     const double above = (place(*middle) - place(range->to)) / *sd;
@@ -304,7 +306,7 @@ bool varies(const Entry& entry) {
   if (entry.path == "outputs") return false;
   if (entry.value.kind != ValueKind::list) return entry.value.kind == ValueKind::table;
   const auto field = scene_detail::find_field(entry.path);
-  return !field || !scene_fields()[*field].takes_both_faces;  // else one number of each face
+  return !field || !scene_fields()[*field].takes_both_faces;  // a list has one number a face
 }
 
 std::optional<Variable> read_variable(const Entry& entry, const FieldInfo& field,

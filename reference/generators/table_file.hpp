@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of tables: how their rows are made on all cores, dated and written, read again, and
-// compared with a sample that is made anew.
+// Functions for the files of tables. They make the rows on all cores, date and write them, read
+// them again, and compare a sample of them with rows that are made anew.
 #pragma once
 
 #include <fmt/chrono.h>
@@ -24,7 +24,7 @@
 
 namespace tribo::reference {
 
-// The last lines of a header's comments: the date, and the checksum of the rows.
+// The last two comment lines of a file's header. They have the date and the rows' checksum.
 inline std::string dated(const std::string& rows) {
   unsigned char digest[SHA256_DIGEST_LENGTH];
   SHA256(reinterpret_cast<const unsigned char*>(rows.data()), rows.size(), digest);
@@ -46,9 +46,9 @@ inline std::string joined(const std::vector<std::string>& rows) {
   return text;
 }
 
-// The texts of make(0), …, make(count − 1), made on all cores. Each thread takes `block` neighbours
-// at a time, and calls at_end() when no more are left. An error is told on stderr after `prefix`,
-// and ends the program with exit code 1.
+// The texts of make(0), …, make(count − 1), made on all cores. Each thread takes `block` successive
+// numbers at a time and calls at_end() last. An error is written to stderr behind `prefix`; then
+// the threads take no more blocks, and the program ends with exit code 1.
 template <class Make, class AtEnd>
 std::vector<std::string> made_on_all_cores(std::size_t count, std::size_t block,
                                            const std::string& prefix, Make&& make, AtEnd&& at_end) {
@@ -73,7 +73,8 @@ std::vector<std::string> made_on_all_cores(std::size_t count, std::size_t block,
   return rows;
 }
 
-// The rows of a file, below its comments and the line of columns, which begins with `columns`.
+// The rows of a file, without its comments and without the line of the columns' names, which begins
+// with `columns`.
 inline std::vector<std::string> committed_rows(const std::filesystem::path& file,
                                                std::string_view columns) {
   std::ifstream in(file);
@@ -83,8 +84,9 @@ inline std::vector<std::string> committed_rows(const std::filesystem::path& file
   return rows;
 }
 
-// Makes a seeded sample of a table's rows again: again(places) gives their texts. Prints and counts
-// the rows for which is_same(committed, again) is false.
+// Makes a sample of a table's rows again; `seed` determines the sample. again(places) gives their
+// texts. Prints the rows for which is_same(committed, again) is false, and returns their number.
+// Returns 1 if the number of rows differs.
 template <class Again, class IsSame>
 int different_rows(const std::string& name, const std::vector<std::string>& committed,
                    std::size_t count_now, std::uint64_t seed, int count, Again&& again,

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Asks the solvers of solvers.toml, each under bubblewrap without network and without a right to write, and keeps the verdicts.
+"""Asks the solvers of solvers.toml and keeps the verdicts. Each solver runs under bubblewrap, without network, and may write only to /tmp.
 
-A solver's repository is cloned into build/field/sources, or the folder of --clones, and its pinned commit checked out, or taken from the folder that
---sources names, in which each checkout has the solver's id. Its adapter finds the checkout by FIELD_SOURCE. Written are
-ID.json, the verdict, and ID.toml, who was asked and how; an older verdict that differs becomes ID_DATE.json and .toml.
+A solver's repository is cloned into build/field/sources or the folder of --clones. With --sources nothing is cloned: that folder has a
+checkout for each solver, named by its id. The pinned commit is checked out. The adapter finds the checkout by FIELD_SOURCE. The program
+writes ID.json, the verdict, and ID.toml, who was asked and how. If a verdict of another day differs, its files are renamed ID_DATE.json and .toml.
 Exit code 1: a solver gave no verdict; 2: bad input, or no bubblewrap.
 
   reports/field/run.py
@@ -31,7 +31,8 @@ def fail(text, code=2):
 
 
 def sandbox(source):
-    """Nothing but programs, this project and the source can be read, nothing written but /tmp, and nobody reached."""
+    """The command before a program that runs it in a sandbox: it can read only programs, this project and the source, write only to /tmp,
+    and has no network."""
     links = [part for name in ("bin", "lib", "lib64", "sbin") for part in ("--symlink", f"usr/{name}", f"/{name}")]
     own = [part for name in ("/etc/alternatives", "/etc/ld.so.cache") for part in ("--ro-bind-try", name, name)]
     return ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--ro-bind", "/usr", "/usr", *links, *own,
@@ -53,13 +54,13 @@ def checkout(solver, sources, clones):
     if (folder / ".git").exists():
         git = ["git", "-C", folder]
         if subprocess.run([*git, "cat-file", "-e", solver["commit"]], stderr=subprocess.DEVNULL).returncode:
-            subprocess.run([*git, "fetch", "-q"], check=True)  # it is newer than the clone
+            subprocess.run([*git, "fetch", "-q"], check=True)  # the commit is newer than the clone
         subprocess.run([*git, "checkout", "-q", solver["commit"]], check=True)
     return folder.resolve()
 
 
 def ask(solver, source):
-    """The verdict as JSON's text, or an empty text, and the command as a reader would type it."""
+    """The verdict as JSON text, which is empty if there is none, and the command as a reader would type it."""
     way = "--plugin" if "plugin" in solver else "--subject"
     asked = solver[way[2:]].format(field="reports/field", subjects=BUILT, conformance="verification/conformance/subjects")
     options = [way, asked, *solver.get("options", [])]
@@ -70,12 +71,12 @@ def ask(solver, source):
 
 
 def keep(out, solver, verdict, asked):
-    """Writes both files; keeps those of an older day whose verdicts are others."""
+    """Writes both files. Older files are renamed first, if they are of another day and a quantity has another status in them."""
     path = out / f"{solver['id']}.json"
     said = json.loads(verdict)
     about = {key: solver[key] for key in KEPT if key in solver} | {
         "date": datetime.date.today().isoformat(), "asked": asked, "group": solver["kind"]}
-    about.setdefault("licence", "none stated" if "repository" in solver else "Apache-2.0")  # this project's
+    about.setdefault("licence", "none stated" if "repository" in solver else "Apache-2.0")  # this project's licence
     if solver.get("repository", "").startswith("http"):
         about["address"] = solver["repository"]
     if path.exists():
@@ -86,7 +87,7 @@ def keep(out, solver, verdict, asked):
                 file.rename(file.with_stem(f"{path.stem}_{before}"))
     said["last_errors"] = []  # they quote the solver's text and this machine's folders
     path.write_text(json.dumps(said, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
-    lines = [f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in about.items()]  # a TOML text is a JSON text here
+    lines = [f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in about.items()]  # these JSON strings are TOML strings too
     path.with_suffix(".toml").write_text("".join(lines), encoding="utf-8")
 
 

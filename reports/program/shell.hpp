@@ -9,7 +9,7 @@
 
 namespace tribo::cli {
 
-// A text as one word of a command line; in quotes only where it needs them.
+// A text as one word of a command line. It is in quotes only if it needs them.
 std::string shell_word(const std::string& text);
 
 // The words of a command line. The result is std::nullopt if only the shell can read the line,
@@ -25,9 +25,9 @@ std::string found_by_shell(const std::string& program);
 // std::nullopt if it can be started, or if only the shell can read the start, such as $NAME.
 std::optional<std::string> why_not_startable(const std::string& command);
 
-// Throws std::invalid_argument with one line where a plug-in is not there, or the program of a
-// subject's command line cannot be started. One of the two arguments is given, the other one is
-// empty.
+// Throws std::invalid_argument with one line of text if a plug-in is not there, or if the program
+// of a subject's command line cannot be started. One of the two arguments is given, the other one
+// is empty.
 void check_solver(const std::string& plugin, const std::string& command);
 
 std::string this_program();  // the path of this program's file

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck solve: the outputs at the scene's speeds, each from a root of load sharing.
+// tribocheck solve computes the outputs at a scene's speeds. For each speed it finds a root of load
+// sharing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,14 +54,15 @@ struct Fact {
   std::string_view name;
   ordered_json value;
   std::string_view unit, meaning;
-  std::string_view default_text = {};  // of an input
+  std::string_view default_text = {};  // of an input; empty: it has none
 };
 struct Facts {
   std::string_view part;
   std::vector<Fact> all;
 };
 
-// The two viscosities of an oil as a scene has them; null where it does not give them.
+// The two temperatures and viscosities of an oil, written as in a scene. The result is null if the
+// scene does not give them.
 ordered_json pairs_text(const Oil& oil) {
   const auto& [first, second] = oil.viscosities;
   if (first.temperature == 0) return nullptr;
@@ -68,7 +70,8 @@ ordered_json pairs_text(const Oil& oil) {
                      second.viscosity);
 }
 
-// The speeds of a list; null of a long list and of a range, which are told by their ends.
+// The speeds of a list. The result is null for a long list and for a range: their least and
+// greatest speed are shown instead.
 ordered_json list_text(const Speeds& speeds) {
   constexpr std::size_t most_shown = 20;
   if (speeds.list.empty() || speeds.list.size() > most_shown) return nullptr;
@@ -114,7 +117,7 @@ Facts inputs_of(const Scene& scene) {
 }
 
 Facts contact_of(const Scene& scene, const MixedContact<double>& contact) {
-  // In the order of ContactShape.
+  // The names stand in the order of ContactShape.
   constexpr std::array<std::string_view, 3> shapes{"circle", "ellipse", "line"};
   const auto numbers = detail::numbers_of<double>(scene);
   const HertzContact<double> hertz = contact.hertz();
@@ -143,7 +146,7 @@ Facts contact_of(const Scene& scene, const MixedContact<double>& contact) {
             "the flooded film of smooth faces grows as this power of the speed"}}};
 }
 
-// All outputs, asked for or not.
+// All outputs, each with whether the scene asks for it.
 Facts outputs_of(const Scene& scene) {
   Facts outputs{"outputs", {}};
   for (const OutputInfo& info : output_infos)

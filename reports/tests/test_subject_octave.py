@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example solver and the template in GNU Octave; skipped where it is not installed."""
+"""Tests the example solver and the template in GNU Octave. The tests are skipped if it is not installed."""
 
 import json
 import shutil

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film laws of a fully flooded, smooth contact: regressions (film_thickness.hpp) as rows of
-// numbers, and the laws without fixed exponents (moes_film.hpp): two that join limits, and films
+// Film laws of a fully flooded, smooth contact. Regressions (film_thickness.hpp) are rows of
+// numbers. The laws without fixed exponents (moes_film.hpp) are two that join limits, and the films
 // that were solved.
 #pragma once
 
@@ -23,9 +23,9 @@ enum class FilmForm : std::uint8_t {
   solved_minimum             // the least film, by the same tables
 };
 
-// A row, and what follows from it. A law that is no power has exponents of a typical elastic
-// contact, from which searches start, and no constant. Contacts keep the address of their law,
-// which must outlive them: laws are constants.
+// A row of numbers, and the exponents that follow from it. A law without fixed exponents has no
+// constant, and has the exponents of a typical elastic contact, from which searches start. Contacts
+// keep the address of their law, which must outlive them. Therefore laws are constants.
 struct FilmLaw {
   Fraction constant;               // C
   Fraction speed_exponent;         // a, of U
@@ -33,21 +33,21 @@ struct FilmLaw {
   Fraction load_exponent;          // c, of W
   Fraction side_leakage = {0, 1};  // m; 0: the constant does not depend on k
   Fraction side_decay = {0, 1};    // n
-  // E_HD, the modulus in U, in G and in W, over E*; and the speed in U over the mean of the two
-  // speeds.
+  // The modulus E_HD in U, in G and in W divided by E*, and the speed in U divided by the mean of
+  // the two speeds.
   int speed_modulus = 2;
   int material_modulus = 2;
   int load_modulus = 2;
   int speed_multiple = 1;
   bool is_of_lines = false;  // else of point contacts
   FilmForm form = FilmForm::power;
-  // The range of ellipticities that the law was fitted to; 0 and ∞ where its source does not tell
-  // it.
+  // The range of ellipticities to which the law was fitted. It is 0 to ∞ if the source does not
+  // tell the range.
   double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
-  // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
-  // divided by it, and W stays: h = h₀ γ^{a−b}. For laws without fixed exponents this is an upper
-  // bound of d ln h/d ln γ.
+  // a − b. The film of load sharing has E*/γ and F/γ with γ = 1/(1−A), so that U becomes γU, G
+  // becomes G/γ, and W stays. This gives h = h₀ γ^{a−b}. For laws without fixed exponents the
+  // number is an upper bound of d ln h/d ln γ.
   Fraction sharing_exponent = speed_exponent - material_exponent;
   // The two exponents in the form that the engine takes.
   Exponent speed_power = speed_exponent;
@@ -63,8 +63,8 @@ struct FilmLaw {
   }
 };
 
-// Central film (0.67 − 0.53 = 0.14 after load sharing) and minimum film (0.19) of Hamrock and
-// Dowson (1977): J. Lubr. Technol. 99 (1977) 264, whose abstract has k from 1 to 8.
+// Central film (a − b = 0.14) and minimum film (a − b = 0.19) of Hamrock and Dowson: J. Lubr.
+// Technol. 99 (1977) 264. Its abstract has k from 1 to 8.
 inline constexpr FilmLaw hamrock_dowson_central_law{.constant = {269, 100},
                                                     .speed_exponent = {67, 100},
                                                     .material_exponent = {53, 100},
@@ -124,7 +124,7 @@ inline constexpr FilmLaw pan_hamrock_central_law{.constant = {2922, 1000},
                                                  .material_exponent = {470, 1000},
                                                  .load_exponent = {-166, 1000},
                                                  .is_of_lines = true};
-// A. N. Grubin's film (1949) of A. M. Ertel's inlet: a = b, so that load sharing does not move it.
+// A. N. Grubin's film (1949) of A. M. Ertel's inlet. As a = b, load sharing does not change it.
 inline constexpr FilmLaw ertel_grubin_law{.constant = {195, 100},
                                           .speed_exponent = {8, 11},
                                           .material_exponent = {8, 11},
@@ -151,9 +151,9 @@ inline constexpr FilmLaw solved_line_law = detail::law_by(FilmForm::solved, true
 inline constexpr FilmLaw solved_point_minimum_law = detail::law_by(FilmForm::solved_minimum, false);
 inline constexpr FilmLaw solved_line_minimum_law = detail::law_by(FilmForm::solved_minimum, true);
 
-// The laws that scenes name. A law has its row above, its value here and its word below; messages,
-// sweeps and the JSON Schema follow. Results of sweeps keep the place of a law: a new one goes to
-// the end.
+// The laws that scenes name. A law has its row above, its value here and its word below. Messages,
+// sweeps and the JSON Schema are made from these. Results of sweeps store a law by its place in
+// this list, so that a new law must be the last one.
 enum class FilmFormula : std::uint8_t {
   hamrock_dowson_central,
   hamrock_dowson_minimum,
@@ -173,13 +173,13 @@ struct NamedFilmLaw {
   const FilmLaw* law;
   const FilmLaw* law_of_lines = nullptr;  // where a word has a law of points and one of lines
 
-  // The law of lines, or that of points; null where the word has none.
+  // The law of lines, or that of points. It is null if the word has no such law.
   constexpr const FilmLaw* of(bool is_line) const {
     if (is_line && law_of_lines != nullptr) return law_of_lines;
     return law->is_of_lines == is_line ? law : nullptr;
   }
 };
-// In the order of FilmFormula.
+// The laws stand in the order of FilmFormula.
 inline constexpr auto named_film_laws = std::to_array<NamedFilmLaw>({
     {"hamrock_dowson_central", &hamrock_dowson_central_law},
     {"hamrock_dowson_minimum", &hamrock_dowson_minimum_law},
@@ -201,11 +201,11 @@ inline constexpr auto film_formula_words = [] {
   return words;
 }();
 
-// A word with two laws gives that of points.
+// The law of a word. If the word has two laws, it is the law of points.
 constexpr const FilmLaw& film_law(FilmFormula formula) {
   return *named_film_laws[static_cast<std::size_t>(formula)].law;
 }
-// The law of a line or of a point where the word has one, else its only law.
+// The law of a word for lines or for points. If the word has no such law, it is its only law.
 constexpr const FilmLaw& film_law(FilmFormula formula, bool is_line) {
   const FilmLaw* const fitting = named_film_laws[static_cast<std::size_t>(formula)].of(is_line);
   return fitting == nullptr ? film_law(formula) : *fitting;

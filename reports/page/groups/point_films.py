@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Films that formulas give for circles, over the numbers M of load and L of material, in two liquids, and for ellipses beside the
-solved ones."""
+"""Compares films that formulas give with solved films: for circles over the load number M and the material number L, in two liquids, and
+for ellipses of several shapes."""
 import itertools
 import json
 import math
@@ -11,20 +11,21 @@ from group import Group, Missing, finding
 from line_films import rows_of
 from numbers_text import exact
 
-# Bodies of steel and a mineral oil, as those of the table of the compressible liquid: some formulas depend on U a little.
+# Steel and a mineral oil, as in the table of the compressible liquid. They give U from L: some formulas depend on U a little at the same M and L.
 PRESSURE_VISCOSITY, MODULUS = 20e-9, 115.4e9  # 1/Pa, Pa
 TABLES = {"barus, incompressible": "point_films.csv", "roelands, compressible": "point_films_compressible.csv"}
 WITHIN = 0.1
-# Any contact whose film is soon solved: its formulas' films tell in which ratio they stand to each other.
+# Any contact whose film is soon solved. It gives the ratios of films by formulas that have the same powers.
 CONTACT = {"load": 4, "speed": 1, "bodies": {"effective_modulus": MODULUS, "radius_x": 0.01},
            "lubricant": {"viscosity": 0.02, "pressure_viscosity": 2e-9}}
-# Questions to `tribocheck stream`, by the name in `tribocheck film`.
+# Questions to `tribocheck stream`, each by the name that its formula has in `tribocheck film`.
 ASKED = {name: {"function": name} for name in ("hamrock_dowson_central", "hamrock_dowson_minimum")} | {
     name: {"function": "nijenbanning_venner_moes", **reading} for name, reading in {
         "nijenbanning_venner_moes": {}, "nijenbanning_three_halves_of_s": {"bracket": "three_halves_of_s"},
         "nijenbanning_ei_over_ep": {"exponent": "ei_over_ep"},
         "nijenbanning_ei_over_ep_of_s": {"exponent": "ei_over_ep", "bracket": "three_halves_of_s"}}.items()}
-# Their films are multiples of this one in contacts of one shape: the powers of U, G and W are the same.
+# Films by formulas whose names begin with CHITTENDEN are multiples of the film by CHITTENDENS_POWERS in contacts of one shape, because
+# the powers of U, G and W are the same.
 CHITTENDEN, CHITTENDENS_POWERS = "chittenden_", "hamrock_dowson_minimum"
 
 
@@ -44,8 +45,8 @@ class Film(typing.NamedTuple):
 
 
 def formulas_of(program, ratio):
-    """The formulas beside which `tribocheck film` puts a solved contact of this R_y/R_x, without those of liquids of constant
-    viscosity."""
+    """The formulas that `tribocheck film` compares with a solved contact of this R_y/R_x. Those for liquids of constant viscosity are left
+    out."""
     scene = CONTACT | {"bodies": CONTACT["bodies"] | {"radius_y": ratio * CONTACT["bodies"]["radius_x"]}}
     contact, = program.answer("film", "-", "--tolerance", 1e-2, text=json.dumps(scene))["films"]
     films = {one["name"]: one["film"] for one in contact["formulas"]}
@@ -60,7 +61,7 @@ def formulas_of(program, ratio):
 
 
 def films_of(path):
-    """By R_y/R_x, the flooded contacts with L > 0 of the material numbers that all load numbers have."""
+    """The flooded contacts with L > 0 by their R_y/R_x. A material number is left out unless the table has it at every load number."""
     by_ratio = {}
     try:
         for row in rows_of(path):
@@ -78,7 +79,7 @@ def films_of(path):
 
 
 def numbers_of(program, formula, ratio, films):
-    """The film numbers of a formula, by contacts whose E*, R_x and viscosity are 1."""
+    """The film numbers of a formula at M and L of the films. It is asked for contacts whose E*, R_x and viscosity are 1."""
     twice = [math.pow(one.material / (2 * PRESSURE_VISCOSITY * MODULUS), 4) for one in films]  # 2U
     answers = program.ask(*(json.dumps(formula.question | {
         "speed": u, "viscosity": 1, "pressure_viscosity": one.material / math.pow(u, 0.25) / 2, "load": 2 * one.load * math.pow(u, 0.75),
@@ -87,8 +88,8 @@ def numbers_of(program, formula, ratio, films):
 
 
 def widest_block(errors):
-    """Of errors by (M, L): the ends of the block of neighbouring M and L with the most contacts in which no error exceeds WITHIN;
-    None where no contact is within."""
+    """Finds the block of neighbouring M and L with the most contacts whose errors, given by (M, L), are all at most WITHIN. Returns its ends,
+    or None if no error is so small."""
     loads, materials = (sorted({place[i] for place in errors}) for i in (0, 1))
 
     def ends(numbers):
@@ -115,7 +116,7 @@ def errors_of(program, formula, ratio, films):
 
 
 def ellipses(program, films):
-    """By the shape of the contacts, the least and the greatest error of each formula over the solved ones."""
+    """The least and the greatest error of each formula, for each shape of the solved ellipses."""
     shapes = []
     for ratio in sorted(set(films) - {1.0}):
         errors = {formula.name: errors_of(program, formula, ratio, films[ratio]) for formula in formulas_of(program, ratio)}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loops in the directed rounding modes: a loop that ends when a step vanishes has to end in each
-// mode. Compiled with -frounding-math. contract/contract_test.cpp holds the values in each mode.
+// Loops that end when a step vanishes must end in each rounding mode. This file is compiled with
+// -frounding-math. The values in each mode are checked by contract/contract_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -17,7 +17,7 @@ namespace {
 struct Mode {
   int mode;
   const char* name;
-  double multiple;  // of its contract that an error may reach
+  double multiple;  // an error may be so many times what its contract allows
 };
 constexpr std::array modes{Mode{FE_TONEAREST, "nearest", 1}, Mode{FE_UPWARD, "upward", 2},
                            Mode{FE_DOWNWARD, "downward", 2}, Mode{FE_TOWARDZERO, "toward zero", 2}};
@@ -34,7 +34,7 @@ class RoundingMode {
   int before_;
 };
 
-// A function's value in a mode. Numbers to compare it with are computed outside of the mode.
+// The value of f() in a rounding mode. The numbers to compare are computed outside of it.
 template <class Function>
 auto rounded(const Mode& mode, Function&& f) {
   const RoundingMode in_force(mode.mode);
@@ -43,9 +43,9 @@ auto rounded(const Mode& mode, Function&& f) {
   return value;
 }
 
-// Without this the other tests might test rounding to nearest four times: the compiler must not
-// fold, hoist or share what depends on the mode. clang++ folds constants in spite of
-// -frounding-math, hence volatile.
+// This test makes sure that the other tests do not test rounding to nearest four times. The
+// compiler must not fold, hoist or share an expression that depends on the mode. clang++ folds
+// constants in spite of -frounding-math, so that the numbers are volatile.
 TEST(RoundingModes, AreInForceInsideTheModelAndEndWithTheirScope) {
   volatile int one = 1, three = 3;
   for (const Mode& mode : modes) {
@@ -62,15 +62,15 @@ TEST(RoundingModes, AreInForceInsideTheModelAndEndWithTheirScope) {
     if (mode.mode == FE_TONEAREST) {
       EXPECT_EQ(different, 0);
     } else {
-      EXPECT_GT(different, 10) << mode.name;  // of 49; correct rounding would change about half
+      EXPECT_GT(different, 10) << mode.name;  // of 49; about half differ if rounded correctly
     }
     EXPECT_EQ(std::fegetround(), FE_TONEAREST) << mode.name;
   }
 }
 
-// Loops end when a step is not positive, or is small. With rounding to one side this may never
-// come: no mode may take many more steps than rounding to nearest. The contract test holds the
-// roots.
+// The loops end when a step is small or not positive. With rounding to one side such a step might
+// never come. Each mode may therefore take at most three steps more than rounding to nearest. The
+// contract test checks the roots.
 TEST(RoundingModes, RootsAtTheEndsOfTheRangeTakeNoMoreStepsThanInNearest) {
   for (const auto model : asperity_models)
     for (const double stiffness : {1e-300, 1e-20, 0.3, 1.0, 7.0, 1e6, 1e300})
@@ -87,7 +87,8 @@ TEST(RoundingModes, RootsAtTheEndsOfTheRangeTakeNoMoreStepsThanInNearest) {
         }
 }
 
-// The walk, the brackets at constant flow and the golden section come to an end, at the same place.
+// The walk, the brackets at constant flow and the golden section end, and in each mode they end at
+// the same place as in rounding to nearest.
 TEST(RoundingModes, CurvesAndOnsetsComeToTheirEnd) {
   for (const auto closure : starvation_closures)
     for (const auto supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
@@ -122,7 +123,7 @@ TEST(RoundingModes, CurvesAndOnsetsComeToTheirEnd) {
                   << mode.name << ' ' << name(criterion);
               continue;
             }
-            // A minimum is flat, so that its place is uncertain: its value is compared.
+            // A minimum is flat, and its place therefore uncertain. Its value is compared.
             const auto friction = [&](double speed) {
               return MixedContact<double>(scene).solve(speed).friction;
             };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a Newton step: the balance of the liquid's mass against a flow that is known, its
-// derivatives against differences, and the solution of the linear equations against a full matrix.
+// Tests of the parts of a Newton step. The balance of the liquid's mass is compared with a known
+// flow, its derivatives with differences, and the solution of the linear equations with that of a
+// full matrix.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -20,7 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// J_i = Σ_k by_film[k] K_{i−2+k} + by_pressure[k] e_{i−2+k}, and e_i of nodes that are held.
+// The matrix of the rows J_i = Σ_k by_film[k] K_{i−2+k} + by_pressure[k] e_{i−2+k}. The row of a
+// node that is held is e_i.
 MatrixXd full_jacobian(const ehl::FilmKernel& kernel, const std::vector<ehl::BalanceSlopes>& slopes,
                        const std::vector<char>& is_free) {
   const int count = kernel.size();
@@ -43,8 +45,8 @@ MatrixXd full_jacobian(const ehl::FilmKernel& kernel, const std::vector<ehl::Bal
   return j;
 }
 
-// A leaf of the tree has its square. Two halves of n nodes, joined by r products of the upper block
-// and s of the lower one, have their squares, 2n numbers for each product, and (r + s)².
+// A leaf of n nodes keeps n² numbers. Two leaves of n nodes, joined by r products of the upper
+// block and s of the lower one, keep 2n² numbers, 2n for each product, and (r + s)².
 TEST(Jacobian, CountsTheBytesOfAllItsBlocks) {
   Sampler sampler(12);
   const auto numbers = [&](int count) {
@@ -88,7 +90,8 @@ TEST(Jacobian, SolvesTheFullMatrixWithSomeNodesHeld) {
     const MatrixXd full = full_jacobian(kernel, slopes, is_free);
     const MatrixXd got = ehl::Jacobian(kernel, slopes, is_free).solve(full * expected);
     const MatrixXd by_full = full.partialPivLu().solve(full * expected);
-    // Blocks between halves are met to 1e-8 of their norm (film_kernel.hpp); a leaf alone is exact.
+    // The error of a block between halves is up to 1e-8 of its norm (film_kernel.hpp). A single
+    // leaf has no such error.
     const double bound = count <= 64 ? 1e-9 : 1e-7;
     EXPECT_TRUE(is_within((got - by_full).cwiseAbs().maxCoeff(), 0, bound)) << count << " nodes";
     EXPECT_TRUE(is_within((got - expected).cwiseAbs().maxCoeff(), 0, bound)) << count << " nodes";
@@ -102,7 +105,7 @@ TEST(Balance, SlopesAreItsDerivatives) {
     for (int trial = 0; trial < 20; ++trial) {
       const std::vector<double> x = uneven_nodes(count, -2, 1.5, sampler);
       VectorXd pressure(count), film(count);
-      // In half of the trials neighbours differ so little that the mean fluidity is a series.
+      // In half of the trials neighbours differ so little that a series gives the mean fluidity.
       const double spread = trial % 2 == 0 ? 1 : 1e-3;
       for (int i = 0; i < count; ++i) {
         pressure[i] = 0.3 + spread * sampler.uniform(0, 0.5);
@@ -150,7 +153,8 @@ TEST(Balance, SurplusIsTheDifferenceOfFlowsAndZeroAtTheEnds) {
     EXPECT_TRUE(is_within(balance.surplus[i], balance.flow[i] - balance.flow[i - 1], 1e-15));
 }
 
-// Pressure and film are given functions, so that the flow is known everywhere, in long double.
+// Pressure and film are given functions. The flow is therefore known everywhere, and is computed in
+// long double.
 TEST(Balance, MeetsAGivenFlowAtSecondOrder) {
   using Long = long double;
   const auto pressure_at = [](Long x) {
@@ -205,7 +209,7 @@ TEST(Balance, MeetsAGivenFlowAtSecondOrder) {
   }
 }
 
-// The order of the sums in a product follows from these sizes.
+// Eigen cuts matrix products by these cache sizes, which so decide the order of the sums.
 TEST(NewtonStep, ProductsAreCutByTheSameSizesOnEveryMachine) {
   EXPECT_EQ(Eigen::l1CacheSize(), 32 * 1024);
   EXPECT_EQ(Eigen::l2CacheSize(), 256 * 1024);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readings of printed formulas for point films, against the print in logarithms and against each
-// other.
+// The code's formulas for point films are compared with the printed ones, computed in logarithms,
+// and with each other.
 #include "ehl/point_formulas.hpp"
 
 #include <gtest/gtest.h>
@@ -48,8 +48,8 @@ std::string words(const ehl::FilmConditions& c) {
 }
 
 TEST(PointFormulas, AreChittendensInLogarithms) {
-  // The axes of Hertz' ellipse by Hamrock and Brewe's fit, whose error of k is below 3 %, and moves
-  // the film by at most 2 %.
+  // The ratio k of the axes of Hertz' ellipse is here by Hamrock and Brewe's fit. Its error is
+  // below 3 %, and changes the film by at most 2 %.
   const auto printed = [](double constant, double decay, double side,
                           const ehl::FilmConditions& c) {
     const double modulus = 2 * c.effective_modulus;
@@ -71,8 +71,9 @@ TEST(PointFormulas, AreChittendensInLogarithms) {
   }
 }
 
-// The powers of U, G and W are those of Hamrock and Dowson's least film, so that circles have one
-// ratio of the two; long ellipses have that of the constants.
+// The powers of U, G and W are those of Hamrock and Dowson's least film. The ratio to that film is
+// therefore constant for circles. For long ellipses the two central films have the ratio of their
+// constants.
 TEST(PointFormulas, OfChittendenAreOneMultipleOfHamrockAndDowsonsLeastFilm) {
   for (const ehl::FilmConditions& c : contacts()) {
     SCOPED_TRACE(words(c));

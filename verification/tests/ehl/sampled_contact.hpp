@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random contacts for the survey and for its sample in the tests: lines with liquids that exist,
-// and points.
+// Random contacts for the survey and for its sample in the tests. The line contacts have liquids
+// with realistic numbers, the point contacts Barus liquids.
 #pragma once
 
 #include <algorithm>
@@ -30,11 +30,12 @@ struct SampledContact {
   bool is_roelands, is_compressible;
 };
 
-// M from 1 to 1000, evenly in its logarithm, L from 0 to 25; half of the liquids Roelands', half of
-// them compressible. M and L fix αp₀ alone: p₀ is drawn from the part of 0.2 to 3 GPa that leaves α
-// in 5 to 40 /GPa. Where no part does, p₀ is the nearer end, and α follows, up to 59 /GPa, with
-// which Roelands' z is still 1.2 for a viscosity of 1 Pa·s; beyond, p₀ is more than 3 GPa. η₀ is
-// drawn from the part of 1e-3 to 1 Pa·s that leaves z at most 1.2.
+// Line contacts. M is 1 to 1000, drawn evenly in its logarithm, and L is 0 to 25. A liquid is
+// Roelands' with probability 1/2, and compressible with probability 1/2. M and L fix only αp₀.
+// Therefore p₀ is drawn from the part of 0.2 to 3 GPa where α is 5 to 40 /GPa. If there is no such
+// part, p₀ is the nearer end. At 3 GPa α may then be up to 59 /GPa, where Roelands' z is 1.2 for a
+// viscosity of 1 Pa·s. Where α would be greater, it stays 59 /GPa, and p₀ is more than 3 GPa. η₀ is
+// drawn from the part of 1e-3 to 1 Pa·s where z is at most 1.2.
 class ContactSampler : Draws {
  public:
   using Draws::Draws;
@@ -67,13 +68,14 @@ class ContactSampler : Draws {
 
 struct SampledPoint {
   ehl::PointContact contact;
-  double supply;  // the layer of liquid over the expected film of the flooded contact; 0: flooded
+  double supply;  // layer of liquid divided by the expected flooded film; 0: it is flooded
 };
 
-// Contacts with Barus liquids without compression, in turn of three kinds: a flooded circle (M from
-// 5 to 2000, L from 0 to 15), a flooded ellipse (M from 5 to 200, R_y/R_x from 1/4 to 8, L from 0
-// to 15), and a circle behind a layer of 1/4 to 4 times the film (M from 20 to 2000, L from 2.5
-// to 12.5). M, R_y/R_x and the layer are drawn evenly in their logarithms.
+// Contacts with Barus liquids without compression. There are three kinds in turn. The first is a
+// flooded circle (M from 5 to 2000, L from 0 to 15). The second is a flooded ellipse (M from 5 to
+// 200, R_y/R_x from 1/4 to 8, L from 0 to 15). The third is a circle behind a layer of 1/4 to 4
+// times the film (M from 20 to 2000, L from 2.5 to 12.5). M, R_y/R_x and the layer are drawn evenly
+// in their logarithms.
 class PointSampler : Draws {
  public:
   using Draws::Draws;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chunks as bytes: a written chunk is read again, and damaged bytes are refused.
+// Chunks are written as bytes and read again, and damaged bytes are refused.
 #include "sweep/chunk.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Chunk, HasNoListThatEndsWithinANumber) {
   }
 }
 
-// Checksums of parts find damage. Here damaged bytes must only do no harm.
+// The checksums of parts find damage. Here damaged bytes may be read if that does no harm.
 TEST(Chunk, OfDamagedBytesIsRefusedOrReadWithoutHarm) {
   const Bytes bytes = with_everything().bytes();
   std::mt19937_64 random(17);

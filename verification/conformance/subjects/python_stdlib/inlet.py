@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Starved inlets: y = h*/h_ff at r = h_ff/h_oil > 0, by four closures.
 
-Three join Wolveridge's y = (2/pi) arctan(2.7 psi) with Crook's gap. Their unknown is t = ln psi, in which
-1/r rises monotonically: it is found by bisection, in logarithms, so that nothing under- or overflows.
+Three of them join Wolveridge's y = (2/pi) arctan(2.7 psi) with Crook's gap. They use t = ln psi, so that nothing under- or overflows.
+flooded_inlet gives t in closed form. For the other two, 1/r rises monotonically with t, and t is found by bisection.
 """
 
 import math
@@ -11,13 +11,13 @@ CLOSURES = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
 
 
 def crook_constant():
-    """c of psi^(3/2)/c, from the gap of a line contact near its edge."""
+    """The constant c of Crook's term psi^(3/2)/c. It follows from the gap of a line contact near its edge."""
     return 3 / (4 * math.sqrt(2))
 
 
 def log_film_ratio(t):
     """ln y at t = ln psi."""
-    if t < -30:  # arctan v = v
+    if t < -30:  # arctan v is v to every digit
         return math.log(5.4 / math.pi) + t
     return math.log(2 / math.pi * math.atan(2.7 * math.exp(min(t, 700))))
 
@@ -40,7 +40,7 @@ def log_inverse_r(closure, t):
 
 
 def implicit(closure, r):
-    """y and 1 - y of the closures in which the film stands on both sides."""
+    """y and 1 - y of starved_inlet and printed_exponents, whose equations have y on both sides."""
     low, high = -4 * max(0.0, math.log(r)) - 20, max(0.0, -math.log(r)) + 5
     while low < (t := (low + high) / 2) < high:
         low, high = (t, high) if log_inverse_r(closure, t) + math.log(r) < 0 else (low, t)
@@ -48,12 +48,12 @@ def implicit(closure, r):
 
 
 def flooded_inlet(r):
-    """The inlet length from the gap at the flooded film; from r = 1 on the film has collapsed."""
+    """y and 1 - y, with the inlet length from the gap at the flooded film. The film has collapsed if r >= 1."""
     return (0.0, 1.0) if r >= 1 else film_parts(2 / 3 * math.log((1 - r) / r * crook_constant()))
 
 
 def damiens(r, exponent):
-    """(1 + r^exponent)^(-1/exponent)."""
+    """y = (1 + r^exponent)^(-1/exponent) and 1 - y."""
     if r <= 1:
         log_y = -math.log1p(r**exponent) / exponent
     else:
@@ -62,7 +62,7 @@ def damiens(r, exponent):
 
 
 def starved(closure, r, exponent):
-    """y and 1 - y: a nearly flooded inlet leaves no digits of the difference."""
+    """y and 1 - y. Both are returned, because subtracting y from 1 would leave no digits if the inlet is nearly flooded."""
     if closure == "damiens":
         return damiens(r, exponent)
     return flooded_inlet(r) if closure == "flooded_inlet" else implicit(closure, r)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Liquids under pressure and temperature, and summits of a rough face from its spectral moments."""
+"""Computes densities and viscosities of liquids, and the summits of a rough face from its spectral moments."""
 
 import math
 
 
 def density(pressure):
-    """The density over that at ambient pressure."""
+    """The density divided by the density at ambient pressure."""
     return (5.9e8 + 1.34 * pressure) / (5.9e8 + pressure)
 
 
@@ -23,7 +23,7 @@ def carreau_yasuda(rest, high, time, rate, a, n):
 
 
 def chart(viscosity):
-    """The height in the standard's chart: log log(nu + 0.7), nu in mm2/s."""
+    """The height of a viscosity in the chart of ASTM D341: log log(nu + 0.7), nu in mm2/s."""
     return math.log10(math.log10(1e6 * viscosity + 0.7))
 
 
@@ -41,7 +41,7 @@ def astm_d341(T1, nu1, T2, nu2, T):
     return viscosity_of(A - B * chart_temperature(T))
 
 
-# Up to which viscosity at 100 degrees, in m2/s, what quadratics in mm2/s give L and H (ASTM D2270, table X2.1).
+# Each row has its greatest viscosity at 100 degrees, in m2/s, and the coefficients of L and of H, quadratics in mm2/s (ASTM D2270, table X2.1).
 INDEX_OILS = (
     (3.8e-6, (1.14673, 1.7576, -0.109), (0.84155, 1.5521, -0.077)),
     (4.4e-6, (3.38095, -15.4952, 33.196), (0.78571, 1.7929, -0.183)),
@@ -62,7 +62,7 @@ INDEX_OILS = (
 
 
 def index_oils(at_100):
-    """Viscosities at 40 degrees, in mm2/s, of oils of the index 0 and 100."""
+    """Viscosities at 40 degrees, in mm2/s, of the oils of index 0 and 100 that have the viscosity `at_100` at 100 degrees."""
     y = 1e6 * at_100
     return next([a * y * y + b * y + c for a, b, c in oils] for end, *oils in INDEX_OILS if at_100 <= end)
 
