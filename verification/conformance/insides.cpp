@@ -151,6 +151,8 @@ void add_film(std::vector<Inside>& all) {
       {{"film-of-both-radii", "R of both axes",
         of_radii([](double x, double y) { return x * y / (x + y); })},
        {"film-of-radius-y", "R_y", of_radii([](double, double y) { return y; })}});
+  // The fits of k by its authors (readings.cpp), and the simplest one, by B. J. Hamrock, D. Brewe:
+  // Simplified solution for stresses and deformations. J. Lubr. Technol. 105 (1983) 171.
   add("k", "ellipticity",
       {{"film-of-ratio-of-radii", "R_y/R_x", of_radii([](double x, double y) { return y / x; })},
        {"film-of-fit-1.03", "1.03 (R_y/R_x)^0.64",

@@ -391,7 +391,7 @@ void add_forms(const Input& input, std::vector<Misreading>& found) {
   struct InputForm {
     double (*of)(double);
     const char* text;
-    std::size_t fewest = fewest_wrong;
+    bool is_about_one = false;  // for ratios: few cases are on the other side of 1
   };
   constexpr std::array input_forms{
       InputForm{[](double x) { return 1 / x; }, "1/{}"},
@@ -402,11 +402,10 @@ void add_forms(const Input& input, std::vector<Misreading>& found) {
       InputForm{[](double x) { return std::abs(x); }, "|{}|"},
       InputForm{[](double x) { return -x; }, "−{}"},
       InputForm{[](double x) { return std::max(x, 0.0); }, "max({}, 0)"},
-      // Few cases are on the other side of 1, and all others have to stay right.
-      InputForm{[](double x) { return std::max(x, 1 / x); }, "the greater of {0} and 1/{0}", 1},
-      InputForm{[](double x) { return std::min(x, 1 / x); }, "the less of {0} and 1/{0}", 1}};
-  for (const auto& [of, text, fewest] : input_forms) {
-    if (fewest == 1 && input.unit != dimensionless) continue;
+      InputForm{[](double x) { return std::max(x, 1 / x); }, "the greater of {0} and 1/{0}", true},
+      InputForm{[](double x) { return std::min(x, 1 / x); }, "the less of {0} and 1/{0}", true}};
+  for (const auto& [of, text, is_about_one] : input_forms) {
+    if (is_about_one && input.unit != dimensionless) continue;
     const auto change = [&input, form = of](Question& question) {
       const double own = input.get(question), read = form(own);
       if (std::isfinite(read) && read != own) input.set(question, read);
@@ -418,7 +417,7 @@ void add_forms(const Input& input, std::vector<Misreading>& found) {
                        change(question);
                        return right_numbers(question)[place];
                      },
-                     fewest, false, change});
+                     is_about_one ? 1 : fewest_wrong, false, change});
   }
 }
 

@@ -170,12 +170,13 @@ struct Quadrature {
 // Quadratures that give the wrong answers.
 std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
   constexpr int tried_all = 64;
+  // The numbers and ends that people write: round ones, powers of 2, and one point more or less.
   constexpr int others[] = {79,  80,  99,  100, 101, 119, 120, 127,  128,  149,  150,  160, 199,
                             200, 201, 249, 250, 255, 256, 299, 300,  399,  400,  499,  500, 501,
                             511, 512, 599, 600, 799, 800, 999, 1000, 1023, 1024, 1999, 2000};
   constexpr double ends[] = {3, 4, 4.5, 5, 6, 7, 8, 9, 10, 12, 15, 20, 30, 50, 100};
-  constexpr double times_off = 3;
-  constexpr std::size_t fewest = 3;
+  constexpr double times_off = 3;    // how far the errors' fall may be from a power
+  constexpr std::size_t fewest = 3;  // answers that decide
   if (wrong.size() < fewest) return {};
   const auto meets = [](const WrongAnswer& one, double value) {
     return std::abs(value - one.number->got) <=

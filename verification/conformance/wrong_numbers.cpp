@@ -95,29 +95,30 @@ std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
 
 std::string few_digits(const std::vector<AnsweredCase>& cases, double greatest) {
   constexpr int fewest = 3, of_single = 8, most = 9;
-  constexpr double of_single_precision = 1e-5;
+  constexpr double half_a_digit = 0.51;  // with what a solver adds to the rounding itself
+  constexpr double of_formula = 1e-5;    // a formula in single precision is off by some 2^−24
   std::size_t count = 0;
   int digits = fewest;
-  bool is_single = true;
   for (const AnsweredCase& one : cases)
     for (const AnsweredNumber& number : one.numbers) {
-      const auto rounded = [&] {
-        return std::strtod(fmt::format("{:.{}g}", number.got, digits).c_str(), nullptr);
+      const auto has_more = [&] {
+        return std::strtod(fmt::format("{:.{}g}", number.got, digits).c_str(), nullptr) !=
+               number.got;
       };
-      while (digits <= most && rounded() != number.got) ++digits;
-      is_single = is_single && static_cast<double>(static_cast<float>(number.got)) == number.got;
-      if (digits > most && !is_single) return {};
+      while (digits < most && has_more()) ++digits;
+      if (has_more() && static_cast<double>(static_cast<float>(number.got)) != number.got)
+        return {};
       ++count;
     }
   if (count < fewest_cases) return {};
-  if (digits < of_single && greatest > 0.51 * std::pow(10, 1 - digits)) return {};
-  if (digits < of_single)
-    return fmt::format(
-        "All answers have at most {} digits: they are written with so few, or rounded to them.",
-        digits);
-  if (greatest > of_single_precision) return {};
-  return "All answers have at most nine digits: they are computed, or written, in single "
-         "precision.";
+  if (digits >= of_single)
+    return greatest >= of_formula ? ""
+                                  : "All answers have at most nine digits: they are computed, or "
+                                    "written, in single precision.";
+  if (greatest > half_a_digit * std::pow(10, 1 - digits)) return {};
+  return fmt::format(
+      "All answers have at most {} digits: they are written with so few, or rounded to them.",
+      digits);
 }
 
 }  // namespace tribo::conformance
