@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# A thin face on CMake's presets: each target sets up what it needs, and no more.
+# Short names for CMake's presets. Each target prepares only what it needs.
 PURPOSE ?= build report test
 FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
-# Packages have the date of their commit.
+# The files in a package have the date of its commit.
 same_dates = SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct 2>/dev/null || date +%s)
 
 .PHONY: all deps build film-survey point-survey paper-films references references-check pieces pieces-check report test test-elsewhere arm64 thread-check test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions field live live-check live-firefox verify-full stress baseline install data package-check package format format-check tidy tidy-program debug clean help
@@ -29,7 +29,7 @@ test: ## build, run all tests, hold what ran to the manifest of checks; some 20 
 deps: ## install the packages of PURPOSE="build report test check bench references"
 	@.ci/deps $(PURPOSE)
 
-# TRIBOCHECK_BUILD_TESTS is left as the last `make test` set it.
+# This target does not change TRIBOCHECK_BUILD_TESTS, which `make test` sets.
 build: ## build the program: build/release/tribocheck
 	@.ci/deps build
 	cmake --preset release
@@ -202,7 +202,7 @@ work-precision: ## measure true error against work, draw it: reports/out/work_pr
 	  $(if $(PLUGIN),--plugin '$(PLUGIN)',--baseline reference/baselines/work_precision.json)
 	benchmarks/work_precision/draw reports/out/work_precision
 
-# valgrind is on bench.txt; a machine that cannot have it is measured without.
+# valgrind is on the list bench.txt. Where it cannot be installed, the gates run without it.
 GATE_PROGRAM = build/release/tribocheck_gate_kernels
 gate-program:
 	@.ci/deps build bench || echo "gates: going on with what is installed" >&2

@@ -26,7 +26,7 @@ struct Measured {
   std::size_t points;         // solved by one call of run
   std::function<void()> run;  // all of it is timed
   std::function<Errors()> judge;
-  std::function<double()> evaluations{};  // their number per point; empty: not counted
+  std::function<double()> evaluations{};  // number per point; empty: not counted
   std::function<double()> own_seconds{};  // CPU time of the last run, if in another process
 };
 
@@ -75,7 +75,7 @@ std::vector<Measured> jobs_of(const std::vector<RootContender>& contenders, Root
 
 // reference/published/rough.toml
 const Scene& curve_scene();
-// Log-spaced over the scene's range, ascending.
+// Speeds that are log-spaced over the scene's range, ascending.
 std::vector<double> curve_speeds(std::size_t count);
 // The errors of the films at `count` speeds, compared with the same model in long double at the
 // speeds that the contender has written into its points. Collapsed films are not judged.

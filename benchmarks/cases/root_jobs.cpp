@@ -49,7 +49,7 @@ Measured root_job(const RootContender& contender, RootJob job,
                     contender.name,
                     cases.size(),
                     [=] {
-                      (void)stored;  // keeps the cases
+                      (void)stored;  // the copy keeps the cases alive
                       if (!*ready) *ready = contender.prepare(cases);
                       (*ready)(cases, *film);
                     },

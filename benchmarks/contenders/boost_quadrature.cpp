@@ -28,8 +28,8 @@ struct GaussKronrod {
   };
 };
 
-// The integral gets a finite upper end: on an infinite range the abscissas of this rule are so
-// large that u·u·√u overflows.
+// The integral has a finite upper end. On an infinite range this rule has so large abscissas that
+// u·u·√u overflows.
 template <class Count>
 struct TanhSinh {
   double tolerance;
@@ -40,7 +40,7 @@ struct TanhSinh {
   }
 };
 
-// The integral is over u = s − d, because the abscissas crowd at the end of the range.
+// The integral is over u = s − d > 0, because the rule's abscissas are dense near 0.
 template <class Count>
 struct ExpSinh {
   double tolerance;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Common to all contenders: their tolerances and numbers of points or knots, and the counting of
-// evaluations of an integrand or a moment.
+// What all contenders share: the choice of their tolerances and numbers of points or knots, and the
+// counting of evaluations of an integrand or a moment.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ std::vector<T> joined(std::vector<std::vector<T>> parts) {
   return all;
 }
 
-// A contender takes one of these two as a template argument, so that the timed one does not count.
+// A contender takes Uncounted or Counted as a template argument, so that no counting is timed.
 struct Uncounted {
   static void one() {}
 };
@@ -50,7 +50,7 @@ double evaluations_of(Work&& work) {
   return Counted::total - before;
 }
 
-// A method of Boost that gives NaN where Boost throws, as it does at numbers that are not finite.
+// Calls a method of Boost. Returns NaN if Boost throws, as it does for NaN and infinite numbers.
 template <class Method>
 double value_or_nan(const Method& method) {
   try {

@@ -25,7 +25,7 @@ struct CurveContender {
 
 OutputSet curve_outputs();
 
-// All contenders, our own last.
+// All contenders. Our own come last.
 std::vector<CurveContender> curve_contenders(Settings settings = Settings::usual);
 
 }  // namespace tribo::benchmarks

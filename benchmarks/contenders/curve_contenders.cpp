@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each timed call prepares the scene again, as users do for a single curve. The root solvers of
-// other families use this project's code for the film formula, starvation and friction, which is an
-// advantage for them; SciPy's solver does not take part.
+// other families have an advantage: they use this project's code for the film formula, starvation
+// and friction. SciPy's solver does not take part.
 #include <utility>
 
 #include "contenders/curve_contender.hpp"

@@ -98,7 +98,7 @@ ehl::LineFilm DenseNewton::run() {
       break;
     }
   }
-  // The flow is taken where the pressure is greatest: its slope is 0 there and drives no flow.
+  // The flow is taken at the greatest pressure. The pressure drives no flow there: its slope is 0.
   Index peak;
   now_.pressure.maxCoeff(&peak);
   const ehl::Balance balance = ehl::balance_of(contact_, now_.x, now_.pressure, now_.film, false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film of a line contact as textbooks program it. The equations are those of model/ehl.
-// Newton's linear equations have a full matrix, which says how the pressure at each node changes
-// the film at each node, and Eigen's PartialPivLU solves them in N³ operations a step.
+// Newton's linear equations have a full matrix, because the pressure at each node changes the film
+// at each node. Eigen's PartialPivLU solves them in about N³ operations a step.
 #pragma once
 
 #include <Eigen/Dense>

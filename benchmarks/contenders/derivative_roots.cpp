@@ -79,7 +79,7 @@ std::vector<RootContender> derivative_roots(Settings settings) {
     all.push_back(one_by_one("Boost", fmt::format("Newton {} bits + our F", bits),
                              Newton<Uncounted>{bits}, Newton<Counted>{bits}));
   // Boost's iteration ends when a step is below 2^(1−bits) of the root. Halley's method is of third
-  // order: the error left is of the order of that step's cube, so that 26 bits are enough.
+  // order: the remaining error is of the order of that step's cube. Therefore 26 bits are enough.
   for (const int bits : chosen(settings, {26}, {4, 8, 16, 26}))
     all.push_back(one_by_one("Boost", fmt::format("Halley {} bits + our F", bits),
                              Halley<Uncounted>{bits}, Halley<Counted>{bits}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to Hertz' elliptical contact, each as its users write it.
+// Methods that compute Hertz' elliptical contact, each as its users write it.
 #pragma once
 
 #include <cmath>
@@ -31,8 +31,8 @@ struct EllipseContender {
   EllipseBatch counted{};  // counts pairs of integrals in Counted; empty if it uses none
 };
 
-// The axes' ratio k, and the second elliptic integral E of parameter 1 − 1/k²; the formulas of the
-// contact need both.
+// The formulas of the contact need the axes' ratio k, and the complete elliptic integral of the
+// second kind E for the parameter 1 − 1/k².
 struct AxesRatio {
   double ellipticity, second_integral;
 };
@@ -45,7 +45,7 @@ inline EllipseAnswer contact_of(const EllipseCase& c, const AxesRatio& shape) {
   return {axis, 3 * c.load / (2 * pi * k * axis * axis)};
 }
 
-// An ellipse contender from shape(α), which gives an AxesRatio.
+// Makes the function of an ellipse contender from shape(R_y/R_x), which returns an AxesRatio.
 template <class Shape>
 EllipseBatch by_shape(Shape shape) {
   return [shape](std::span<const EllipseCase> cases, std::span<EllipseAnswer> answers) {
@@ -54,7 +54,7 @@ EllipseBatch by_shape(Shape shape) {
   };
 }
 
-// All contenders, family by family; our own last.
+// All contenders, family by family. Our own come last.
 std::vector<EllipseContender> ellipse_contenders(Settings settings = Settings::usual);
 // The contenders that find the axes' ratio as a root.
 std::vector<EllipseContender> ellipse_roots(Settings settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All ways to a Hertz ellipse; among them fits to the axes' ratio and to the second elliptic
-// integral, which programs use in place of the root.
+// All methods for a Hertz ellipse. Some are fits to the axes' ratio and to the elliptic integral of
+// the second kind, which programs use in place of the root.
 #include <array>
 #include <iterator>
 #include <string_view>

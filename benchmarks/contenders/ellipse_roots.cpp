@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The root of α = (k²E − K)/(K − E) by Boost's and GSL's solvers, on their elliptic integrals.
+// The root k of α = (k²E − K)/(K − E) by Boost's and GSL's solvers with their elliptic integrals.
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
@@ -22,8 +22,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_iterations = 200;
-// For k below this number too many digits of K − E cancel, and the contact is treated as a circle,
-// k = 1.
+// For k below this number too many digits cancel in K − E, so the contact is treated as a circle
+// (k = 1).
 constexpr double least_ratio = 1 + 1e-6;
 constexpr AxesRatio circle{1, std::numbers::pi / 2};
 

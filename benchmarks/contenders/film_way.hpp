@@ -20,10 +20,10 @@ struct FilmAnswer {
 template <class Contact>
 struct FilmWay {
   std::string family;
-  std::string series;  // a diagram joins the ways of a series by a line
+  std::string series;  // a diagram joins the methods of a series by a line
   std::string name;
-  // The number of FilmAnswer that a formula gives. It is null for a solver, which is judged by
-  // `central` and `minimum`.
+  // The member of FilmAnswer that a formula gives. Null for a solver, which is judged by `central`
+  // and `minimum`.
   double FilmAnswer::*quantity;
   std::function<FilmAnswer(const Contact& contact)> run;
 };

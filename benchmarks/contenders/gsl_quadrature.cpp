@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// F_n by GSL's adaptive quadrature rules, and by its fixed rules of Gauss and Laguerre.
+// F_n by GSL's adaptive quadrature rules, and by its fixed Gauss-Laguerre rules.
 #include "contenders/gsl_quadrature.hpp"
 
 #include <fmt/format.h>
@@ -32,9 +32,9 @@ struct Cquad {
   };
 };
 
-// The fixed rules integrate over u = s − d. The weight of the plain rule is e^{−u}, that of the
-// generalised rule u^{5/2} e^{−u}. The second weight contains the integrand's square root, so that
-// the rest is smooth.
+// The fixed rules integrate over u = s − d. The weight of the plain rule is e^{−u}. The weight of
+// the generalised rule is u^{5/2} e^{−u}: it contains the integrand's square root, so that the
+// remaining factor is smooth.
 using Rule = std::shared_ptr<gsl_integration_fixed_workspace>;
 Rule laguerre(double exponent, std::size_t points) {
   return {gsl_integration_fixed_alloc(gsl_integration_fixed_laguerre, points, 0, 1, exponent, 0),

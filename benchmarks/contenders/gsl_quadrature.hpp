@@ -40,14 +40,14 @@ struct RootIntegrand {  // n = 5/2
   }
 };
 
-// The function that GSL calls, made from an integrand that is an object.
+// Makes the function that GSL calls from an integrand object, which it does not copy.
 template <class Integrand>
 gsl_function gsl_view(Integrand& integrand) {
   return {[](double s, void* object) { return (*static_cast<Integrand*>(object))(s); }, &integrand};
 }
 
 inline constexpr std::size_t gsl_intervals = 1000;
-// The upper end of the integral. The part beyond it is less than 1e-20 times F_n(d).
+// The upper end of the integral. The integral beyond this end is less than 1e-20 times F_n(d).
 inline double finite_end(double d) { return std::max(d, 0.0) + 10; }
 
 class GslWorkspace {

@@ -28,8 +28,8 @@ FilmAnswer answer_of(const ehl::LineContact& contact, const ehl::LineFilm& film)
   return answer;
 }
 
-// Each grid has twice the cells of the grid before, and the solution on it starts from the film on
-// that grid.
+// Each grid has twice the cells of the grid before it. The solution on a grid starts from the film
+// on the grid before it.
 FilmAnswer on_one_grid(const ehl::LineContact& contact, int cells) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   ehl::LineFilm film = coarse.film;
@@ -49,8 +49,8 @@ FilmAnswer dense(const ehl::LineContact& contact, int cells) {
   return answer_of(contact, film);
 }
 
-// On a uniform grid from X = −4, as textbooks have it, to X = 1.5; both ends lie further out where
-// the film reaches further.
+// The grid is uniform from X = −4, as in textbooks, to X = 1.5. Both ends lie further out if the
+// film reaches further.
 FilmAnswer uniform(const ehl::LineContact& contact, int cells) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   const double reach = (ehl::scales_of(contact).outlet_end - 1) / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to the film of a line contact: our solver, a solver as in textbooks, and formulas.
+// Methods for the film of a line contact: our solver, a solver as in textbooks, and formulas.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@ namespace tribo::benchmarks {
 
 using LineFilmWay = FilmWay<ehl::LineContact>;
 
-// The numbers of a film; NaN where it is not solved.
+// The film numbers of a solved film; NaN if it is not solved.
 FilmAnswer film_numbers(const ehl::LineContact& contact, const ehl::SolvedFilm& solved);
 
-// All ways, from coarse to fine; our own last.
+// All methods, each from coarse to fine. Our own come last.
 std::vector<LineFilmWay> line_film_ways();
 
 // The coarse film from which our solver and the others begin.

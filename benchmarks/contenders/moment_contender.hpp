@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to F_n(d), each as its users write it.
+// Methods that compute F_n(d), each as its users write it.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace tribo::benchmarks {
 
 using MomentBatch = std::function<void(std::span<const double> d, std::span<double> moments)>;
 
-// The range in which a contender claims to hold; elsewhere it is not judged.
+// The range of d for which a contender claims to be valid. It is not judged outside.
 struct Range {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
@@ -31,13 +31,13 @@ struct MomentContender {
   std::string name;
   Order order;
   MomentBatch run;
-  MomentBatch counted{};  // counts its integrand in Counted; empty: it has no integrand
+  MomentBatch counted{};  // counts integrand values in Counted; empty: there is no integrand
   Range claimed{};
   // CPU time of the last call, if another process did the work; empty: this process does it.
   std::function<double()> own_seconds{};
 };
 
-// A function of one argument, asked point by point.
+// Calls a function of one argument for each d in turn.
 template <class Function>
 MomentBatch point_by_point(Function function) {
   return [function](std::span<const double> d, std::span<double> moments) {
@@ -62,7 +62,7 @@ MomentContender quadrature(std::string family, std::string name, Order order,
           point_by_point(Method<Counted>{arguments...})};
 }
 
-// All contenders, family by family; our own last.
+// All contenders, family by family. Our own come last.
 std::vector<MomentContender> moment_contenders(Settings settings = Settings::usual);
 
 // The families.
@@ -77,13 +77,12 @@ std::vector<MomentContender> published_fits();
 // start is not counted.
 std::vector<MomentContender> scipy_moments();
 
-// F_{5/2}(d) = Γ(7/2)/√2π e^{−d²/4} U(3, d), with Weber's U(0, d) and U(1, d) in Bessel functions
-// of d²/4 (DLMF 12.7.10 and on) and two steps of the recurrence in its first argument.
+// F_{5/2}(d) = Γ(7/2)/√(2π) e^{−d²/4} U(3, d). Weber's functions U(0, d) and U(1, d) come from
+// Bessel functions of d²/4 (DLMF 12.7.10 and following). Two steps of the recurrence give U(3, d).
 double bessel_moment(double d);
 
-// A fit from the literature, with the range of d that it claims. Where 4 − d is raised to a power,
-// the value beyond d = 4 is 0, because programs write it so; the other fits go on beyond their
-// range.
+// A fit from the literature, with the range of d that it claims. A fit that is a power of 4 − d is
+// 0 beyond d = 4, as in programs. The other fits are also evaluated outside their range.
 struct PublishedFit {
   std::string_view name;
   Order order;

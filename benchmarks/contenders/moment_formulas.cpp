@@ -14,7 +14,7 @@ namespace tribo::benchmarks {
 namespace {
 
 namespace policies = boost::math::policies;
-// NaN and ∞ instead of exceptions.
+// With this policy Boost returns NaN or ∞ and throws no exception.
 using Quiet = policies::policy<policies::domain_error<policies::ignore_error>,
                                policies::overflow_error<policies::ignore_error>,
                                policies::pole_error<policies::ignore_error>,

@@ -21,10 +21,10 @@ using conformance::PluginFunctions;
 constexpr const char* family = "plugin";
 constexpr int unset = -1;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double slow = 5e-6;  // s a case; a contender that takes longer is timed on fewer cases
+constexpr double slow = 5e-6;  // seconds per case; a slower contender is timed on fewer cases
 
-// The answer that counts. It is not_offered if the status says so, and the number if that is finite
-// and its status is TRIBOCHECK_DONE, as in `verify`. Otherwise it is NaN.
+// The number that is judged, as in `verify`: not_offered if the status says so, `value` if it is
+// finite and the status is TRIBOCHECK_DONE, and otherwise NaN.
 double answer_of(int status, double value) {
   if (status == TRIBOCHECK_NOT_OFFERED) return not_offered;
   return status == TRIBOCHECK_DONE && std::isfinite(value) ? value : no_number;
@@ -39,8 +39,8 @@ double seconds_of(Call&& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Arrays that are kept between calls, so that the timed call allocates nothing. One has the
-// argument that is the same in all cases, the other one the status of each case.
+// Arrays that are kept between calls, so that the timed call allocates nothing: `shared` has, for
+// each case, the argument that is the same in all cases, and `status` has the status of each case.
 struct Room {
   std::vector<double> shared;
   std::vector<int> status;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Somebody's solver in a shared library (verification/conformance/tribocheck_plugin.h), as a
-// contender for the quantities that it offers. The call of its function is timed together with the
-// reading of each case's status. A case without the status TRIBOCHECK_DONE has no number.
+// A user's solver in a shared library (verification/conformance/tribocheck_plugin.h) as a contender
+// for the quantities that it offers. The timed work is the call of its function and the check of
+// each case's status. A case without the status TRIBOCHECK_DONE has no number.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ namespace tribo::benchmarks {
 // These functions first ask the plug-in for one case, to see whether it offers the quantity.
 std::vector<MomentContender> plugin_moments(const conformance::Plugin& plugin);
 std::vector<RootContender> plugin_roots(const conformance::Plugin& plugin);
-// Contenders that offer film, load share of the asperities and friction.
+// The plug-in has to offer film, load share of the asperities and friction.
 std::vector<CurveContender> plugin_curves(const conformance::Plugin& plugin);
 
 }  // namespace tribo::benchmarks

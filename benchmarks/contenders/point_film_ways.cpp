@@ -41,7 +41,7 @@ FilmAnswer on_one_grid(const ehl::PointContact& contact, int cells) {
   return answer_of(contact, film, film.steps);
 }
 
-// The grid on which on_one_grid() ends.
+// The finest grid of on_one_grid().
 ehl::PlaneGrid grid_of(const ehl::PointContact& contact, int cells) {
   ehl::PlaneGrid grid = ehl::grid_for(contact, coarsest_cells(contact));
   for (int n = coarsest_cells(contact); n < cells; n *= 2) grid = grid.finer();

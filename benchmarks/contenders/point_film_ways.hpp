@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to the film of a flooded circle: our solver, and two as in textbooks.
+// Methods for the film of a flooded circular contact: our solver, and two methods of textbooks.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace tribo::benchmarks {
 
-// The numbers of a film; NaN where it is not solved.
+// The film numbers of a solved film; NaN if it is not solved.
 FilmAnswer film_numbers(const ehl::PointContact& contact, const ehl::SolvedPoint& solved);
 
-// All ways, from coarse to fine; our own last. The textbooks' ways begin with a coarse film of
-// ours: relaxation, with up to 3000 sweeps, with the film on our coarsest grid; Newton's method, on
-// grids of up to 2500 nodes, with the film on a grid of half as many cells.
+// All methods, each from coarse to fine. Our own come last. The textbooks' methods start from our
+// film on a coarse grid. For relaxation, with up to 3000 sweeps, this is our coarsest grid. For
+// Newton's method, on grids of up to 2500 nodes, it is a grid with half the cells of our coarsest.
 std::vector<FilmWay<ehl::PointContact>> point_film_ways(const ehl::PointContact& contact);
 
-// The number of cells that our coarsest grid has on the length that pressure reaches.
+// The number of cells `cells` for which ehl::grid_for() makes our coarsest grid.
 int coarsest_cells(const ehl::PointContact& contact);
 
 }  // namespace tribo::benchmarks

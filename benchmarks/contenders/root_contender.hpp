@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to the film parameter λ of load sharing (model/README.md, section 6) after Greenwood and
+// Methods for the film parameter λ of load sharing (model/README.md, section 6) after Greenwood and
 // Tripp:  A(λ) + (λ₀/λ)^{1/0.14} = 1,  A = √(K F_{5/2}(λ−δ)).
 #pragma once
 
@@ -30,13 +30,13 @@ using RootRun = std::function<void(const RootCases&, std::span<double> film_para
 struct RootContender {
   std::string family;
   std::string name;
-  // Returns the function that is timed. If that function uses data of one surface in all its calls,
-  // `prepare` makes the data from the first case, and their making is not timed.
+  // Returns the function that is timed. If that function uses the same data of one surface in all
+  // its calls, `prepare` makes these data from the first case, which is not timed.
   std::function<RootRun(const RootCases&)> prepare;
-  // The number of moments that these cases take; a moment with its derivative counts once. Empty:
+  // The number of moments that these cases need. A moment with its derivatives counts once. Empty:
   // moments are not counted.
   std::function<double(const RootCases&)> evaluations{};
-  bool is_slow = false;                   // some microseconds a case or more: fewer are timed
+  bool is_slow = false;                   // a case takes some microseconds or more; fewer are timed
   std::function<double()> own_seconds{};  // CPU time of the last call in another process
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All ways to the root, this project's among them, point by point and in batches.
+// All methods for the root. Those of this project work point by point or in batches.
 #include <utility>
 #include <vector>
 
@@ -14,7 +14,7 @@ constexpr AsperityModel model = AsperityModel::greenwood_tripp;
 
 LoadSharing<double> sharing_of(const RootCase& c) { return {model, c.stiffness, c.offset}; }
 
-// The number of steps to the roots; each is one evaluation of F with its derivative.
+// The number of steps to all roots. Each step is one evaluation of F with its derivative.
 double steps(const RootCases& cases) {
   double sum = 0;
   for (std::size_t i = 0; i < cases.size(); ++i)

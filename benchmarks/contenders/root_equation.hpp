@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equation that every root contender solves; F_{5/2} is computed by any function that is given.
+// The equation that every root contender solves. F_{5/2} is computed by a function that is given.
 #pragma once
 
 #include <cmath>
@@ -37,8 +37,8 @@ class LoadBalance {
   const Moment& moment_;
 };
 
-// The same equation as the paper writes it, h = h₀(1−A)^−0.14; the residual is positive where h is
-// too small.
+// The same equation as the paper writes it, h = h₀(1−A)^−0.14. The residual is positive if h is too
+// small.
 template <class Count, class Moment>
 class FilmBalance {
  public:
@@ -62,8 +62,8 @@ struct Bracket {
   double low, high, at_low, at_high;
 };
 
-// A bracket of the root: it starts from λ₀, where the residual is not negative, and goes upward in
-// steps that are doubled until the residual is not positive.
+// A bracket of the root. The search starts from λ₀, where the residual is not negative, and goes
+// upward. It doubles its step until the residual is not positive.
 template <class Residual>
 Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
   Bracket bracket{root_case.flooded, root_case.flooded, residual(root_case.flooded), 0};
@@ -77,7 +77,7 @@ Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
   return bracket;
 }
 
-// The bracket that many would choose first: from λ₀ to a film far above the roughness.
+// The bracket that many users would choose first: from λ₀ to a film far above the roughness.
 template <class Residual>
 Bracket bracket_over_roughness(const RootCase& root_case, const Residual& residual) {
   const double high = root_case.flooded + root_case.offset + 8;
@@ -101,7 +101,7 @@ RootContender one_by_one(std::string family, std::string name, Solve solve, Coun
           }};
 }
 
-// A contender from solver(case, residual), called with the residual of each case.
+// Makes a contender from solver(case, residual), which gets each case with its FilmBalance.
 template <class Moment, class Solver>
 RootContender on_film(std::string family, std::string name, Moment moment, Solver solver) {
   return one_by_one(

@@ -19,8 +19,8 @@
 namespace tribo::benchmarks {
 namespace {
 
-// The process starts with the first question. Throws std::runtime_error if there is no Python with
-// SciPy.
+// ask() starts the process at its first call. It throws std::runtime_error if no answer comes, for
+// example without SciPy.
 class Scipy {
  public:
   nlohmann::json ask(std::string_view function,

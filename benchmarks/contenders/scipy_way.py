@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Moments and film parameters, as the contenders in C++ find them, with SciPy's quad and fsolve. A line of JSON asks, a line of JSON answers; the CPU time
-of the work alone is in the answer."""
+"""Computes moments and film parameters, like the contenders in C++, with SciPy's quad and fsolve. Each question is a line of JSON, and so is
+each answer. An answer has the CPU time of the computation alone."""
 import json
 import math
 import sys
@@ -31,7 +31,7 @@ def attempt(function, arguments):
     try:
         value = float(function(*arguments))
     except (ArithmeticError, ValueError, TypeError):
-        return None  # the iterate became negative, so that a power is complex, or a number overflowed
+        return None  # an iterate became negative, which makes a power complex, or a number overflowed
     return value if math.isfinite(value) else None
 
 

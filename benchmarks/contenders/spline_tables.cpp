@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables that a spline reads: ln F_{5/2} at knots, made once with GSL's quadrature; and for one
-// surface ln λ over ln λ₀, with knots at chosen λ.
+// Splines through tables: ln F_{5/2} over d, made once with GSL's quadrature; and, for one surface,
+// ln λ over ln λ₀, with knots at chosen λ.
 #include <fmt/format.h>
 #include <gsl/gsl_spline.h>
 
@@ -16,7 +16,7 @@
 namespace tribo::benchmarks {
 namespace {
 
-// A natural cubic spline, as GSL's users keep one.
+// GSL's natural cubic spline, with its accelerator for the search of the interval.
 class SplineTable {
  public:
   SplineTable(const std::vector<double>& x, const std::vector<double>& y)
@@ -48,7 +48,7 @@ constexpr double lowest = 1e-5;  // λ₀
 constexpr double highest = 1000;
 
 SplineTable inverse_table(const LoadSharing<double>& sharing, int knots) {
-  // λ₀ = λ(1−A)^0.14 is lowest where 1 − A is about (lowest/λ_b)^{1/0.14}.
+  // Near the floor λ_b, λ₀ = λ(1−A)^0.14 equals `lowest` if 1 − A is about (lowest/λ_b)^{1/0.14}.
   double nearest = lowest / 10;
   if (sharing.has_floor())
     nearest = std::exp(std::log(lowest / sharing.floor()) / sharing.film().sharing_power.value -

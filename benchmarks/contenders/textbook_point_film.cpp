@@ -15,16 +15,16 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// The nodes of ehl::PlaneSlopes, off the node itself.
+// The offsets (i, j) of the nodes of ehl::PlaneSlopes from the node itself.
 constexpr std::array<std::array<int, 2>, 6> stencil{
     {{-2, 0}, {-1, 0}, {0, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-// For relaxation: the part of a line's change that is made, the part of the missing load by which
-// H₀ moves, and the number of diagonals on each side of the main one in a line's matrix.
+// For relaxation: the part of a line's change that is made, the decrease of H₀ per relative missing
+// load, and the number of diagonals on each side of the main diagonal in a line's matrix.
 constexpr double change_part = 0.4, load_part = 0.05;
 constexpr int band = 3;
 
-// The node at (i, j), beyond Y = 0 its mirror image; −1 outside of the grid.
+// The node at (i, j). For j < 0 its mirror image in Y = 0. −1 for an i outside the grid.
 Index node_at(const ehl::PlaneGrid& grid, int i, int j) {
   return i < 0 || i >= grid.count_x() ? -1 : grid.node(i, std::abs(j));
 }
@@ -148,7 +148,8 @@ double TextbookPointFilm::relax_line(const ehl::PlaneBalance& balance, int j, Ve
     return numbers_.deflection *
            ehl::film_of_rectangle(across * grid.dx, along * grid.dy, grid.dx, grid.dy);
   };
-  // The film, and the pressure, at a distance from a changed node, which its neighbours share.
+  // The changes of film and pressure at a distance from a node whose pressure changes by 1. If the
+  // change is shared, each of its four neighbours changes by −1/4.
   const auto film_at = [&](int across, int along, bool is_shared) {
     const double own = influence(across, along);
     return !is_shared ? own

@@ -23,7 +23,7 @@ struct FixedPoint {
     double film = c.flooded;
     for (int i = 0; i < most_iterations; ++i) {
       const double next = c.flooded * std::pow(1 - balance.asperity_share(film), -film_exponent);
-      if (!(std::abs(next - film) > tolerance * next)) return next;  // also if it is NaN
+      if (!(std::abs(next - film) > tolerance * next)) return next;  // true for NaN, too
       film = next;
     }
     return std::numeric_limits<double>::quiet_NaN();
@@ -46,7 +46,7 @@ struct NewtonOnFilm {
       const double slope = 1 - film_exponent * thicker * asperity_slope / (1 - asperity);
       const double step = (film - thicker) / slope;
       film -= step;
-      if (!(std::abs(step) > tolerance * film)) return film;  // also if it is NaN
+      if (!(std::abs(step) > tolerance * film)) return film;  // true for NaN, too
     }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gates of speed: does a kernel do more work, or take longer, than it did?
 
-  counters      steps of roots, evaluations, what was skipped: exact, on each instruction set
-  instructions  callgrind's count of a pass, scalar and AVX2: at most 1 % more, and by each law of films at most
-                so many times that by Hamrock and Dowson's; where valgrind is installed
-  time          CPU time over that of a control kernel (std::exp) in the same repetition: red where the
-                intervals from minimum to median do not overlap and the median is 10 % up, twice in a row
+  counters      steps of roots, evaluations and skipped work, on each instruction set: no difference allowed
+  instructions  callgrind's count of a pass, scalar and AVX2: at most 1 % more. A film law may take at most a fixed
+                multiple of the count of Hamrock and Dowson's law. Needs valgrind
+  time          the ratio of CPU time to that of a control kernel (std::exp) in the same repetition: red if the
+                interval from minimum to median lies above the base's and the median is 10 % up, twice in a row
 
-They are held against reference/baselines/performance.json, or with --base against another build of the
-program, whose times then alternate with this one's. Instructions of another compiler, C library or valgrind,
-and times of another compiler, C library or processor, cannot be compared with the baseline: then a line says
-so, and the gate is not red.
+The base is reference/baselines/performance.json, or with --base another build of the program. The times of the
+two builds are then measured in turn. Instructions of another compiler, C library or valgrind, and times of
+another compiler, C library or processor, cannot be compared with the baseline. In that case a line says so, and
+the gate is not red.
 
   benchmarks/gates/gate.py build/release/tribocheck_gate_kernels
   benchmarks/gates/gate.py build/release/tribocheck_gate_kernels --base ../before/build/release/tribocheck_gate_kernels
@@ -57,7 +57,7 @@ class Verdict:
         return "not held" if self.why_not else "red" if self.red else "passed"
 
     def keys(self, base, now):
-        """The keys to compare; keys that lack on one side are told."""
+        """Returns the keys that both sides have, and reports the others."""
         keys, red, notes = rules.comparable(base, now)
         self.red += red
         for line in notes:
@@ -94,11 +94,11 @@ def hold_instructions(base, now, verdict):
 
 
 class NotComparable(Exception):
-    """Why times cannot be compared; empty if they can."""
+    """Raised if times cannot be compared. Its text says why."""
 
 
 def times_of(programs, control=None):
-    """Intervals of each program; `control`: the control kernel's time when the baseline was made."""
+    """The intervals of each program. `control` is the control kernel's time when the baseline was made."""
     found = measure.times(programs)
     if control and not 1 / rules.QUIET <= found.control / control <= rules.QUIET:
         raise NotComparable(f"the control kernel takes {1e6 * found.control:.1f} µs, {1e6 * control:.1f} when the "
@@ -109,7 +109,7 @@ def times_of(programs, control=None):
 
 
 def hold_times(measure_both, verdict):
-    """measure_both() gives (base, now), key → Interval. It is called a second time where something was slower."""
+    """measure_both() returns (base, now), two dicts from key to Interval. It is called again if a workload was slower."""
     slow = []
     for run in ("first run", "second run"):
         base, now = measure_both()
@@ -130,7 +130,7 @@ def hold_times(measure_both, verdict):
 
 
 def hold_gate(gate, program, base_program, baseline, say=print):
-    """One gate, against another program or, where that is None, the baseline."""
+    """The verdict of one gate. The base is base_program, or the baseline if base_program is None."""
     verdict = Verdict(gate, say)
     if gate == "instructions" and measure.valgrind_version() is None:
         return verdict.skip("valgrind is not installed")
@@ -162,7 +162,7 @@ def hold_gate(gate, program, base_program, baseline, say=print):
 
 
 def hold(gates, program, base_program, baseline, say=print):
-    """The verdicts of all gates that are asked for, by gate."""
+    """A dict from each of these gates to its verdict."""
     verdicts = {}
     for gate in gates:
         started = time.monotonic()
@@ -176,7 +176,7 @@ def hold(gates, program, base_program, baseline, say=print):
 
 
 def update(program, path):
-    """Writes the baseline, a row a line, so that a change can be read."""
+    """Writes the baseline, with one line for each row, so that a diff can be read."""
     instructions = {}
     if measure.valgrind_version() is not None:
         instructions = measure.instructions(program)
@@ -194,7 +194,7 @@ def update(program, path):
 
 
 def check_base(program):
-    """Raises Unmeasured where this is another file than a tribocheck_gate_kernels: a library, as of a user's solver, dies."""
+    """Raises Unmeasured if this file is no tribocheck_gate_kernels. A library, such as a user's solver, crashes when it is started."""
     try:
         why = None if "compiler" in measure.environment(program) else "it does not tell its compiler"
     except (measure.Unmeasured, ValueError) as error:

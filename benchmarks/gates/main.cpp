@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck_gate_kernels: what the gates measure of our kernels (gate.py). Each mode prints lines
-// of tab-separated columns, the first two of them workload and instruction set.
+// tribocheck_gate_kernels measures our kernels for the gates (gate.py). Each mode but --environment
+// prints lines of tab-separated columns, of which the first two are workload and instruction set.
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 
@@ -17,7 +17,7 @@
 // Callgrind finds a pass by this name.
 extern "C" [[gnu::noinline]] void tribocheck_gate_pass(const std::function<void()>& pass) {
   pass();
-  asm volatile("");  // after the call, so that no jump takes its place
+  asm volatile("");  // prevents a tail call, in which a jump takes the place of the call
 }
 
 namespace tribo::gates {
@@ -28,8 +28,8 @@ struct Chosen {
   std::string set;
 };
 
-// Each workload, and a vector workload on each instruction set. `only` selects a workload by name,
-// `set` an instruction set; if empty, all are selected.
+// All workloads, and vector workloads on each instruction set. `only` selects a workload by name.
+// `set` selects the instruction set of vector workloads. An empty string selects all.
 std::vector<Chosen> chosen(const std::string& only, const std::string& set) {
   std::vector<Chosen> all;
   for (const Workload& workload : workloads()) {
@@ -57,7 +57,7 @@ void print_counters(const std::vector<Chosen>& all) {
   }
 }
 
-// Each workload runs once beforehand, so that work of a first call is not counted.
+// Each workload runs once beforehand, so that the extra work of a first call is not counted.
 void run_passes(const std::vector<Chosen>& all, int passes) {
   for (const Chosen& one : all) {
     use(one);
@@ -79,7 +79,7 @@ double seconds_of(const std::function<void()>& pass, int passes) {
   return (cpu_seconds() - start) / passes;
 }
 
-// The number of passes that take some milliseconds.
+// A number of passes that together take at least 3 ms.
 int passes_for(const std::function<void()>& pass) {
   constexpr double least = 3e-3;
   int passes = 1;
@@ -87,7 +87,7 @@ int passes_for(const std::function<void()>& pass) {
   return passes;
 }
 
-// In a repetition each workload has a slice of time between two slices of the control kernel.
+// In each repetition, the control kernel is timed before and after each workload.
 void print_times(const std::vector<Chosen>& all, int repetitions) {
   const int control_passes = passes_for(run_control);
   std::vector<int> passes;

@@ -13,15 +13,15 @@ import rules
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VALGRIND_SET = "AVX2"  # valgrind 3.19 has no AVX-512
-# Instruction sets that the C library, and with it the model, is told to leave unused.
+# Tells the C library not to use these instruction sets. The model then does not use them either.
 WITHOUT_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA"}
 PASS = "tribocheck_gate_pass"
-ROUNDS = (4, 16)       # least and most rounds of each program in a run of times, in turn
-REPETITIONS = 5        # in a round
+ROUNDS = (4, 16)       # least and most rounds of times; in each round all programs run in turn
+REPETITIONS = 5        # of each program in a round
 
 
 class Unmeasured(Exception):
-    """The program did not run, or said something else than it should."""
+    """The program did not run, or its output is not as expected."""
 
 
 def said_by(command, environment=None):
@@ -64,7 +64,7 @@ def today():
 
 
 def counters(program):
-    """Key → counter → count. Functions of one value are counted with FMA, where the machine has it, and without."""
+    """A dict: key → counter → count. Scalar workloads are counted with FMA, if the machine has it, and without FMA."""
     found = {}
     for environment in ({}, WITHOUT_FMA):
         for workload, instruction_set, name, count in rows([program, "--counters"], environment):
@@ -73,7 +73,7 @@ def counters(program):
 
 
 def valgrind_version():
-    """The version of valgrind; None where there is none."""
+    """The version of valgrind; None if it is not installed."""
     if shutil.which("valgrind") is None:
         return None
     return said_by(["valgrind", "--version"]).strip()
@@ -84,7 +84,7 @@ def has_instruction_set(program, name):
 
 
 def instructions(program):
-    """Key → instructions of a pass, by callgrind: one run, with a dump after each pass."""
+    """A dict: key → instructions of a pass. Callgrind counts them in one run of the program, with a dump after each pass."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "callgrind.out"
         keys = [f"{workload} {instruction_set}" for workload, instruction_set, _ in rows(
@@ -100,7 +100,7 @@ def instructions(program):
 
 
 class Times:
-    """For each program: key → Interval; and the control kernel's best time."""
+    """The quiet repetitions of each program, their least number, and the control kernel's best time."""
 
     def __init__(self, runs):
         self.control = rules.best_control(runs)
@@ -113,8 +113,8 @@ class Times:
 
 
 def times(programs):
-    """The programs take turns, on the best instruction set, until each workload has enough quiet
-    repetitions. Where the most rounds were not enough, the last result is what they gave."""
+    """Runs the programs in turn, on the best instruction set, until each workload has enough quiet
+    repetitions or the greatest number of rounds is reached. Returns the Times of all rounds."""
     runs = [{} for _ in programs]
     best = [next(value for name, value in rows([program, "--environment"]) if name == "vector")
             for program in programs]

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Are the gates red when they should be? A program against itself has to pass each of them; with more work
-planted in a kernel (planted_work.toml) it has to fail those that this change names.
+"""Proves that the gates are red when they should be. A program compared with itself has to pass each gate. If more
+work is planted in a kernel (planted_work.toml), the gates that the plant names have to be red.
 
-The change is made in a scratch copy of the tree, where only tribocheck_gate_kernels is built; the base is a
-build of the tree as it is. A patch's text stands exactly once in its file.
+The change is made in a scratch copy of the tree, where only tribocheck_gate_kernels is built. The base is a
+build of the unchanged tree. The text that a patch replaces has to stand exactly once in its file.
 
   benchmarks/gates/prove.py build/release/tribocheck_gate_kernels --out reference/baselines/gates.json
 
@@ -51,7 +51,7 @@ class Scratch:
              "-DCMAKE_BUILD_TYPE=Release", "-DTRIBOCHECK_BUILD_BENCHMARKS=ON"], folder)
 
     def planted(self, plant):
-        """Builds the program with this plant; then the tree is as before."""
+        """Builds the program with this plant, restores the tree, and returns the path of the program."""
         whole = {}
         try:
             for patch in plant["patch"]:
@@ -72,7 +72,7 @@ class Scratch:
 
 
 def row(expected, verdict):
-    """The ledger's row of a gate's verdict; proved: the verdict is the expected one."""
+    """The ledger's row for a gate's verdict. `proved` says whether the verdict is the expected one."""
     proved = verdict.name == expected
     return {"gate": verdict.gate, "expected": expected, "verdict": verdict.name, "proved": proved,
             "workloads": verdict.compared, "greatest_ratio": verdict.worst and float(f"{verdict.worst:.5g}"),

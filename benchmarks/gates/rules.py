@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Decides when a gate is red. All functions here are pure: measure.py measures, and gate.py prints.
 
-Measurements are a dict. Its keys are strings of two words, the workload and the instruction set.
+Measurements are a dict. Its keys are strings: the workload, a blank, and the instruction set ("FMA" and "no FMA" for scalar workloads).
 """
 import statistics
 import typing
 
 INSTRUCTION_TOLERANCE = 0.01  # relative change of callgrind's counts, which repeat to 0.004 %
-TIME_RATIO = 1.10             # a median that is more than so many times the base's may be red
-REPETITIONS = 9               # a time needs at least so many
-QUIET = 1.15                  # a repetition is quiet up to so many times the control kernel's best time
-# Two workloads solve the same points with different film laws. The first one may take at most so many times the instructions of the second.
+TIME_RATIO = 1.10             # a median may be red if it is more than this many times the base's
+REPETITIONS = 9               # the least number of quiet repetitions for a time
+QUIET = 1.15                  # a repetition is quiet if the control kernel takes at most this many times its best time
+# Workload → (other workload, limit). Both solve the same points with different film laws, and the first may take at most `limit` times
+# the instructions of the other.
 MOST_TIMES = {"points_solved_film": ("points_hamrock_dowson", 1.5),
               "points_nijenbanning_venner_moes": ("points_hamrock_dowson", 3)}
 
@@ -50,8 +51,7 @@ def fewer_instructions(base, now):
 
 
 def dearer(now):
-    """A line for each workload of MOST_TIMES that takes more than its limit of instructions, which is a multiple of those of the other
-    workload."""
+    """A line for each workload of MOST_TIMES that takes more instructions than its limit allows."""
     for key, count in now.items():
         workload, instruction_set = key.split(" ")
         other, limit = MOST_TIMES.get(workload, (None, 0))
@@ -78,8 +78,8 @@ def best_control(runs):
 
 
 def quiet(repetitions, best):
-    """The undisturbed repetitions. Another process on the same core slows some kernels more than others, so that the ratio to the
-    control kernel's time still has the disturbance."""
+    """The repetitions that no other process disturbed. Others are left out, because a process on the same core slows some kernels more
+    than the control kernel, so that the ratio of their times changes, too."""
     return [one for one in repetitions if max(one.before, one.after) <= QUIET * best]
 
 

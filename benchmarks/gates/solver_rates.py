@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How often `tribocheck bench` is right: runs of a solver that is as it was, 10 % slower, and 25 % slower.
+"""Counts how often `tribocheck bench` is right about a solver that is unchanged, 10 % slower, or 25 % slower.
 
-A solver in Python is timed as a subject, one in C as a plug-in, and the latter beside itself; each against a baseline
-that was made on the machine as it was at the start, with nothing beside it and beside two busy loops. Writes how many
-runs of each kind were red, and how many told that the solver is slower.
+A solver in Python is timed as a subject, and one in C as a plug-in, both against a baseline that is made at the start.
+The plug-in is also timed in a pair with its unchanged version, without a baseline. Each kind runs on the machine as it
+is, and beside two busy loops. Writes how many runs of each kind were red, and how many said that the solver is slower.
 """
 
 import argparse
@@ -64,7 +64,7 @@ STEPS = {"unchanged": 400, "slower_10": 440, "slower_25": 500}
 
 
 class Solvers:
-    """The solvers of all speeds in a folder, and the options that ask for them."""
+    """Writes the solvers of all speeds to a folder, and runs `tribocheck bench` on them."""
 
     def __init__(self, program, include, folder):
         self.program, self.folder = program, folder
@@ -92,7 +92,7 @@ class Solvers:
 
 
 def outcome(done):
-    """red, told or silent; anything else is a fault of this script."""
+    """Returns "red", "told" (a little slower) or "silent". Ends this script at any other outcome."""
     if done.returncode not in (0, 1) or "ED, " not in done.stderr:
         sys.exit(f"solver_rates.py: {done.stderr}")
     if done.returncode == 1:
@@ -101,7 +101,7 @@ def outcome(done):
 
 
 def rate(solvers, way, change, runs):
-    """The counts of one kind, with the load of the machine (running processes, over 5 minutes) at its end."""
+    """The counts of one kind of runs, and the load average of the machine over the last 5 minutes at their end."""
     runs = runs // 5 if change == "slower_10" else runs
     counts = collections.Counter(outcome(solvers.bench(way, change)) for _ in range(runs))
     return {"solver": change, "runs": runs, "red": counts["red"], "told": counts["told"], "load": round(os.getloadavg()[1], 1)}
@@ -132,7 +132,7 @@ def main():
                     for change in STEPS:
                         result["rates"].append({"way": way, "state": state, **rate(solvers, way, change, given.runs)})
                         print(result["rates"][-1], flush=True)
-                        if given.out:  # after each kind, so that a run that is stopped has measured what it has
+                        if given.out:  # written after each kind, so that a stopped run keeps its results
                             given.out.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
                 finally:
                     for one in busy:

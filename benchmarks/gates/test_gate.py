@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tests gate.py and measure.py on the command line, with a made-up program and a made-up valgrind; and the output of the real program."""
+"""Tests gate.py and measure.py on the command line, with a made-up program and a made-up valgrind. Also tests the real program's output."""
 import datetime
 import json
 import os
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
-# The made-up program answers from NAME.json, which lies beside it, and writes a line to a file at each call for times.
+# The made-up program answers from NAME.json, which lies beside it. At each call for times it adds a line to the file `asked`.
 PROGRAM = """#!/usr/bin/python3
 import json, os, pathlib, sys
 here = pathlib.Path(__file__)
@@ -226,7 +226,7 @@ class Holds(OnAProgram):
 
 
 class Rounds(OnAProgram):
-    """Programs take turns, until each workload has enough quiet repetitions."""
+    """Programs run in turn until each workload has enough quiet repetitions."""
 
     def asked(self, *words):
         self.assertIn(self.gate(self.now, "--gates", "time", *words)[0], (0, 1))
@@ -298,7 +298,7 @@ class Kernels(unittest.TestCase):
         self.assertEqual([row[:2] for row in rows], 2 * keys)
         times = [list(map(float, row[2:])) for row in rows]
         self.assertGreater(min(map(min, times)), 0)
-        # Each number is the time of one pass; the program made many more passes.
+        # Each number is the time of one pass. The process took longer than their sum, because it made many passes.
         self.assertLess(sum(seconds + control for seconds, control, _ in times), took)
         for k in range(len(rows) - 1):
             if k + 1 != len(keys):

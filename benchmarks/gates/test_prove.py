@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""prove.py on a made-up tree with planted changes: its builds, the files that it leaves, and when the gates count as proved."""
+"""Tests prove.py on a made-up tree with planted changes: its builds, the restored files, and when a gate counts as proved."""
 import contextlib
 import io
 import json
@@ -132,8 +132,8 @@ class Proved(Folder):
 
 
 class Rates(Folder):
-    """solver_rates.py with a made-up program that answers at once: the solver that it is given decides whether it fails (red), says
-    "a little slower" (told), or says nothing (silent)."""
+    """Tests solver_rates.py with a made-up program. By the solver that it gets, the program fails (red), says "a little slower"
+    (told), or passes (silent)."""
 
     ANSWERS = {"unchanged": (0, "PASSED, "), "slower_10": (0, "PASSED, a little slower"), "slower_25": (1, "FAILED, ")}
 

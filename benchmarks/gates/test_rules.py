@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""When a gate is red and when it is not: rules.py, and the parts of gate.py that need no program (test_gate.py has one)."""
+"""Tests when a gate is red: rules.py, and the parts of gate.py that need no program. test_gate.py tests gate.py with a program."""
 import math
 import statistics
 import unittest
@@ -54,7 +54,7 @@ class Counters(unittest.TestCase):
 
 
 class Limits(unittest.TestCase):
-    """Each limit of rules.py, asked at the last number that passes and at the first that does not."""
+    """Tests each limit of rules.py with the last number that passes and the first number that does not."""
 
     def test_what_passes_up_to_a_limit_does_not_beyond_it(self):
         def quiet(control):
@@ -100,7 +100,7 @@ class Times(unittest.TestCase):
         self.assertEqual(rules.quiet([quiet, *disturbed], 1.0), [quiet])
 
     def held(self, *now):
-        """The verdict after runs with these intervals, one after another; and the runs that were not made."""
+        """The verdict after runs with these intervals, in this order, and the number of runs that were not made."""
         runs = [({"root AVX2": Interval(1.0, 1.02)}, {"root AVX2": one}) for one in now]
         return gate.hold_times(lambda: runs.pop(0), verdict("time")), len(runs)
 

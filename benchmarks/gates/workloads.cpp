@@ -20,7 +20,7 @@
 namespace tribo::gates {
 namespace {
 
-// Seeded points without the C library, so that all machines have the same bits.
+// Seeded points. No function of the C library rounds them, so they have the same bits everywhere.
 class Samples {
  public:
   explicit Samples(std::uint64_t seed) : generator_(seed) {}
@@ -44,7 +44,7 @@ std::vector<double> filled(std::size_t count, Function&& next) {
   return values;
 }
 
-// --- F_n, S_n and ln F_n at each of the six orders. Their work never varies: no counters.
+// --- F_n, S_n and ln F_n at all six orders. They have no counters, because their work is constant.
 
 constexpr std::size_t arguments_of_an_order = 512;
 
@@ -87,7 +87,7 @@ Workloads moment_workloads() {
 }
 
 // --- The root of load sharing for many surfaces (wide) and for one, point by point and in batches.
-// The counted steps evaluate the moment and its slope once each.
+// Each counted step evaluates the moment and its slope once.
 
 constexpr std::size_t roots = 1024;
 constexpr auto asperities = AsperityModel::greenwood_tripp;
@@ -176,12 +176,12 @@ Workloads root_workloads() {
        [at, film]() mutable { return counters(film_parameter(one_surface(), at.flooded, film)); }}};
 }
 
-// --- Operating points of the paper's scenes: all outputs, and outputs that need little work; and
-// 200 points of a curve.
+// --- Operating points of the paper's scenes, with all outputs or only those that need little work;
+// and 200 points of a curve.
 
 constexpr std::size_t speeds_a_scene = 200;
 
-// From the least to 3 m/s.
+// Log-spaced from `least` to 3 m/s.
 std::vector<double> speeds(double least) {
   std::vector<double> all(speeds_a_scene);
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -190,7 +190,7 @@ std::vector<double> speeds(double least) {
   return all;
 }
 
-// The contacts are made outside the timed pass: this work belongs to a scene, not to a point.
+// The contacts are made outside the timed pass, as this work belongs to a scene, not to a point.
 std::vector<MixedContact<double>> contacts(FilmFormula film) {
   std::vector<MixedContact<double>> all;
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
@@ -242,7 +242,7 @@ Workload curve() {
 Workloads point_workloads() {
   return {points_of("points_all_outputs", OutputSet::all()),
           points_of("points_film_and_regime", film_and_regime()), curve(),
-          // At speeds that the table of solved films holds.
+          // These speeds are in the table of solved films.
           points_of("points_hamrock_dowson", OutputSet::all(), 0.1),
           points_of("points_solved_film", OutputSet::all(), 0.1, FilmFormula::solved),
           points_of("points_nijenbanning_venner_moes", OutputSet::all(), 0.1,

@@ -36,13 +36,13 @@
 namespace tribo::benchmarks {
 namespace {
 
-constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
+constexpr std::uint64_t draws = 1 << 20;           // in chunks of 4096
 constexpr std::uint64_t draws_of_a_run = 1 << 18;  // a run includes its start and its end
-constexpr std::uint64_t chunks_in_turn = 8;        // chunks of contenders of one thread
-constexpr std::uint64_t chunks_on_threads = 256;   // chunks of an iteration
+constexpr std::uint64_t chunks_in_turn = 8;        // different chunks, on one thread
+constexpr std::uint64_t chunks_on_threads = 256;   // chunks of an iteration on threads
 
-// Parts of a sweep, as a run writes them: each as soon as it has all its chunks. Any thread may
-// call.
+// Writes the parts of a sweep as a run does: each part once it has all its chunks. Any thread may
+// call keep().
 class NewParts {
  public:
   explicit NewParts(const sweep::SweepPlan& plan) : header_(sweep::header_of(plan)) {
@@ -238,8 +238,8 @@ void keep(const Subject& subject, benchmark::State& state) {
 
 // --- All threads.
 
-// How long this thread, since its start, was ready to run but waited for a processor, as Linux
-// counts it. 0 if the system does not count it.
+// Seconds that this thread, since its start, was ready to run but waited for a processor, as Linux
+// counts them. 0 if the system does not count them.
 double seconds_kept_waiting() {
   std::ifstream file("/proc/thread-self/schedstat");
   double running = 0, waiting = 0;
@@ -247,7 +247,7 @@ double seconds_kept_waiting() {
   return 1e-9 * waiting;
 }
 
-// The time by the clock of threads that share work, less their waits for other processes.
+// The real time of threads that share work, without their waits for other processes.
 class UndisturbedTime {
  public:
   void begin() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time per point of sweeps, beside the time of preparation and kernels alone: medians of
-// interleaved repetitions, and their ratios. Takes Google Benchmark's options.
+// Prints the time per point of sweeps and its ratio to the time of preparation and kernels alone.
+// Times are medians of interleaved repetitions. Takes Google Benchmark's options.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

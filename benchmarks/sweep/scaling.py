@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """How fast sweeps are, and how they scale on threads and ranks.
 
-  ratios    time per point, beside that of preparation and kernels alone, by tribocheck_bench_sweep
+  ratios    time per point, beside the time of preparation and kernels alone, by tribocheck_bench_sweep
   threads   1 and 2
   ranks     strong scaling on 1, 2 and 4, weak on 1 and 2
-  memory    greatest resident memory of each rank, at a hundred million points (--billion: a thousand)
+  memory    greatest resident memory of each rank, at a hundred million points (--billion: at a thousand million too)
 
-All of it goes to reference/baselines/sweep.json and is printed. Times by the clock are taken in turn, and
-medians are of those repetitions in which other processes used the processors least; how much they used is
-kept too. Times of threads leave out their waits for other processes; ranks have their CPU time too, which
-says how they would scale at most without other processes.
+All results are printed and written to reference/baselines/sweep.json. Real times are measured in turn. Their
+medians are over the repetitions in which other processes used the processors least, and this use is kept too.
+Times of threads leave out the waits for other processes. The CPU time of ranks is kept too: it gives an upper
+bound of their speed-up without other processes.
 
   benchmarks/sweep/scaling.py build/release
   benchmarks/sweep/scaling.py build/release --only ratios,memory
@@ -111,7 +111,7 @@ def own_seconds():
 
 
 def timed(work):
-    """(seconds, processors that others used meanwhile, CPU seconds of its own)"""
+    """Returns (seconds, processors that other processes used meanwhile, CPU seconds of the work itself)."""
     busy, own, start = busy_seconds(), own_seconds(), time.perf_counter()
     work()
     seconds = time.perf_counter() - start
@@ -120,7 +120,7 @@ def timed(work):
 
 
 def interleaved(works):
-    """Name → the times that are kept of it; the works are run in turn."""
+    """Runs the works in turn. Returns the name of each → its times that are kept."""
     runs = {name: [] for name in works}
     for turn in range(ROUNDS):
         for name in works if turn % 2 == 0 else reversed(works):
@@ -138,7 +138,7 @@ def quietest(runs):
 # --- Measurements.
 
 def ratios(sweeps):
-    """Workload → contender → ns a point, of CPU time; runs and contenders on threads: by the clock."""
+    """Workload → contender → ns a point: CPU time, but real time for whole runs."""
     found = bench(sweeps, "/(alone|summaries|points|stage.*)$", REPETITIONS)
     for workload, contenders in bench(sweeps, "/run of", 3).items():
         found[workload] |= contenders
@@ -162,7 +162,7 @@ def bench(sweeps, chosen, repetitions):
 
 
 def threads(sweeps):
-    """Times by the clock, without the threads' waits for other processes; and the time that a process takes to start."""
+    """Real times without the threads' waits for other processes, and the time that a process takes to start."""
     chunks = bench(sweeps, "film_5_fields/chunks", REPETITIONS)["film_5_fields"]
     small = sweeps.file(FIVE, 1, "summaries")
     found = interleaved({"start": lambda: sweeps.run(sweeps.command(small, "--threads", "1"))})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""scaling.py on made-up measurements: the runs that it asks for, and the numbers that it computes of the times."""
+"""Checks scaling.py on made-up measurements: the runs that it asks for, and the numbers that it computes from the times."""
 import contextlib
 import io
 import json
@@ -25,7 +25,7 @@ class Folder(unittest.TestCase):
         self.asked = []
 
     def answering(self, answer):
-        """Notes the command of a sweep, and answers in its place."""
+        """Replaces the run of a command: notes the command and returns answer(command)."""
         def run(command):
             self.asked.append([str(word) for word in command])
             return answer(self.asked[-1])
@@ -66,7 +66,7 @@ class Times(Folder):
         self.assertEqual(scaling.quietest(runs), {"seconds": 3, "cpu_seconds": 4, "others": 0.3})
 
     def test_what_others_used_is_all_but_its_own(self):
-        # 12 processor seconds of all in 4 s, 5 of them its own: others used 7 / 4.
+        # In 4 s all processes used 12 CPU seconds, 5 of them by the work itself: others used 7/4 processors.
         with mock.patch.object(scaling, "busy_seconds", side_effect=[100, 112]), mock.patch.object(scaling, "own_seconds", side_effect=[30, 35]), \
                 mock.patch.object(scaling.time, "perf_counter", side_effect=[50, 54]):
             self.assertEqual(scaling.timed(lambda: self.asked.append("work")), (4, 7 / 4, 5))

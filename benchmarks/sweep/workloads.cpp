@@ -42,7 +42,7 @@ std::string log_normal(double median, double log_sd) {
                      log_sd);
 }
 
-// Half of the fields are uniform, as printed numbers are; half are spread as measured ones.
+// Some fields are uniform, as rounded printed numbers are. The others are spread as measured ones.
 Fields five() {
   return {{"load", uniform(49.5, 50.5)},
           {"surface.summit_density", uniform(4.95e10, 5.05e10)},
@@ -87,7 +87,7 @@ const std::vector<Workload>& workloads() {
 std::string text_of(const Workload& workload, std::uint64_t draws, std::string_view keep) {
   std::string text;
   for (const auto& [path, value] : rough_surface()) {
-    // A workload of onsets has no outputs, which would add operating points.
+    // A workload of onsets has no outputs, because they would add operating points.
     if (path == "outputs" && !workload.settings.empty()) continue;
     const auto varied = std::find_if(workload.varied.begin(), workload.varied.end(),
                                      [&](const auto& field) { return field.first == path; });

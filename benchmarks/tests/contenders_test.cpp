@@ -91,7 +91,7 @@ TEST(MomentContenders, OfOneIntegrandCountItAlikeInBothSpellings) {
   }
 }
 
-// GSL reports success and gives about 0: the peak at s = 0 lies between the abscissas.
+// GSL reports success and gives about 0, because the peak at s = 0 lies between the abscissas.
 TEST(MomentContenders, QagiuLosesThePeakFarBelowZero) {
   EXPECT_LT(at(moment_named("QAGIU 1e-10 pow"), -37.5), 1e-3);
   EXPECT_GT(at(moment_named("QAGIU 1e-10 pow"), -37), 1e3);
@@ -161,7 +161,7 @@ TEST(RootContenders, AgreeOnOneEasyCase) {
     });
 }
 
-// Only a solver without brackets, or with another moment, fails.
+// Only solvers without brackets or with another moment fail.
 TEST(RootContenders, FailOnlyWhereTheyAreUnsafe) {
   for (const RootJob job : {RootJob::wide, RootJob::one_surface})
     on_each(job == RootJob::wide ? wide_root_contenders() : one_surface_root_contenders(),
@@ -221,7 +221,7 @@ TEST(EllipseContenders, FailOnlyWhereTheyAreFits) {
     EXPECT_EQ(errors.no_numbers, 0U) << contender.name;
     EXPECT_EQ(errors.failures > 0, contender.family == "published fit") << contender.name;
     if (contender.family == "tribocheck") {
-      // An ellipse whose axes are rounded before: as hertz_contact().
+      // The other way rounds the numbers of the ellipse first. It has the bound of hertz_contact().
       EXPECT_LE(errors.max_ulp, contender.name == "scalar" ? hertz_ellipse_contract.ulp : 6)
           << contender.name;
     }
@@ -282,7 +282,7 @@ TEST(ErrorTally, ItsFiguresAreThoseOfAllAnswers) {
   }
 }
 
-// Cases lie in the ranges that the README tells, and reach to the ends.
+// The cases lie in the ranges that the README gives, and reach to the ends of these ranges.
 TEST(Cases, FillTheRangesOfTheirJobs) {
   const auto fill = [](std::vector<double> points, double from, double to, double unit) {
     std::sort(points.begin(), points.end());
@@ -309,13 +309,13 @@ TEST(Cases, FillTheRangesOfTheirJobs) {
   fill(logarithms(ratios), 0, std::log(1e4), 0.04);
 }
 
-// --- Bookkeeping: contenders that count their points and have known answers.
+// --- Counting: contenders that count their points and give known answers.
 
 struct Counts {
   std::size_t points = 0, judged = 0, failures = 0, no_numbers = 0;
   double sum = 0;  // the sum tells which points these were
 
-  // The answers number 0, 3, 6 … are off by 1/1000, 1, 10 … are no number, 2, 11 … not offered.
+  // Answers 0, 3, 6 … are wrong by 1/1000, answers 1, 10 … are NaN, answers 2, 11 … not offered.
   double answer(double point, double right) {
     const std::size_t kind = points++ % 9;
     sum += point;
@@ -330,7 +330,7 @@ struct Counts {
   }
 };
 
-// Runs each job of the contenders a, b … in turn, which all add to the same counts.
+// Runs the jobs one after another. All their contenders add to `counts`.
 void expect_counted(const std::vector<Measured>& jobs, Counts& counts,
                     const std::vector<std::pair<std::size_t, double>>& points_and_sums) {
   ASSERT_EQ(jobs.size(), points_and_sums.size());
@@ -354,8 +354,8 @@ std::pair<std::size_t, double> of(const std::vector<double>& points) {
   return {points.size(), std::accumulate(points.begin(), points.end(), 0.0)};
 }
 
-// Contenders solve as many points as their job counts, and the same ones; slow ones the first.
-// Wrong answers, no numbers and cases that are not offered are judged as such.
+// Each contender solves the points that its job counts; a slow one solves only the first of them.
+// Wrong answers, NaN and cases that are not offered are counted as such.
 TEST(Jobs, CountThePointsAndTheAnswersOfEachContender) {
   Counts counts;
   const MomentBatch moments = [&](std::span<const double> d, std::span<double> answers) {

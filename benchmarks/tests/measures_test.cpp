@@ -25,7 +25,7 @@ using Row = nlohmann::ordered_json;
 
 constexpr Effort short_effort{1, 1e-9};
 
-// A way that itself tells the time of its last run.
+// A way that gives the time of its last run itself.
 Measured made_up(const std::string& name, std::size_t points, double seconds,
                  const Errors& errors) {
   return {.job = "job of " + name,
@@ -110,11 +110,11 @@ TEST(ErrorsByRange, AreOfTheRangeAndNoneWhereNothingIsClaimed) {
   EXPECT_TRUE(has_ours);
 }
 
-// The contenders that are measured are those of the baseline, with its evaluations, and with its
-// errors where no case was certified since. The last digits depend on the system's functions,
-// errors near rounding too, and SciPy may be missing. A search whose last bits differ (without FMA)
-// may end a step sooner or later in a few cases: one in fifty moves the mean by as much of the
-// greatest error.
+// The measured contenders and their evaluations are those of the baseline. So are the errors,
+// unless more cases have been certified since. SciPy may be missing. The last digits depend on the
+// system's functions, and so do errors near rounding. If the last bits differ (without FMA), a
+// search may end a step sooner or later. If it does so in one case of fifty, the mean changes by
+// 1/50 of the greatest error.
 TEST(Contenders, AreThoseOfTheBaselineAndAsFarOff) {
   std::ifstream file(TRIBOCHECK_SOURCE_DIR "/reference/baselines/work_precision.json");
   const Row baseline = Row::parse(file);
@@ -151,7 +151,7 @@ TEST(Contenders, AreThoseOfTheBaselineAndAsFarOff) {
   EXPECT_GT(compared, 150U);
 }
 
-// The films that all ways are judged by are those of these contacts.
+// All ways are judged by the films of these contacts.
 TEST(LineFilmErrors, AreJudgedAtFourContactsFromSoftToHighPressure) {
   const std::vector<std::pair<double, double>> expected{{1, 0}, {10, 5}, {100, 10}, {200, 20}};
   const std::vector<JudgedFilm<ehl::LineContact>> contacts = judged_contacts(1e-4);

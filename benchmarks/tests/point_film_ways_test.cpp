@@ -60,7 +60,7 @@ TEST(PointFilmWays, OfRelaxationFindOurFilmAndSayWhenTheyDoNot) {
   EXPECT_LT(greatest_part(found, all.ours), 1e-3) << found.steps << " sweeps";
 }
 
-// The two coarsest of each series: their errors are those of the grid.
+// Only the two coarsest ways of each series run. Their errors come from the grid.
 TEST(PointFilmWays, OfEachSeriesAnswerTheContactsFilm) {
   const ehl::PointContact contact = ehl::barus_point(20, 5);
   const FilmAnswer fine =

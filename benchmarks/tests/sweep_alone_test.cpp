@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work with which sweeps are compared is the whole needed work, and no more: at once and step
-// by step it gives the sweep's own results.
+// Sweeps are compared with the needed work alone (Alone). It is complete: as a whole and step by
+// step it gives the sweep's own results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,8 +42,8 @@ TEST(SweepAlone, HasTheBitsOfTheSweepItself) {
   }
 }
 
-// After a block its contacts are kept, so that a step can be repeated. Where the speed alone
-// varies, cases have no contacts of their own, in a sweep as here.
+// The contacts of the last block are kept, so that a step can be repeated. If only the speed
+// varies, cases have no contacts of their own, as in a sweep.
 TEST(SweepAlone, StepsDoTheLastBlockAgain) {
   for (const Workload& workload : workloads()) {
     const sweep::SweepPlan plan = plan_of(workload, 4096, "points");

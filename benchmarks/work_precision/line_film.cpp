@@ -37,7 +37,7 @@ RelativeErrors judge(const FilmWay<Contact>& way,
                      const std::vector<JudgedFilm<Contact>>& contacts) {
   RelativeErrors errors;
   for (const JudgedFilm<Contact>& one : contacts) {
-    // The formulas are of liquids whose viscosity rises with pressure.
+    // The formulas are for liquids whose viscosity rises with pressure.
     if (way.quantity != nullptr && one.contact.material_number == 0) continue;
     const FilmAnswer answer = way.run(one.contact);
     errors.steps += answer.steps;

@@ -82,7 +82,7 @@ Json point_film_parts(const Arguments& arguments, const Effort& effort) {
   return parts;
 }
 
-// Writes a row a line, so that a change can be read.
+// Writes each row on a line of its own, so that a diff shows which rows have changed.
 void write_json(const std::string& path, const Json& parts) {
   std::string text = "{";
   for (const auto& [key, value] : parts.items()) {

@@ -56,7 +56,7 @@ double bytes_in(const std::string& what) {
 // The most memory, in bytes, that some work adds to the memory of this process at any time.
 double most_bytes(const std::function<void()>& work) {
   malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << 5;  // the most of before is forgotten
+  std::ofstream("/proc/self/clear_refs") << 5;  // resets VmHWM to the present memory
   const double before = bytes_in("VmHWM:");
   work();
   return bytes_in("VmHWM:") - before;

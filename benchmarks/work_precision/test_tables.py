@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck_work_precision on one small job: what its tables and its JSON say of the same rows. No time is judged, and nothing
-that an instruction set could change."""
+"""Checks tribocheck_work_precision on one small job: its tables and its JSON have the same rows. Times are not judged, and
+neither are numbers that depend on the instruction set."""
 import csv
 import json
 import math
@@ -16,7 +16,7 @@ COLUMNS = ["job", "family", "series", "name", "ns", "evaluations", "max_ulp", "p
 
 
 def read(line, row, nothing):
-    """The cells of a line as the JSON of its row has them; a number by its value."""
+    """The cells of a line with the types that the JSON of its row has, so that numbers are compared by value."""
     return [None if cell == nothing else cell if isinstance(value, str) else float(cell)
             for cell, value in zip(line.split("\t"), row.values(), strict=True)]
 
@@ -56,7 +56,7 @@ class Tables(unittest.TestCase):
             for line, row in zip(block[1:], [row for row in rows if f'"{row["series"]}"' == block[0]], strict=True):
                 self.assertEqual(read(line, row, "NaN"), list(row.values()))
         self.assertEqual(sorted(path.name for path in self.out.iterdir()), ["moment_2.blocks.tsv", "work_precision.json", "work_precision.tsv"])
-        # The plug-in beside ours, with the same errors, and each instruction set of this machine.
+        # The plug-in has the same errors as our scalar way, and the best instruction set has a row.
         by_name = {(row["family"], row["name"]): row for row in rows}
         self.assertEqual(len(by_name), len(rows))
         ours, theirs = by_name["tribocheck", "scalar"], by_name["plugin", "own model"]

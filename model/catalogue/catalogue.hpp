@@ -60,18 +60,18 @@ struct Parameter {
   Range range = Range::above_zero;  // of numbers
   // The range of a number in contacts on earth, generously. A number outside it is not refused.
   double least = 0, greatest = 0;
-  // Not empty: the argument is one of these words, in the order of their enumeration in scene.hpp.
+  // If not empty, the argument is one of these words, in the order of their enumeration.
   std::span<const std::string_view> words = {};
   std::optional<double> default_value = {};
 };
-// The place of a word among the words of a parameter, as Arguments has it; empty: the parameter has
-// no such word.
+// The place of a word among the words of a parameter, which stands for the word in Arguments. Empty
+// if the parameter has no such word.
 std::optional<double> place_of(std::string_view word, const Parameter& parameter);
 // "a number above 0", or the words
 std::string allowed_text(const Parameter& parameter);
 // The same with the unit: "a number above 0, in Pa".
 std::string allowed_with_unit(const Parameter& parameter);
-// The default, which has to be there: a number, or the word without quotes.
+// The default as text: a number, or the word without quotes. The parameter has to have a default.
 std::string default_text(const Parameter& parameter);
 
 struct Result {
@@ -93,17 +93,17 @@ struct Combination {
   std::string_view unit = "";
   double least = 0, greatest = 0;
   double (*value)(const Arguments& arguments);
-  std::string_view parameter;  // the number rises or falls with this one all the way
+  std::string_view parameter;  // the number is monotonic in this argument
 };
 
-// One argument of many points: numbers[i], or where it `is_same` numbers[0] for all points, though
-// numbers[i] may be read.
+// One argument of many points: numbers[i] is that of point i. If `is_same`, all points have
+// numbers[0]; numbers[i] may still be read.
 struct Column {
   const double* numbers = nullptr;
   bool is_same = false;
 };
 
-// Why arguments that are each legal are not legal together.
+// Why arguments are refused although each of them alone is legal.
 struct Refusal {
   std::string_view parameter;  // its name
   std::string_view reason;     // a sentence
@@ -116,25 +116,25 @@ struct Function {
   std::string_view source;  // who, when, where, which equation; what is mended in it
   std::span<const Parameter> parameters;
   std::span<const Result> results;
-  // The results at arguments in the order of the parameters, each legal; of a word, its place.
-  // Arguments that are refused give NaN.
+  // Computes the results. The arguments are in the order of the parameters, and each is legal; a
+  // word is given by its place. Results are NaN for arguments that refusal() refuses.
   void (*value)(const Arguments& arguments, Results& results);
   Contract contract;
   Arguments example;  // legal, for a line that shows how to ask
-  // Null: arguments that are each legal are legal together.
+  // Null: no arguments are refused if each of them is legal.
   std::optional<Refusal> (*refusal)(const Arguments& arguments) = nullptr;
-  const FilmLaw* film_law = nullptr;  // of a film law: its row
+  const FilmLaw* film_law = nullptr;  // the row of a film law; else null
   std::span<const Combination> combinations = {};
-  // The same for many points, whose arguments are all legal, by columns (columns.hpp), with the
-  // same bits and no NaN. Null: no way is faster than point by point. A function with refusal() has
-  // no values().
+  // As value(), with the same bits, for the columns (columns.hpp) of many points. All arguments are
+  // legal, and no result is NaN. Null: nothing is faster than value() at each point. A function
+  // with refusal() has no values().
   void (*values)(std::size_t count, const Column* argument, double* const* result) = nullptr;
 };
 // Whether a contact on earth can have these arguments: each number and each combination of them is
 // in its range.
 bool is_physical(const Function& function, const Arguments& arguments);
 
-// The film at the arguments of a function that is a film law, by another row than its own.
+// The film by `law` at the arguments of `function`, which has a film law of its own.
 double film_by(const FilmLaw& law, const Function& function, const Arguments& arguments);
 
 std::span<const Function> functions();

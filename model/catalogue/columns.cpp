@@ -23,8 +23,8 @@ bool is_legal(const Parameter& parameter, double number) {
          number == std::trunc(number);
 }
 
-// On x86-64 the loop is compiled for vectors of 16, 32 and 64 bytes: it has to be faster than what
-// it guards. The sanitizers run before the loader can choose.
+// On x86-64 the loop is compiled for vectors of 16, 32 and 64 bytes, because the check has to be
+// faster than the batch that it guards. Sanitizers run before the loader can choose one of these.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__)
 [[gnu::target_clones("avx512f", "avx2", "default")]]
@@ -73,7 +73,7 @@ Fault fault_of(const Function& function, const Arguments& arguments) {
 using ArgumentColumns = std::array<Column, most_parameters>;
 using ResultColumns = std::array<double*, most_results>;
 
-// Computes one point; false: it is refused, and its results are NaN.
+// Computes one point. Returns false if it is refused; its results are then NaN.
 bool value_at(const Function& function, std::size_t i, const ArgumentColumns& x,
               const ResultColumns& y) {
   Arguments arguments{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The entries of the catalogue, a family a file.
+// The entries of the catalogue; each family has a file.
 #pragma once
 
 #include <array>

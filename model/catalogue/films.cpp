@@ -178,7 +178,7 @@ constexpr std::array thermal_parameters{
     viscosity,
     speed,
     thermal_conductivity};
-// L of β, η₀, u and k_f, the first of which is argument `first`.
+// L, where the arguments from `first` on are β, η₀, u and k_f.
 template <std::size_t first>
 constexpr Combination thermal_loading{.name = "thermal_loading",
                                       .meaning = "L = βη₀u²/k_f",

@@ -20,7 +20,7 @@ bool is_range_known(const FilmLaw& law, double ellipticity) {
   return ellipticity == 1 || law.least_ellipticity > 0;
 }
 
-// Why the contact is not in the range of a film law, or why that is not known; empty where it is.
+// Why the contact is not in the range of a film law, or why that is not known; empty if it is.
 std::string beyond_of(const FilmLaw& law, double ellipticity, LubricationRegime regime,
                       double factor) {
   if (!(ellipticity >= least_fitted_ellipticity(law) && ellipticity <= law.greatest_ellipticity))
@@ -69,7 +69,7 @@ std::vector<LawFilm> law_films(const MixedContact<double>& contact, double speed
                        law == &contact.film(), function.source});
     }
   }
-  // The laws without fixed exponents are of all regimes.
+  // The laws without fixed exponents hold in all regimes.
   for (const NamedFilmLaw& named : named_film_laws)
     if (!named.law->has_fixed_exponents() && !named.law->is_solved() &&
         named.law->is_of_lines == is_line)

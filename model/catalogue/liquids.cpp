@@ -17,7 +17,7 @@ constexpr Parameter pressure{.name = "pressure",
 constexpr std::array density_parameters{pressure};
 constexpr std::array density_results{Result{"value", "ρ/ρ₀"}};
 constexpr std::array viscosity_parameters{viscosity, pressure_viscosity, pressure};
-// The exponent, which grows beyond what a double holds at the greatest α and p together.
+// ln(η/η₀) is bounded, because at the greatest α and p Roelands' η is beyond what a double holds.
 constexpr Combination exponent(std::string_view meaning, double (*value)(const Arguments&)) {
   return {.name = "exponent",
           .meaning = meaning,
@@ -64,7 +64,7 @@ constexpr std::array thinning_results{Result{"value", "η, at the shear rate", "
 constexpr Parameter temperature_of(std::string_view name, std::string_view meaning) {
   return {.name = name, .meaning = meaning, .unit = "K", .least = 200, .greatest = 600};
 }
-// Below some 4 mm²/s the further term of the standard is seen, which this law does not have.
+// Below about 4 mm²/s the standard has a further term that can be seen. This law does not have it.
 constexpr double least_kinematic_viscosity = 4e-6;
 constexpr Parameter kinematic(std::string_view name, std::string_view meaning,
                               double least = least_kinematic_viscosity, double greatest = 1) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two elastic bodies as one.
+// The effective modulus of two bodies, and the radii of the gap between them.
 #include "tribo/two_bodies.hpp"
 
 #include "catalogue/families.hpp"

@@ -11,14 +11,14 @@
 namespace tribo::catalogue {
 namespace {
 
-// E* = 1/((1 − 0.5²)/E* + (1 − 0²)/(4E*)), without a rounding; the two bodies differ strongly, so
-// that a solver that takes one of them for both gives a wrong answer.
+// Two bodies that have this E*: 1/E* = (1 − 0.5²)/E* + (1 − 0²)/(4E*), without rounding. The bodies
+// differ strongly, so that a solver that takes one of them for both gives a wrong answer.
 Arguments bodies_of(const Arguments& modulus) { return {modulus[0], 0.5, 4 * modulus[0], 0}; }
 double modulus_of(const Arguments& bodies, std::size_t /*place*/) {
   return tribo::effective_modulus(bodies[0], bodies[1], bodies[2], bodies[3]);
 }
 
-// Both names are of R_x: of a ball on a flat the ball's radius.
+// reduced_radius and radius_x are both R_x: for a ball on a flat, the ball's radius.
 constexpr std::array radii{radius_x, radius_y};
 double radius_or_ellipticity(const Arguments& given, std::size_t place) {
   return place == 0 ? given[0] : ellipse_of_circle(given[0], given[1]).axes_ratio;

@@ -9,7 +9,7 @@
 namespace tribo::ehl {
 namespace {
 
-// g and its slope by φ, and Kapitza's f without λ̄/(3 + 2R_x/R_y), cos φ/g², and its slope.
+// g and dg/dφ, and cos φ/g², which is Kapitza's f over λ̄/(3 + 2R_x/R_y), and its slope.
 struct Gap {
   double ratio;
 
@@ -24,7 +24,7 @@ struct Gap {
   }
 };
 
-// u and g³u′ of (g³u′)′ = 9g³u, a step further, by the classical Runge–Kutta method.
+// Takes u and g³u′ a step further by the classical Runge–Kutta method; (g³u′)′ = 9g³u.
 std::array<double, 2> step_of(const Gap& gap, double phi, const std::array<double, 2>& at,
                               double step) {
   const auto slopes = [&](double angle, double u, double flux) -> std::array<double, 2> {
@@ -56,8 +56,8 @@ FarInlet::FarInlet(const PointContact& contact)
     const double g = gap.value(next_phi);
     const double wronskian =
         gap.kapitza_slope(next_phi) * next[0] - gap.kapitza(next_phi) * next[1] / (g * g * g);
-    // A lesser angle would give the pressure a negative slope where it is 0, a greater one a
-    // positive slope.
+    // If the film broke at a smaller angle, the slope of the pressure there would be negative; at a
+    // greater angle it would be positive.
     if (wronskian > 0) {
       const double part = before / (before - wronskian);
       break_angle_ = phi + step * part;
@@ -88,15 +88,15 @@ double FarInlet::pressure(double x, double y, double film) const {
   const double shape = -f[0] * (t - 1) * (t - 2) * (t - 3) / 6 + f[1] * t * (t - 2) * (t - 3) / 2 -
                        f[2] * t * (t - 1) * (t - 3) / 2 + f[3] * t * (t - 1) * (t - 2) / 6;
   const double thin = std::fmax(shape, 0) * std::hypot(x, y) / (film * film);
-  // ∫ dP/η̄ is the pressure of a thin liquid. The grid ends where it is far below 1/ᾱ.
+  // `thin` is ∫ dP/η̄, the pressure at constant viscosity. Outside the grid it is far below 1/ᾱ.
   if (exponent_ == 0) return thin;
   return -std::log1p(-std::fmin(exponent_ * thin, 0.5)) / exponent_;
 }
 
 double FarInlet::load_outside(const PlaneGrid& grid, double separation) const {
-  // Nodes at the grid's ends carry the load of half a cell outside.
+  // The nodes at the grid's edge already carry the load of half a cell outside.
   const double left = -grid.x(0) + grid.dx / 2, side = grid.y(grid.count_y() - 1) + grid.dy / 2;
-  const double spread = -1 / std::tan(break_angle_);  // of the pressure behind the contact, over y
+  const double spread = -1 / std::tan(break_angle_);  // x/y where the film breaks
   const auto at = [&](double x, double y) {
     const double film = separation + x * x / 2 + curvature_ratio_ * y * y / 2 +
                         deflection_of_load_ / std::hypot(x, y);

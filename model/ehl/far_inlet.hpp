@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pressure far from a point contact, where the bodies keep their shape, the film grows with the
-// square of the distance r and the liquid is thin: P = f(φ)/r³, φ the angle from the direction that
-// the liquid comes from. With H = r²g(φ), g = (cos² φ + R_x/R_y sin² φ)/2,
+// The pressure far from a point contact, at the distance r. There the bodies keep their shape, the
+// film grows with r² and the viscosity hardly rises, so that P = f(φ)/r³, φ the angle from the
+// direction that the liquid comes from. With H = r²g(φ), g = (cos² φ + R_x/R_y sin² φ)/2,
 //
 //   (g³f′)′ − 9g³f = −λ̄ cos φ, f′(0) = 0, and f = f′ = 0 where the film breaks.
 //
 // f is the sum of P. L. Kapitza's λ̄ cos φ/((3 + 2R_x/R_y)g²) and a multiple of the solution of the
 // homogeneous equation. For circles this solution is cosh 3φ, and the film breaks at 108.4°, where
-// tan φ = −3 tanh 3φ. A grid that ends at this pressure, and not at 0, may be far smaller. Source:
+// tan φ = −3 tanh 3φ. With this pressure at its edge, not 0, a grid may be far smaller. Source:
 // P. L. Kapitza: Hydrodynamic theory of lubrication during rolling. Zh. Tekh. Fiz. 25 (1955) 747.
 #pragma once
 
@@ -22,16 +22,16 @@ class FarInlet {
  public:
   explicit FarInlet(const PointContact& contact);
 
-  // P at (x, y), y ≥ 0, over the film H there. The liquid's viscosity may rise with pressure (by
-  // Barus' law: far away all are alike).
+  // P at (x, y), y ≥ 0, where H = `film`. Viscosity follows Barus' law, because at the low
+  // pressures far away all laws are alike.
   double pressure(double x, double y, double film) const;
-  // ∬ P outside of a grid, on both sides of Y = 0, with the film of bodies at H₀.
+  // ∬ P outside a grid, on both sides of Y = 0, for a film with H₀ = `separation`.
   double load_outside(const PlaneGrid& grid, double separation) const;
   // φ where the film breaks.
   double break_angle() const { return break_angle_; }
 
  private:
-  static constexpr int angles = 4000;  // of half a turn
+  static constexpr int angles = 4000;  // steps of half a turn
 
   double curvature_ratio_;  // R_x/R_y
   double exponent_, deflection_of_load_;

@@ -14,7 +14,7 @@ namespace {
 
 bool thickens(const FilmConditions& c) { return c.viscosity_law != ViscosityLaw::ambient; }
 
-// The liquid under Hertz' peak pressure.
+// The liquid's numbers, with pressures over Hertz' peak pressure.
 Fluid fluid_of(const FilmConditions& c, double peak_pressure) {
   Fluid fluid{.exponent = thickens(c) ? c.pressure_viscosity * peak_pressure : 0};
   // A liquid of constant viscosity has no z.
@@ -29,7 +29,7 @@ Fluid fluid_of(const FilmConditions& c, double peak_pressure) {
   return fluid;
 }
 
-// L = G(2U)^{1/4}, by the root of 2U.
+// L = G(2U)^{1/4}; `root` is √(2U).
 double material_number_of(const FilmConditions& c, double root) {
   return thickens(c) ? 2 * c.pressure_viscosity * c.effective_modulus * std::sqrt(root) : 0;
 }

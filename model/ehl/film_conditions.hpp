@@ -22,7 +22,7 @@ struct FilmConditions {
   double load;                // F, N; of a line F/L, N/m
   double effective_modulus;   // E*, Pa (never 2E*)
   double radius;              // R_x, m
-  ViscosityLaw viscosity_law = ViscosityLaw::barus;  // ambient: of constant viscosity
+  ViscosityLaw viscosity_law = ViscosityLaw::barus;  // ambient: constant viscosity
   FilmDensity density_law = FilmDensity::incompressible;
   double radius_ratio = std::numeric_limits<double>::infinity();  // R_y/R_x; ∞ of a line
   double inlet_film = std::numeric_limits<double>::infinity();    // h_oil, m; ∞: flooded
@@ -31,7 +31,7 @@ struct FilmConditions {
   bool is_starved() const { return std::isfinite(inlet_film); }
 };
 
-// Factors that turn H, P and X into SI units.
+// Factors that turn X, P and H into SI units, and two numbers without units.
 struct FilmScale {
   double half_width;     // b of a line, a_x of an ellipse, m
   double peak_pressure;  // p₀, Pa
@@ -42,14 +42,14 @@ struct FilmScale {
 
 // The conditions of a scene at a speed. The law of viscosity is Roelands' where friction.viscosity
 // is; else it is Barus', because `ambient` is meant for friction alone. Scenes name no law of
-// density: the default holds. A circle's bodies.ellipticity, which enters film laws alone, is not
-// used. The inlet of a line is taken as flooded.
+// density, so the default is used. A circle's bodies.ellipticity is not used, because only film
+// laws need it. The inlet of a line is taken as flooded.
 FilmConditions conditions_of(const Scene& scene, double speed);
 
 FilmScale scale_of(const FilmConditions& conditions);
-// M = W(2U)^{−1/2}, L = G(2U)^{1/4}; Roelands' z is that of α: z = α · 196 MPa/(ln η₀ + 9.67).
+// M = W(2U)^{−1/2}, L = G(2U)^{1/4}; Roelands' z is α · 196 MPa/(ln η₀ + 9.67).
 LineContact contact_of(const FilmConditions& conditions);
-// The same of a circle or an ellipse: M = W(2U)^{−3/4}.
+// The same for a circle or an ellipse, with M = W(2U)^{−3/4}.
 PointContact point_contact_of(const FilmConditions& conditions);
 
 }  // namespace tribo::ehl

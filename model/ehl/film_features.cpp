@@ -22,12 +22,12 @@ Extremum vertex(std::span<const double> x, std::span<const double> y, std::size_
   return {place, y[i - 1] + left * (place - x[i - 1]) + bend * (place - x[i - 1]) * (place - x[i])};
 }
 
-// The extremum of the polynomial through a node and two neighbours on either side, next to an end
-// through the five nodes there: the film is smooth enough.
+// The extremum near node i of the polynomial through this node and two neighbours on either side,
+// or, next to an end, through the five nodes there. The film is smooth enough for that.
 Extremum smooth_extremum(std::span<const double> x, std::span<const double> y, std::size_t i) {
   Extremum best = vertex(x, y, i);
   const std::size_t first = std::clamp<std::size_t>(i, 2, x.size() - 3) - 2;
-  // The polynomial in Newton's form; below, its first two derivatives at a place.
+  // c: the polynomial in Newton's form. The loop below evaluates it and its first two derivatives.
   std::array<double, 5> c{};
   for (std::size_t k = 0; k < 5; ++k) c[k] = y[first + k];
   for (std::size_t order = 1; order < 5; ++order)
@@ -49,7 +49,7 @@ Extremum smooth_extremum(std::span<const double> x, std::span<const double> y, s
   return best;
 }
 
-// The least value from the node `first` on, between nodes too; at an end that of the node there.
+// The least value from the node `first` on, also between nodes. At an end it is the node's value.
 double least(std::span<const double> x, std::span<const double> y, std::size_t first = 0) {
   const auto part = y.subspan(first);
   const auto i = first + static_cast<std::size_t>(std::ranges::min_element(part) - part.begin());
@@ -116,7 +116,7 @@ FilmFeatures features_of(const PointFilm& film, const Integrand& integrand) {
     return std::span<const double>(values.data() + grid.node(0, j), across);
   };
   FilmFeatures found = features_along(x, row(film.pressure, 0), row(film.film, 0));
-  // The least film of each row, and the least of these: rows below Y = 0 are those above.
+  // The least film of each row, then the least of these. The rows below Y = 0 mirror those above.
   constexpr int mirrored = 4;
   Numbers y, rows;
   for (int j = -mirrored; j < grid.count_y(); ++j) {

@@ -9,8 +9,7 @@
 
 namespace tribo::ehl {
 
-// A function of P > 0 and H that is integrated over the contact where there is pressure; empty:
-// none.
+// A function of P > 0 and H that is integrated over the contact where P > 0. Empty: no integral.
 using Integrand = std::function<double(double pressure, double film)>;
 
 // All numbers are without units: H, P and X of line_contact.hpp or point_contact.hpp. In a point
@@ -22,11 +21,11 @@ struct FilmFeatures {
   // it, and in a compressible liquid H at the spike falls as the spike rises.
   double at_greatest_pressure = 0;
   double greatest_pressure = 0;         // P at that place
-  double pressure_beside_greatest = 0;  // the lesser P of the two nodes beside
+  double pressure_beside_greatest = 0;  // the lesser P of the two nodes beside the greatest
   bool has_spike = false;               // a second maximum of P, downstream of a minimum
   double spike_pressure = 0;            // P at its top
   double spike_place = 0;               // X of its top
-  double integral = 0;                  // of the integrand over X, of points over X and Y
+  double integral = 0;                  // of the integrand over X, for points over X and Y
 };
 
 FilmFeatures features_of(const LineContact& contact, const LineFilm& film,

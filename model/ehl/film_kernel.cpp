@@ -33,15 +33,15 @@ Eigen::MatrixXd FilmKernel::rows(int row, int row_end, int column, int column_en
       });
 }
 
-// Adaptive cross approximation: takes a row of the rest of the block, the column in which that row
-// is greatest, and next the row in which this column is greatest. M. Bebendorf: Approximation of
-// boundary element matrices. Numer. Math. 86 (2000) 565.
+// Adaptive cross approximation. Each step takes a row of the residual block and the column where
+// this row is greatest. The next row is the one where this column is greatest. Source: M.
+// Bebendorf: Approximation of boundary element matrices. Numer. Math. 86 (2000) 565.
 ThinProduct FilmKernel::thin_product(int row, int row_end, int column, int column_end) const {
   const int m = row_end - row, n = column_end - column;
   const int most = std::min(m, n);
   std::vector<Eigen::VectorXd> left, right;
   std::vector<char> used(static_cast<std::size_t>(m), 0);
-  // The rows and columns where the halves meet vary most.
+  // The first row is the one where the halves meet: the entries vary most there.
   int pivot = row < column ? m - 1 : 0;
   Eigen::Index rough_rank = 0;
   double square = 0;  // the square of the block's norm, so far

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film at every node from the pressure at every node, H = K P, and the form in which K is kept.
-// Blocks of K between neighbouring halves of the nodes have few independent rows, because ln|x − t|
-// is smooth there, and are kept as products of two thin matrices. So N nodes take N log N numbers,
-// and as many operations, instead of N².
+// A block of K between two neighbouring halves of the nodes has a low rank, because ln|x − t| is
+// smooth there, and is kept as a product of two thin matrices. So N nodes take N log N numbers, and
+// as many operations, instead of N².
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,19 +14,19 @@ namespace tribo::ehl {
 // A block of K as the product left · rightᵀ.
 struct ThinProduct {
   Eigen::MatrixXd left, right;
-  // So many first columns give the block to 1e-8 of its norm, which is enough for a Newton step.
+  // The first rough_rank columns give the block to 1e-8 of its norm: enough for a Newton step.
   Eigen::Index rough_rank = 0;
 };
 
-// The nodes from begin to end. A leaf keeps its block of K; the others keep the two blocks between
-// their halves.
+// The nodes from begin to end − 1. A leaf keeps its block of K. Any other part keeps the two blocks
+// between its halves.
 struct KernelPart {
   int begin = 0, end = 0, middle = 0;  // middle: where the second half begins; 0: a leaf
   int first = -1, second = -1;         // the halves, as places in the tree
-  // A leaf's block, with the rows of the two nodes before it and of one after it, which its flows
-  // need.
+  // A leaf's block, with the rows of the two nodes before it and of one after it. The balances at
+  // its nodes need these rows.
   Eigen::MatrixXd dense;
-  // The block with rows of the first half and columns of the second one; and the other block.
+  // upper: rows of the first half, columns of the second half. lower: the other way round.
   ThinProduct upper, lower;
   // upper_rows: the rows of the nodes begin − 2, begin − 1 and middle, in the columns of the second
   // half. lower_rows: those of middle − 2, middle − 1 and end, in the columns of the first half. A
@@ -36,8 +36,8 @@ struct KernelPart {
 
 class FilmKernel {
  public:
-  // K for pressure that is linear between the nodes x, and 0 at the first and the last node.
-  // Entries of K are met to 1e-12 of the greatest entry of their block.
+  // K for pressure that is linear between the nodes x, and 0 at the first and the last node. Each
+  // block of K is kept to 1e-12 of its norm.
   explicit FilmKernel(std::span<const double> x);
 
   // K P: the film that the pressure adds. pressure.size() is that of x.

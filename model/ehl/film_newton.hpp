@@ -31,19 +31,19 @@ struct FilmChange {
 //   FilmState state_of(pressure, separation)       the film that belongs to a pressure
 //   FilmState state_after(state, part, change)     the state after a part of a change
 //   Linear linear_at(state, rate)                  the equations at a state, to first order, with
-//                                                  `rate` times the liquid that a change stores
+//                                                  the liquid stored in a step of time 1/rate
 //   FilmChange change_for(linear, state, rate)     the change that removes the state's residual
-//   FilmChange change_left(linear, state)          the same roughly, by the equations of a state
-//                                                  before: tells whether a step leads nearer
+//   FilmChange change_left(linear, state)          roughly the same, by the equations of an earlier
+//                                                  state: tells whether a step leads nearer
 //   double size_of(change)
-//   double size_asked(linear, state, change)   the size of what change_left() asks at the state for
-//                                              which change_for() asked for this change
+//   double size_asked(linear, state, change)   the size of change_left() at the state of `linear`,
+//                                              where change_for() returned `change`
 //   int cells()
 //   double reach()               how far pressure reaches from the middle
 //   double pressure()            the size of the pressure: Hertz' peak is 1
 //   double pressure_in_time()    the same for steps in time
-//   double separation_weight()   of a change of H₀ beside one of pressure
-//   bool must_lead_nearer()      whether a step that does not ask for less afterwards is halved
+//   double separation_weight()   the weight of a change of H₀ beside one of pressure
+//   bool must_lead_nearer()      whether a step is halved until a smaller change is left
 template <class Problem>
 class FilmNewton {
  public:
@@ -69,7 +69,7 @@ class FilmNewton {
       const double before = last_change_;
       const double part = make_step(most_left);
       if (part == 0) return;
-      // Steps that no longer shrink are rounding.
+      // Small changes that no longer shrink from step to step are rounding.
       const bool is_rounding = last_change_ < rounding_change * problem_.pressure() && step > 0 &&
                                last_change_ > before / 2;
       if (part == 1 && (greatest_of(left_) < most_left || is_rounding)) {
@@ -137,10 +137,10 @@ class FilmNewton {
     return next;
   }
 
-  // Halves a step until the same linear equations ask for a lesser change after it, and makes this
-  // part. Returns the part; 0: no part will do. The test is P. Deuflhard's: Newton methods for
-  // nonlinear problems (2004), section 3.3: it does not depend on the scale of an equation. After
-  // a whole step, the change that is asked for is the one still left, to second order.
+  // Halves a step until the same linear equations ask for a smaller change after it, and makes this
+  // part of it. Returns the part; 0: no part will do. The test does not depend on the scale of an
+  // equation. After a whole step the change asked for is, to second order, the one still left.
+  // Source: P. Deuflhard: Newton methods for nonlinear problems (2004), section 3.3.
   double make_step(double most_left) {
     ++steps_;
     const auto linear = problem_.linear_at(now_, 0);

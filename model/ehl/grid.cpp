@@ -21,7 +21,7 @@ void smooth(Numbers& values, int times) {
   }
 }
 
-// The curvature of values at the nodes; 0 at the ends.
+// The absolute second derivative of y at the nodes; 0 at the ends.
 Numbers curvature(std::span<const double> x, std::span<const double> y) {
   Numbers result(x.size(), 0.0);
   for (std::size_t i = 1; i + 1 < x.size(); ++i) {
@@ -71,7 +71,7 @@ double expected_film(const LineContact& contact) {
 
 Scales scales_of(const LineContact& contact) {
   const double m = contact.load_number;
-  // Outside its half-width the gap of Hertz' bodies grows with the power 3/2 of the distance.
+  // Outside the half-width the gap of dry bodies grows with the power 3/2 of the distance.
   const double film = std::numbers::pi / 8 / m * expected_film(contact);
   const double edge = std::fmin(1, std::pow(film, 2. / 3));
   const double reach = std::fmax(1, std::sqrt(2 * film));

@@ -43,15 +43,15 @@ Scales scales_of(const LineContact& contact);
 // A density for a contact that has not been solved.
 NodeDensity first_density(const Scales& scales);
 
-// A density for a solved film: by the root of the pressure's curvature (the error of pressure that
-// is linear between nodes is proportional to it), by the film's slope and by the distance. At
-// most `at_edge` of all nodes fall into the width of the outlet's constriction, so that a sharp
-// spike does not draw all of them.
+// A density for a solved film, by its slope, by the distance from the middle and by the root of the
+// pressure's curvature: the error of pressure that is linear between nodes is proportional to this
+// curvature. The density is at most `at_edge` over the width of the outlet's constriction, so that
+// a sharp spike does not draw all nodes.
 NodeDensity density_of(std::span<const double> x, std::span<const double> pressure,
                        std::span<const double> film, double at_edge);
 
-// The values at other places, by cubics through four neighbours; between a value of 0 and its
-// neighbour they stay within these two, so that no pressure falls below 0. Where a cubic leaves the
+// Values ≥ 0 at other places, in rising order, by cubics through four nodes. No result is below 0;
+// between a value of 0 and its neighbour it stays within these two. Where a cubic departs from the
 // straight line between two nodes by more than `greatest_bend` of its rise, the line is taken.
 Numbers interpolated(std::span<const double> x, std::span<const double> values,
                      std::span<const double> to,

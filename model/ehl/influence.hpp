@@ -10,14 +10,14 @@
 
 namespace tribo::ehl {
 
-// ∬ ln|z|: its second derivative is ln|z|.
+// A function whose second derivative is ln|z|.
 inline double twice_integrated_log(double z) {
   if (z == 0) return 0;
   return z * z * (std::log(std::fabs(z)) / 2 - 0.75);
 }
 
-// Σ t^k/(k(k+1)(k+2)) over k from 1 on, for |t| ≤ 1/8. Error: 1e-16. Even and odd powers apart,
-// because each step of one sum waits for the one before.
+// Σ t^k/(k(k+1)(k+2)) over k from 1 on, for |t| ≤ 1/8. Error: 1e-16. Even and odd powers have a sum
+// each, because every step of a sum waits for the step before.
 inline double sum_of_moments(double t) {
   constexpr auto share = [] {
     std::array<double, 14> shares{};
@@ -34,7 +34,7 @@ inline double sum_of_moments(double t) {
   return (odd * square + share[1]) * t + even * square;
 }
 
-// From this many lengths on, the integrals of the logarithm would cancel, and the series converges.
+// From this many lengths on the closed integrals would lose digits; the series converges there.
 inline constexpr double far_lengths = 8;
 
 // ∫ (1 − s/length) ln|r − s| ds from 0 to length.

@@ -33,9 +33,9 @@ Eigen::MatrixXd Jacobian::leaf_block(const KernelPart& part) const {
   return block;
 }
 
-// J between the halves: J_i takes rows of K. Rows of nodes in its own half are kept as thin
-// products; rows of up to three nodes outside it, and pressures at nodes of the other half, are
-// added singly.
+// The block of J between the halves. J_i is a sum of rows of K. Rows of K in the half of node i
+// come from the thin product. Rows of up to three nodes outside this half, and pressures at nodes
+// of the other half, get columns of their own.
 ThinProduct Jacobian::between(const KernelPart& part, bool is_upper) const {
   const int row = is_upper ? part.begin : part.middle;
   const int row_end = is_upper ? part.middle : part.end;
@@ -44,7 +44,7 @@ ThinProduct Jacobian::between(const KernelPart& part, bool is_upper) const {
   const ThinProduct& thin = is_upper ? part.upper : part.lower;
   const Eigen::MatrixXd& outside = is_upper ? part.upper_rows : part.lower_rows;
   const int rank = static_cast<int>(thin.rough_rank);
-  const int pressures = is_upper ? 1 : 2;  // nodes of the other half whose pressures rows take
+  const int pressures = is_upper ? 1 : 2;  // nodes of the other half whose pressures rows contain
   ThinProduct product{Eigen::MatrixXd::Zero(row_end - row, rank + 3 + pressures),
                       Eigen::MatrixXd::Zero(column_end - column, rank + 3 + pressures)};
   product.right.leftCols(rank) = thin.right.leftCols(rank);
@@ -84,7 +84,7 @@ void Jacobian::factor(int index) {
   solve_part(part.first, upper.left);
   solve_part(part.second, lower.left);
   const Eigen::Index of_upper = upper.left.cols(), of_lower = lower.left.cols();
-  // Let s = upper.rightᵀ x₂ and t = lower.rightᵀ x₁. If each half is solved alone, these become
+  // Let s = upper.rightᵀ x₂ and t = lower.rightᵀ x₁. The halves, solved alone, give the values
   // s + (upper.rightᵀ second_left) t and t + (lower.rightᵀ first_left) s: equations for s and t.
   Eigen::MatrixXd joint = Eigen::MatrixXd::Identity(of_upper + of_lower, of_upper + of_lower);
   joint.topRightCorner(of_upper, of_lower) = upper.right.transpose() * lower.left;

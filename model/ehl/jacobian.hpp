@@ -25,10 +25,10 @@ class Jacobian {
   std::size_t bytes() const;
 
  private:
-  // In `lu` a leaf has its block, factored, and any other part the small system that joins its
-  // halves. Other parts also have the two blocks between the halves as products left · rightᵀ: the
-  // inverse of the first half times the left of the upper block is in first_left, that of the
-  // second half times the left of the lower block in second_left.
+  // `lu` has the factors of a leaf's block or, of any other part, of the small system that joins
+  // its halves. Such a part also has the two blocks between its halves as products left · rightᵀ.
+  // first_left is the inverse of the first half times the left of the upper block, second_left the
+  // inverse of the second half times the left of the lower block.
   struct Factor {
     Eigen::PartialPivLU<Eigen::MatrixXd> lu;
     Eigen::MatrixXd upper_right, lower_right, first_left, second_left;

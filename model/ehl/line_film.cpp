@@ -133,8 +133,8 @@ class LineProblem {
     return at.pressure[row] > balance.surplus[row] / own;
   }
 
-  // The change that removes, to first order, the residual of a state: its pressure where the film
-  // has broken, else its surplus. The linear equations may be those of another state.
+  // The change that removes, to first order, the residual of a state. The residual is the pressure
+  // where the film has broken, else the surplus. The linear equations may be of another state.
   FilmChange change_by(const Linear& linear, const FilmState& at, const Balance& balance,
                        double rate) const {
     VectorXd side = VectorXd::Zero(at.pressure.size());

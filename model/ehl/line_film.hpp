@@ -18,7 +18,7 @@ struct LineFilm {
   double mass_flow = 0;            // ρ̄H where dP/dX = 0
   double separation = 0;           // H₀
   int steps = 0;                   // with the steps on the grids before, and the steps in time
-  double last_change = 0;          // of the pressure, in the last step
+  double last_change = 0;          // of P or H₀, in the last step
 };
 
 // Starts from a guess: pressures ≥ 0 at the nodes, 0 at both ends, and H₀.

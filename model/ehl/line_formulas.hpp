@@ -16,8 +16,8 @@ enum class FilmQuantity : std::uint8_t { central, minimum, at_greatest_pressure 
 
 // The liquid of the films that a formula was fitted to, or derived for; unknown where no text at
 // hand tells it. Two books of Hamrock's tell that Pan and Hamrock's liquid was compressible. The
-// solved films tell that its viscosity followed Roelands: with Roelands' law they are nearer to Pan
-// and Hamrock's formulas than with Barus' (held by test_film).
+// solved films tell that its viscosity followed Roelands: films of Roelands' law are nearer to Pan
+// and Hamrock's formulas than films of Barus' law (held by test_film).
 enum class FitLiquid : std::uint8_t { unknown, barus_incompressible, roelands_compressible };
 
 struct LineFormula {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The liquid at a node, and what pressure drives from a node to the next one.
+// The liquid at a node, and the flow that pressure drives from a node to the next one.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ struct DrivenFlow {
   std::array<double, 2> by_film, by_pressure;
 };
 
-// −ρ̄H³/(θη̄) dP/dX between two nodes that are a cell apart. 1/η̄ is its mean where ln η̄ is linear.
+// −ρ̄H³/(θη̄) dP/dX between two nodes a cell apart. 1/η̄ is its mean over the cell for linear ln η̄.
 inline DrivenFlow driven_flow(const LiquidAtNode& here, const LiquidAtNode& next, double here_film,
                               double next_film, double pressure_rise, double cell, double theta) {
   const double middle_film = (here_film + next_film) / 2;

@@ -15,10 +15,10 @@ struct Block {
   int height() const { return last_y - first_y; }
 };
 
-// Nested dissection: a strip of nodes cuts a block into two halves that no entry joins, and is
-// eliminated after both. A strip across X is two nodes wide, since nodes are joined with the second
-// before them. Source: A. George: Nested dissection of a regular finite element mesh. SIAM J.
-// Numer. Anal. 10 (1973) 345.
+// Nested dissection: a strip of nodes cuts a block into two halves that no matrix entry joins, and
+// is eliminated after both. A strip across X is two nodes wide, because entries join each node with
+// the second node before it. Source: A. George: Nested dissection of a regular finite element mesh.
+// SIAM J. Numer. Anal. 10 (1973) 345.
 void order(const PlaneGrid& grid, Block block, int& next, std::vector<int>& places) {
   const auto number = [&](const Block& of) {
     for (int j = of.first_y; j < of.last_y; ++j)
@@ -45,8 +45,8 @@ void order(const PlaneGrid& grid, Block block, int& next, std::vector<int>& plac
 PlaneFactors::PlaneFactors(const PlaneGrid& grid) : places_(static_cast<std::size_t>(grid.size())) {
   int next = 0;
   order(grid, {0, grid.count_x(), 0, grid.count_y()}, next, places_);
-  // The order of elimination is kept where a diagonal entry is not far below the greatest. With 0
-  // or 1 in place of 0.1 a contact took as many steps, and with 1 its factors were 4 % larger.
+  // The order of elimination is kept where a diagonal entry is at least 0.1 of its column's
+  // greatest. With 0 or 1 a contact took as many steps, and with 1 its factors were 4 % larger.
   factors_.setPivotThreshold(0.1F);
 }
 
@@ -69,7 +69,7 @@ Eigen::SparseMatrix<float> PlaneFactors::scaled(
 }
 
 bool PlaneFactors::factor(std::vector<Eigen::Triplet<double>> entries) {
-  // The entries are let go before the factors take their room.
+  // The entries are freed before the factors take memory.
   const Eigen::SparseMatrix<float> matrix = scaled(std::exchange(entries, {}));
   const Eigen::Map<const Eigen::VectorXf> values(matrix.valuePtr(), matrix.nonZeros());
   if (!values.allFinite()) return false;

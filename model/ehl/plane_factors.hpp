@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Factors of a matrix that joins each node of a plane grid with the two before it and the one
-// behind it along X, and with its neighbours along Y. They precondition GMRES: single precision
-// serves, in half the memory.
+// behind it along X, and with its neighbours along Y. They precondition GMRES, for which single
+// precision is enough: it takes half the memory.
 #pragma once
 
 #include <Eigen/SparseLU>
@@ -15,18 +15,18 @@ class PlaneFactors {
  public:
   explicit PlaneFactors(const PlaneGrid& grid);
 
-  // All matrices of one object have entries at the same places, and one that is not 0 in each row.
-  // Returns false where an entry is not finite or the matrix could not be factored.
+  // All matrices of one object must have entries at the same places, and each row one that is not
+  // 0. Returns false where an entry is not finite or the matrix could not be factored.
   bool factor(std::vector<Eigen::Triplet<double>> entries);
 
-  // After factor() has returned true: what the matrix takes to `side`, to a few digits.
+  // The solution x of (matrix) x = `side`, to a few digits. factor() must have returned true.
   Eigen::VectorXd solve(const Eigen::VectorXd& side) const;
 
  private:
   Eigen::SparseMatrix<float> scaled(const std::vector<Eigen::Triplet<double>>& entries);
 
   std::vector<int> places_;     // of the nodes, in the order of elimination
-  Eigen::VectorXd row_scales_;  // by which a node's greatest entry is 1
+  Eigen::VectorXd row_scales_;  // they make the greatest entry of each row 1
   Eigen::SparseLU<Eigen::SparseMatrix<float>, Eigen::NaturalOrdering<int>> factors_;
 };
 

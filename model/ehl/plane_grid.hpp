@@ -22,7 +22,7 @@ struct PlaneGrid {
   bool is_inside(int i, int j) const { return i > 0 && i + 1 < count_x() && j + 1 < count_y(); }
   // The area of a node's surroundings on both sides of Y = 0.
   double area(int j) const { return (j == 0 ? 1 : 2) * dx * dy; }
-  // The grid with so many times the cells along either side.
+  // The grid with `times` as many cells along each side.
   PlaneGrid finer(int times = 2) const {
     return {times * ahead, times * behind, times * beside, dx / times, dy / times};
   }

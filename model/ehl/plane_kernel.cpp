@@ -9,7 +9,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// A multiple of 4 ≥ least without prime factors above 5: its real transform is of half the length.
+// The least multiple of 4 from `least` on without prime factors above 5. With a multiple of 4 a
+// real transform takes a complex one of half the length.
 int smooth_length(int least) {
   for (int length = (least + 3) / 4 * 4;; length += 4) {
     int rest = length;
@@ -19,7 +20,7 @@ int smooth_length(int least) {
   }
 }
 
-// ∬ 1/r from a corner of the rectangle to the opposite one.
+// ∬ 1/r over the rectangle between the origin and (x, y), with the sign of xy.
 double corner(double x, double y) {
   if (x == 0 || y == 0) return 0;
   return x * std::asinh(y / std::fabs(x)) + y * std::asinh(x / std::fabs(y));
@@ -44,7 +45,7 @@ PlaneKernel::PlaneKernel(const PlaneGrid& grid)
       length_y_(smooth_length(4 * grid.count_y() - 3)) {
   const int nx = grid.count_x(), ny = grid.count_y(), half_x = length_x_ / 2 + 1,
             half_y = length_y_ / 2 + 1;
-  // The even sequences of the kernel along X, then along Y.
+  // The kernel's transform along X, then along Y. Its sequences are even.
   Eigen::FFT<double> fft;
   std::vector<double> line(static_cast<std::size_t>(length_x_));
   std::vector<Complex> wave;
@@ -84,7 +85,7 @@ Eigen::VectorXd PlaneKernel::operator*(const Eigen::VectorXd& pressure) const {
   thread_local Eigen::FFT<double> fft;
   std::vector<double> line(static_cast<std::size_t>(length_x_), 0.);
   std::vector<Complex> wave(static_cast<std::size_t>(half_x));
-  // Waves along X of each row of nodes, column by column.
+  // The transform along X of each row of nodes, stored column by column.
   std::vector<Complex> rows(place(half_x, ny));
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   for (int j = 0; j < ny; ++j) {

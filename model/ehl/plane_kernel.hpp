@@ -14,17 +14,17 @@
 
 namespace tribo::ehl {
 
-// ∬ dX′dY′/r over a rectangle with sides dx and dy, seen from (x, y) off its middle.
+// ∬ dX′dY′/r over a rectangle with sides dx, dy; r to the point that is (x, y) off its middle.
 double film_of_rectangle(double x, double y, double dx, double dy);
 
 class PlaneKernel {
  public:
   explicit PlaneKernel(const PlaneGrid& grid);
 
-  // ∬ P/r at each node, of the pressure at each node and of its mirror image.
+  // ∬ P/r at each node, by the pressure at all nodes and its mirror image in Y = 0.
   Eigen::VectorXd operator*(const Eigen::VectorXd& pressure) const;
 
-  // The film at a node of row j by 1 of pressure there and at its mirror image.
+  // ∬ P/r at a node of row j by a pressure of 1 at this node and its mirror image.
   double own(int j) const { return own_[static_cast<std::size_t>(j)]; }
 
  private:

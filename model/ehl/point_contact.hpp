@@ -10,9 +10,9 @@
 // c = 2/π² and ᾱ = αp₀ = L(3M/2)^{1/3}/π, with Moes' numbers M of load and L of material
 // (similarity_numbers.hpp). Moes' film number is (h/R_x)(2U)^{−1/2}.
 //
-// A starved contact meets a layer of liquid of thickness H_oil far ahead. The part Θ of the gap
-// that is filled conserves the mass of the liquid: P > 0 → Θ = 1; P = 0 → Θ ≤ 1 and ∂(Θρ̄H)/∂X = 0,
-// and Θρ̄H = H_oil ahead of the meniscus. No liquid flows back into the track behind the contact.
+// A starved contact meets a layer of liquid of thickness H_oil far ahead. Θ is the part of the gap
+// that is filled. Mass is conserved: P > 0 → Θ = 1; P = 0 → Θ ≤ 1 and ∂(Θρ̄H)/∂X = 0, and Θρ̄H =
+// H_oil ahead of the meniscus. No liquid flows back into the track behind the contact.
 //
 // Sources: O. Reynolds: On the theory of lubrication. Phil. Trans. R. Soc. 177 (1886) 157; C. H.
 // Venner, A. A. Lubrecht: Multilevel Methods in Lubrication. Elsevier (2000), chapter 6; of Θ: H.
@@ -34,8 +34,8 @@ struct PointContact {
   double radius_ratio = 1;                                      // R_y/R_x > 0
   Fluid fluid = {};                                             // its exponent is ᾱ
   double inlet_film = std::numeric_limits<double>::infinity();  // H_oil > 0; ∞: flooded
-  // More liquid for each node at (X, Y), in the unit of PlaneBalance. Contacts have none: with it
-  // the equations of a test have a solution that is known.
+  // Liquid that is added at each node (X, Y), in the unit of PlaneBalance. Contacts have none. In
+  // tests it gives the equations a known solution.
   std::function<double(double x, double y)> source = {};
 
   bool is_starved() const { return std::isfinite(inlet_film); }
@@ -52,7 +52,7 @@ struct PointNumbers {
 };
 
 inline PointNumbers numbers_of(const PointContact& contact) {
-  // Numbers without units do not depend on these: R_x = E* = 2U = 1.
+  // The result does not depend on R_x, E* and 2U; they are taken as 1.
   const HertzEllipse<double> hertz =
       hertz_ellipse(2 * contact.load_number, 1., 1., contact.radius_ratio);
   const double axis = hertz.semi_axis_x, peak = hertz.peak_pressure;

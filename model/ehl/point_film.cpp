@@ -37,9 +37,9 @@ struct PointProblemParts {
   VectorXd areas, gap;  // of the nodes; the gap of the bodies before they flatten
 };
 
-// The unknown of a node, and its equation: its pressure is held (or taken to 0); its pressure
-// follows from the balance; or, in a gap that is filled in part, so does the liquid that is missing
-// there.
+// The unknown of a node, and its equation. held: the pressure is that of the far inlet, or 0.
+// pressure: it follows from the balance. missing: in a gap that is filled in part, the liquid that
+// is missing there follows from the balance.
 enum class Unknown : char { held, pressure, missing };
 
 // The linear equations of a step, for the changes of all unknowns and, last, of H₀: matrix and
@@ -61,7 +61,7 @@ class PointEquations {
 
   Unknown unknown(Index node) const { return unknowns_[static_cast<std::size_t>(node)]; }
   bool is_held(Index node) const { return unknown(node) == Unknown::held; }
-  // The part of a solution that is pressure, and what is missing in gaps that are filled in part.
+  // The pressures in a solution, and the missing liquid in it; both are 0 at the other nodes.
   VectorXd pressure_of(const VectorXd& solution) const {
     return part_of(solution, [](Unknown unknown) { return unknown != Unknown::missing; });
   }
@@ -77,7 +77,7 @@ class PointEquations {
     return result;
   }
 
-  // The change that is added to the balances, 0 where the pressure is held, and to the load.
+  // What a change adds to the balances (0 where the pressure is held) and, last, to the load.
   VectorXd residual_change(const FilmChange& change) const {
     const PlaneGrid& grid = parts_.grid;
     const Index last = grid.size();
@@ -121,8 +121,8 @@ class PointEquations {
     return part;
   }
 
-  // Places in PlaneSlopes: liquid that is missing in a gap is missing in what flows out of the node
-  // itself, and in what flows from the one before into it.
+  // Places in PlaneSlopes. Liquid missing at a node is missing in the flow out of it; liquid
+  // missing at the node before is missing in the flow into it.
   static constexpr std::size_t before = 1, itself = 2;
   static double by_missing(std::size_t k) { return k == before ? 1 : -1; }
 
@@ -313,7 +313,7 @@ class PointProblem {
   }
 
  private:
-  // `missing` where there is pressure; elsewhere what leaves no surplus there.
+  // Sets the state's missing liquid: `missing` where P > 0; elsewhere what leaves no surplus there.
   void set_missing(FilmState& state, VectorXd missing) const {
     const VectorXd nothing = VectorXd::Zero(missing.size());
     state.missing = missing_in(
@@ -322,8 +322,8 @@ class PointProblem {
         std::move(missing));
   }
 
-  // Where a step finds suction, the gap is no longer full. The nodes right behind that node are
-  // emptied too, as long as their pressure is below the suction: a step finds only the next few.
+  // Where a step finds suction, the gap is no longer full. The nodes right behind are emptied too,
+  // as long as their pressure is below the suction: a step alone empties only the next few.
   void empty_behind_suction(VectorXd& pressure) const {
     for (int j = 0; j < parts_.grid.count_y(); ++j) {
       double suction = 0;
@@ -350,7 +350,7 @@ class PointProblem {
     VectorXd side = side_of(linear, at, balance, rate);
     FilmChange change{VectorXd::Zero(parts_.grid.size()), 0, {}};
     if (parts_.contact.is_starved()) {
-      // A gap is full where there is pressure; where it is not full, there is no pressure.
+      // Nodes whose unknown is missing liquid lose their pressure; the others get a full gap.
       change.missing = change.pressure;
       for (Index node = 0; node < parts_.grid.size(); ++node)
         if (equations.unknown(node) == Unknown::missing)
@@ -379,9 +379,9 @@ class PointProblem {
     return at.pressure[node] > surplus / own_part(balance, node, rate);
   }
 
-  // The residual of each equation at a state. At the grid's ends it is of the far inlet's pressure,
-  // or of 0 at dry ends, or of the balance where liquid is missing. Inside it is of the pressure 0
-  // where the film has broken, else of the balance. The last one is of the load.
+  // Minus the residual of each equation at a state. At the grid's ends the residual is that of the
+  // far inlet's pressure, of 0 at dry ends, or of the balance where liquid is missing. Inside it is
+  // the pressure where the film has broken, else the balance. The last is that of the load.
   VectorXd side_of(const Linear& linear, const FilmState& at, const PlaneBalance& balance,
                    double rate) const {
     const PlaneGrid& grid = parts_.grid;
@@ -496,8 +496,8 @@ PointFilm solve_flooded_from_nothing(const PointContact& contact, const PlaneGri
 }
 
 // Newton's method may not lead from dry contact to the film of a liquid that pressure thickens
-// strongly. It then goes through liquids that pressure thickens more and more, each of which starts
-// from the film of the liquid before.
+// strongly. Here it goes through liquids that pressure thickens more and more. Each starts from the
+// film of the liquid before.
 PointFilm solve_by_weaker_liquids(const PointContact& contact, const PlaneGrid& grid,
                                   const Watch& watch) {
   constexpr int liquids = 5;
@@ -524,7 +524,7 @@ PointFilm solve_from_nothing(const PointContact& contact, const PlaneGrid& grid,
   if (film.outcome == Outcome::not_converged && contact.fluid.exponent > 0)
     film = solve_by_weaker_liquids(fuller, grid, watch);
   if (!contact.is_starved() || film.outcome != Outcome::solved) return film;
-  // Where this layer cannot be solved at once, it is tried over 2, 4 or 8 thicker layers.
+  // Where this layer cannot be solved at once, the way to it leads over 2, 4 or 8 thicker layers.
   PointFilm starved;
   for (const int layers : {0, 2, 4, 8}) {
     starved = film;

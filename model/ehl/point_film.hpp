@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pressure and film of a point contact on one grid: Newton's method for all nodes at once. The
-// linear equations of a step are solved by GMRES; its preconditioner is their sparse part, in which
-// a node's pressure lifts the film of that node alone, factored. The grid's ends and the load
-// outside follow the film from step to step; their derivatives are left out.
+// linear equations of a step are solved by GMRES. Its preconditioner is their sparse part,
+// factored: there a node's pressure lifts the film of that node alone. The pressures at the grid's
+// ends and the load outside follow the film from step to step; their derivatives are left out.
 #pragma once
 
 #include <Eigen/Dense>
@@ -17,16 +17,16 @@ struct PointFilm {
   Outcome outcome = Outcome::not_converged;
   PlaneGrid grid{};
   Eigen::VectorXd pressure, film;  // P and H at the nodes
-  // The liquid that each node lacks of what a full gap would drag to the next one, in H; empty of
-  // flooded contacts.
+  // The liquid that each node lacks of what a full gap would drag to the next one, in the unit of
+  // H. Empty for flooded contacts.
   Eigen::VectorXd missing;
   double separation = 0;   // H₀
   int steps = 0;           // with the steps on the grids before, and the steps in time
-  double last_change = 0;  // of the pressure, in the last step
+  double last_change = 0;  // of P or H₀, in the last step
 };
 
-// A film H of the right size, or below it, before the contact is solved: from the limits for a
-// circle.
+// An estimate of H before the contact is solved: of the right size or below it, from the limits for
+// a circle.
 double expected_film(const PointContact& contact);
 // How far pressure reaches from the middle along X, at least: 1, or more where the bodies hardly
 // flatten.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readings of printed formulas for the film of a point contact that scenes do not name, as
-// named_film_laws are those that they do: of Chittenden, Dowson, Dunn and Taylor's formulas, and of
-// Nijenbanning, Venner and Moes' (nijenbanning_venner_moes.hpp) those that are not the default.
+// Readings of printed formulas for the film of a point contact that scenes do not name (they name
+// those of named_film_laws): those of Chittenden, Dowson, Dunn and Taylor, and the ones of
+// Nijenbanning, Venner and Moes that are not the default (nijenbanning_venner_moes.hpp).
 //
 //   h/R_e = C U^0.68 G^0.49 W^−0.073 [1 − exp(−n (R_s/R_e)^{2/3})],  U = η₀u/(E′R_e),  G = αE′,
 //   W = F/(E′R_e²),  E′ = 2E*
@@ -9,9 +9,9 @@
 // R_e is along the direction of entrainment and R_s across it, here R_x and R_y; u is the mean of
 // the two surfaces' speeds. Source: R. J. Chittenden, D. Dowson, J. F. Dunn, C. M. Taylor: A
 // theoretical analysis of the isothermal elastohydrodynamic lubrication of concentrated contacts.
-// Proc. R. Soc. Lond. A 397 (1985) 245 and 271. The print is not at hand, and tells neither the
-// liquid nor the constants here. C = 4.31 and n = 1.23 of the central film, 3.68 and 0.67 of the
-// least film, are what is commonly cited. R. S. Zhou, M. R. Hoeprich: Torque of tapered roller
+// Proc. R. Soc. Lond. A 397 (1985) 245 and 271. The print is not at hand, so that neither its
+// liquid nor its constants are known here. Commonly cited are C = 4.31 and n = 1.23 for the central
+// film, 3.68 and 0.67 for the least film. R. S. Zhou, M. R. Hoeprich: Torque of tapered roller
 // bearings, J. Tribol. 113 (1991) 590, equation 31, cite 4.30 and 1.28, and k, the ratio of the
 // ellipse's axes, in place of (R_s/R_e)^{2/3}.
 #pragma once

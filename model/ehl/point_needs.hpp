@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grids, memory and time that a point contact will take, told before it is solved.
+// Grids, memory and time that a point contact will take, estimated before it is solved.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ struct PointNeeds {
   PlaneGrid coarsest{};
   Eigen::Index most_nodes = 0;  // of a finest grid, which may have to be longer than the first
 
-  PlaneGrid finest(int grids) const;  // of so many grids
+  PlaneGrid finest(int grids) const;  // the last of `grids` grids
 };
 PointNeeds needs_of(const PointContact& contact, const PointOptions& options = {});
 
-// Memory in bytes, at its greatest, that a solution takes whose finest grid has so many nodes. As
-// measured by `make point-survey`: nearly all is the factors of the preconditioner, a node's share
-// of which grows a little with the grid; small grids take less.
+// The greatest memory, in bytes, of a solution whose finest grid has so many nodes, as measured by
+// `make point-survey`. Nearly all of it is the preconditioner's factors, whose bytes for each node
+// grow a little with the grid; small grids take less.
 double point_memory(Eigen::Index nodes);
 // Seconds of one core; for a starved contact they include its flooded film. On the machine that ran
 // `make point-survey`, nine in ten of its 200 contacts took 0.6 to 1.7 times as long, and all took

@@ -19,22 +19,22 @@ struct PlaneSlopes {
 };
 
 struct PlaneBalance {
-  Eigen::VectorXd surplus;          // of each node; 0 at the ends
+  Eigen::VectorXd surplus;          // of each node; 0 at the ends, but for a starved inlet
   Eigen::VectorXd diffusion;        // the surplus that 1 of pressure at the node drives out of it
   std::vector<PlaneSlopes> slopes;  // of each node
 };
 
 // Second order. The film that is dragged between two nodes is extrapolated from the two nodes
 // before, so that films do not waver where pressure drives nothing (reynolds.hpp). `slopes` stay
-// empty if they are not asked for. At the end of a starved contact's inlet the balance is of what
-// leaves the node and H_oil. `missing`, of starved contacts: what each node lacks of the liquid
-// that a full gap would drag to the next one.
+// empty if they are not asked for. At the inlet end of a starved contact the balance is what leaves
+// the node less H_oil. `missing`, for starved contacts: what each node lacks of the liquid that a
+// full gap would drag to the next one.
 PlaneBalance balance_of(const PointContact& contact, const PlaneGrid& grid,
                         const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
                         const Eigen::VectorXd& missing, bool with_slopes = true);
 
-// The liquid that is missing in a gap: where there is pressure, `missing` as it is given; elsewhere
-// so much that no surplus is left.
+// The liquid that is missing in a gap: `missing` where there is pressure, elsewhere so much that no
+// surplus is left.
 Eigen::VectorXd missing_in(const PlaneGrid& grid, const Eigen::VectorXd& pressure,
                            const PlaneBalance& balance_of_full_gap, Eigen::VectorXd missing);
 

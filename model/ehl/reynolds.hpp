@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The balance of the liquid's mass between nodes: what flows out of each node's surroundings, less
-// what flows in, and its derivatives. It is 0 where there is pressure; where the film has broken
-// there is none, and more flows out than in.
+// what flows in, and its derivatives. It is 0 where there is pressure. Where the film has broken
+// there is no pressure, and more flows out than in.
 #pragma once
 
 #include <Eigen/Dense>
@@ -28,8 +28,8 @@ struct Balance {
 
 // Second order on grids whose spacing changes slowly. The film that is dragged between two nodes is
 // extrapolated from the two nodes before, so that films do not waver where the liquid is so viscous
-// that pressure drives none of it; 1/η̄ is its mean where ln η̄ is linear. `slopes` stay empty if
-// they are not asked for.
+// that pressure drives none of it. 1/η̄ is its mean for linear ln η̄. `slopes` stay empty if they are
+// not asked for.
 Balance balance_of(const LineContact& contact, std::span<const double> x,
                    const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
                    bool with_slopes = true);

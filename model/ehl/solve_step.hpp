@@ -17,7 +17,7 @@ enum class Outcome : std::uint8_t {
 struct Step {
   int cells;
   int step;
-  double change;  // of the pressure in the step before
+  double change;  // of P or H₀ in the step before
 };
 using Watch = std::function<bool(const Step&)>;
 

@@ -20,8 +20,8 @@ std::vector<double> over_grids(const std::vector<FilmFeatures>& grids, Feature f
   return values;
 }
 
-// The same nodes, and more of them upstream, up to an inlet that is twice as long: close enough for
-// the pressure there, which falls with the third power of the distance.
+// The same nodes and more upstream, to an inlet that is twice as long. They need not be closer,
+// because the pressure there falls with the third power of the distance.
 Numbers with_longer_inlet(const Numbers& x) {
   constexpr int more = 16;
   Numbers longer;
@@ -72,15 +72,14 @@ std::string why_not(const Step& last, const LineFilm& film) {
                     : text("the equations of step %d have no finite solution", last.step + 1));
 }
 
-// Factors of the films' errors. A spike that is too narrow for all grids still moves the films,
-// more so in a compressible liquid, whose film follows the spike; the least film lies beside the
-// spike.
+// The shares for the films' errors. A spike that is too narrow for all grids still moves the films,
+// more so in a compressible liquid, whose film follows the spike. The least film lies beside it.
 struct FilmCautions {
   Caution away_from_spike, beside_spike;
 };
 FilmCautions cautions_of(bool is_compressible, std::size_t grids) {
-  // Where the spike is not resolved, the values that make the order may waver as much as they
-  // change.
+  // Where the spike is not resolved, the values may waver as much as they change from grid to grid,
+  // and the order with them.
   constexpr double least_order = 0.5, greatest_order = 4;
   const double less_by_grids = std::pow(0.35, std::max(0., static_cast<double>(grids) - 4));
   if (is_compressible)
@@ -90,8 +89,8 @@ FilmCautions cautions_of(bool is_compressible, std::size_t grids) {
           {0.6, 0.25, 0.09 * less_by_grids, 5.5, least_order, greatest_order}};
 }
 
-// The grid beside the finest one, as far as it is known. `awaited`: it is not solved yet, and its
-// part in the errors is taken as 0.
+// The state of the grid beside the finest one. `awaited`: it is not solved yet, and its part in the
+// errors is taken as 0.
 enum class BesideFinest : std::uint8_t { solved, awaited, failed };
 
 void estimate_all(SolvedFilm& solved, const LineContact& contact,
@@ -111,13 +110,13 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
   solved.minimum = estimate(&FilmFeatures::minimum, cautions.beside_spike);
   if (grids.back().integral > 0)
     solved.integral = estimate(&FilmFeatures::integral, cautions.away_from_spike);
-  // In a compressible liquid this film follows the pressure, which between two nodes is known no
-  // better than at the nodes.
+  // In a compressible liquid this film follows the greatest pressure, which lies between nodes and
+  // is known only to its difference from the pressure there.
   const FilmFeatures& finest = grids.back();
   const double ratio = contact.fluid.density(finest.greatest_pressure) /
                        contact.fluid.density(finest.pressure_beside_greatest);
   solved.at_greatest_pressure.error += std::fabs(ratio - 1) * solved.at_greatest_pressure.value;
-  // A spike that coarse grids did not show is estimated from those that do.
+  // If coarse grids do not show the spike, it is estimated from the finer grids that do.
   std::vector<FilmFeatures> with_spike;
   for (const FilmFeatures& f : grids) {
     if (!f.has_spike) with_spike.clear();
@@ -229,7 +228,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
   };
   const auto is_met = [&] {
     const bool is_of_domain = worst < 1.25 * solved.domain_error;  // a finer grid does not help
-    // Without a spike this holds at once.
+    // Without a spike the error is NaN, and this is true.
     const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);
     return (worst <= options.tolerance || is_of_domain) && is_spike_met;
   };
@@ -245,7 +244,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
       if (failed(longer)) break;
       const FilmFeatures there = features_of(contact, longer);
       // Upstream the pressure falls with the third power of the distance, and the load that is left
-      // out there with the second: 4/3 of the change, and a quarter more, as this grid is coarse.
+      // out there with the second: 4/3 of the change. A quarter is added, as this grid is coarse.
       solved.domain_error = 5. / 3 *
                             std::fmax(std::fabs(there.central / grids[0].central - 1),
                                       std::fabs(there.minimum / grids[0].minimum - 1));

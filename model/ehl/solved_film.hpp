@@ -25,16 +25,16 @@ struct Estimate {
 // The value on one more grid, beside a sequence, with fewer cells than its last grid.
 struct Beside {
   double value = std::numeric_limits<double>::quiet_NaN();  // NaN: there is no such grid
-  double cells_ratio = 1;                                   // cells of the last over its cells
+  double cells_ratio = 1;                                   // cells of the last grid over its own
 };
 
 // An error is the greatest of some differences, each times its share. of_last: the last change of
-// Richardson's value from grid to grid (where errors are regular, a fifteenth of it is left); its
-// two changes before that count less, each by the factor `falling`. of_change: the last change of
-// the value itself. of_waver: the difference between the value on the grid beside and the value
-// that the second order predicts there; it shows how much an unresolved spike makes the values
-// waver. The shares of films (solved_film.cpp) are chosen, not derived: so that the error held on
-// each grid of 220 random contacts. `make film-survey` judges them by 300 others.
+// Richardson's value from grid to grid (where errors are regular, a fifteenth of it is left). The
+// two changes of this value before count less, each by the factor `falling`. of_change: the last
+// change of the value itself. of_waver: the difference between the value on the grid beside and the
+// value that the second order predicts there; it shows how much an unresolved spike makes the
+// values waver. The shares of films (solved_film.cpp) are chosen, not derived: with them the error
+// held on each grid of 220 random contacts. `make film-survey` judges them by 300 others.
 struct Caution {
   double of_last = 0.5, falling = 0.125, of_change = 0.022, of_waver = 0;
   // The value is Richardson's where the observed order lies between these.
@@ -46,10 +46,10 @@ struct Caution {
 };
 
 // From the values on at least three grids, each of which halves the cells; with fewer values all
-// numbers are NaN. Where the observed order is near the second, the value is Richardson's and the
-// error the greatest of the shares; the last change of Richardson's value counts three times where
-// it is the only one and no grid stands beside. Else the value is the last one and the error one
-// and a half times the sum of its last two changes; or, by of_irregular, Richardson's with shares
+// numbers are NaN. Where the observed order is within its limits, the value is Richardson's and the
+// error the greatest of the shares; of_last counts three times where there are only three values
+// and no grid beside. Else the value is the last one, and the error 1.5 times the sum of its last
+// two changes; or, with a grid beside and of_irregular > 0, the value is Richardson's with shares
 // of these changes.
 Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {},
                      const Beside& beside = {});
@@ -79,7 +79,7 @@ struct SolvedFilm {
   int grids = 0;
   // H and P of film_features.hpp.
   Estimate central, minimum, at_greatest_pressure, spike_pressure, spike_place;
-  Estimate integral;  // of SolveOptions::integrand; it states its error alone
+  Estimate integral;  // of SolveOptions::integrand; no tolerance applies to it
   // The films' relative error from the finite length of the inlet; the errors above include it.
   double domain_error = 0;
   int steps = 0;  // of Newton's method, on the way to the finest grid

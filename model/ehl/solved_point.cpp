@@ -13,13 +13,13 @@
 namespace tribo::ehl {
 namespace {
 
-constexpr double minimum_share = 3;  // of the tolerance, for the least film
-// The ends of a grid may take this share of the tolerance; a finer grid makes it no smaller.
+constexpr double minimum_share = 3;  // the least film's tolerance over options.tolerance
+// The error from a grid's ends may take this share of the tolerance; finer grids do not reduce it.
 constexpr double domain_share = 0.8;
 
 int rounded_up(double cells) { return static_cast<int>(std::ceil(cells - 1e-9)); }
 
-// The worst error over its tolerance. The film at the greatest pressure states its error alone:
+// The worst error, to compare with the tolerance. The film at the greatest pressure does not count:
 // where that pressure is a spike's, it moves with the grid.
 double worst_of(const SolvedPoint& solved) {
   return std::max(solved.central.relative_error(), solved.minimum.relative_error() / minimum_share);
@@ -29,30 +29,30 @@ bool is_met(const SolvedPoint& solved, const PointOptions& options) {
   return solved.minimum.value > 0 && worst_of(solved) <= options.tolerance;
 }
 
-// Whether three grids with more cells may tell better what three grids left unknown: there is room
-// for a tenth more along each side, as more_cells() asks.
+// Whether three grids with more cells may give a smaller error than three grids did: there is room
+// for a tenth more cells along each side, as more_cells() asks.
 bool is_short_of_nodes(const SolvedPoint& solved, const PointOptions& options) {
   return solved.grids == 3 && solved.domain_error <= options.tolerance &&
          1.2 * static_cast<double>(solved.film.grid.size()) <=
              static_cast<double>(options.greatest_nodes);
 }
 
-// The relative error of a film from the grid's ends, which falls with the third power of its
-// length: 3/2 times the length leaves 0.3 of it at most. On ellipses across the motion up to half
-// was left.
+// The relative error of a film from the grid's ends. It falls with the third power of the grid's
+// length, so that `larger`, 3/2 times as long, leaves 0.3 of it at most. On ellipses across the
+// motion up to half was left.
 double domain_error_of(double FilmFeatures::*film, const PointContact& contact,
                        const FilmFeatures& grid, const FilmFeatures& larger) {
   return (contact.radius_ratio > 1 ? 2 : 1.5) * std::fabs(larger.*film / grid.*film - 1);
 }
 
-// The part of worst_of() that the grid's ends make.
+// The part of worst_of() that comes from the grid's ends.
 double domain_part_of(const PointContact& contact, const FilmFeatures& grid,
                       const FilmFeatures& larger) {
   return std::fmax(domain_error_of(&FilmFeatures::central, contact, grid, larger),
                    domain_error_of(&FilmFeatures::minimum, contact, grid, larger) / minimum_share);
 }
 
-// The cells of a grid beside the others, over those of the finest.
+// The cells along a side of the grid beside the others, over those of the finest grid.
 constexpr double share_beside = 3. / 4;
 
 // Sets the films and their errors. `beside`: on the grid beside, null where there is none.
@@ -73,8 +73,8 @@ void estimate_all(SolvedPoint& solved, const PointContact& contact,
     return e;
   };
   // Where the order is not near the second, one Richardson's value and a grid beside are better
-  // than the sum of the changes: on 30 contacts of `make point-survey` whose three grids missed
-  // their tolerance no error was below the true one by these shares.
+  // than the sum of the changes: with these shares no stated error was below the true one on 30
+  // contacts of `make point-survey` whose three grids missed their tolerance.
   constexpr double of_waver = 3, of_irregular = 1;
   constexpr Caution away_from_edge{
       .of_last = 0.25, .of_waver = of_waver, .of_irregular = of_irregular};
@@ -99,7 +99,7 @@ bool is_wet_at_ends(const PointContact& contact, const PointFilm& film) {
   return false;
 }
 
-// The inlet is narrower the greater the load.
+// The least cells that the inlet needs: it is narrower under a greater load.
 double least_cells(const PointContact& contact) {
   return std::fmax(8, 8 * std::pow(contact.load_number / 30, 0.38));
 }
@@ -109,8 +109,8 @@ bool leaves_three_grids(const PointContact& contact, int cells, const PointOptio
   return 16 * grid_for(contact, cells, longer).size() <= options.greatest_nodes;
 }
 
-// So many cells, or fewer where three grids of this length would have too many nodes, but not fewer
-// than the inlet needs.
+// `cells`, or fewer where three grids of this length would have too many nodes, but not fewer than
+// the inlet needs.
 int cells_that_fit(const PointContact& contact, int cells, const PointOptions& options,
                    double longer = 1) {
   while (cells > least_cells(contact) && !leaves_three_grids(contact, cells, options, longer))
@@ -119,8 +119,8 @@ int cells_that_fit(const PointContact& contact, int cells, const PointOptions& o
 }
 
 // The cells that the coarsest grid begins with; 0 where three grids have too many nodes. Beyond M =
-// 200 the least film needs more than the inlet: the exponent 1/4 is chosen on circles of M from 607
-// to 2000, whose least films three grids left unknown to some per cent without it.
+// 200 the least film needs more cells than the inlet. The exponent 1/4 is chosen on circles of M
+// from 607 to 2000: without it three grids left an error of some per cent in their least films.
 int first_cells(const PointContact& contact, const PointOptions& options) {
   const double least = least_cells(contact);
   if (!(least < 1e4)) return 0;  // an int holds them
@@ -168,9 +168,9 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     return solved;
   }
   std::vector<FilmFeatures> grids{features_of(film, options.integrand)};
-  FilmFeatures larger = grids.front();  // a starved contact's meniscus is on the grid
-  // A grid whose ends take too much of the tolerance is made longer while it leaves four grids, or
-  // three where no more fit at first.
+  FilmFeatures larger = grids.front();  // starved: the meniscus is on it, the ends make no error
+  // A grid whose ends take too much of the tolerance is made longer, as long as four grids still
+  // fit, or three if four do not fit at first.
   const int least_room = 64 * grid.size() <= options.greatest_nodes ? 64 : 16;
   for (double longer = 1; !contact.is_starved(); longer *= length_step) {
     const PointFilm on_larger =
@@ -233,9 +233,9 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
   return solved;
 }
 
-// The length over which a layer of liquid may wet the gap ahead, over reach_of(): the gap of dry
-// bodies over the film there is four times as thick as the layer; the meniscus was found where it
-// is one to three times as thick.
+// The length ahead that a layer of liquid may wet, over reach_of(). At its end the gap, that of dry
+// bodies plus the film, is four times as thick as the layer. The meniscus was found where it is one
+// to three times as thick.
 double wet_length(const PointContact& contact) {
   const double film = expected_film(contact);
   const auto gap = [&](double x) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point contact solved to a stated error: as solved_film.hpp has it for lines, on plane grids.
+// A point contact solved to a stated error: like a line in solved_film.hpp, on plane grids.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 namespace tribo::ehl {
 
 struct PointOptions {
-  // Relative, of the central film; the least film, which lies where the film bends most, may be off
-  // by three times as much. The film at the greatest pressure states its error alone: a spike,
-  // where that pressure is one's, moves with the grid.
+  // Relative, of the central film. The error of the least film, which lies where the film bends
+  // most, may be three times as great. No tolerance applies to the film at the greatest pressure:
+  // where that pressure is a spike's, it moves with the grid.
   double tolerance = 1e-3;
   Eigen::Index greatest_nodes = 900'000;  // of the finest grid
   Integrand integrand = {};
@@ -27,9 +27,9 @@ struct SolvedPoint {
   PointFilm film;  // on the finest grid that was solved
   int grids = 0;
   Estimate central, minimum, at_greatest_pressure;  // H
-  Estimate integral;  // of PointOptions::integrand; it states its error alone
-  // The relative error from the ends of the grid, the greatest of the three; the errors above
-  // include it.
+  Estimate integral;  // of PointOptions::integrand; no tolerance applies to it
+  // The relative error from the ends of the grid: the greatest of the three films'. The errors
+  // above include their own.
   double domain_error = 0;
   int steps = 0;  // of Newton's method and in time, on the way to the finest grid
 };
@@ -40,8 +40,8 @@ inline constexpr double least_point_load_number = 1, greatest_tried_point_load_n
 // nearly floods the contact; with a thinner layer the film is nearly as thick as the layer.
 inline constexpr double least_layer = 0.05, greatest_layer = 6;
 
-// A grid that is too short is made longer by the first number, once more and once more, while it
-// stays below so many times the length that is tried first.
+// A grid that is too short is made longer by the first factor, as often as needed, while it stays
+// below the second number times the length that is tried first.
 inline constexpr double length_step = 1.25, greatest_length = 4;
 
 // The nodes for a contact, with `cells` cells on the length that pressure reaches. `longer`: its
@@ -51,9 +51,9 @@ PlaneGrid grid_for(const PointContact& contact, int cells, double longer = 1);
 // So many coarsest grids are tried at most.
 inline constexpr int most_coarsest_grids = 3;
 
-// The cells of the coarsest grid that is tried after one of `cells` that led to no film, or whose
-// three grids left too great an error: half as many again, or fewer, so that three grids stay
-// within the greatest number of nodes; 0 where there is no room for a tenth more cells.
+// The cells of the next coarsest grid, to try where one of `cells` led to no film or its three
+// grids left too great an error: half as many again, or fewer, so that three grids stay within the
+// greatest number of nodes. 0 where there is no room for a tenth more cells.
 int more_cells(const PointContact& contact, int cells, const PointOptions& options);
 
 // Error of each film: its Estimate, from three grids or more and from a larger one. Where the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sentences of the solvers.
+// Messages of the solvers, in printf()'s formats. A longer message is cut to 299 bytes.
 #pragma once
 
 #include <array>

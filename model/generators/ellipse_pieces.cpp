@@ -2,13 +2,13 @@
 // Makes the polynomials of src/hertz_ellipse.cpp, at each build: `ellipse_pieces
 // ellipse_pieces.inc`.
 //
-// Each of the three numbers of EllipseOfCircle is, in α = R_y/R_x ≥ 1 and in R_x/R_y ≥ 1, on each
-// of four parts of an octave the interpolant at the Chebyshev nodes, in the precision of 113 bits,
-// as a polynomial in α/2^octave − centre. Its constant coefficient is held as a sum of two doubles.
-// The functions are analytic but for α ≤ 0, so that the interpolant's error falls by a factor of 17
-// or more with each degree. It is computed here where it is greatest; where it is more than a
-// sixteenth of the last place, no file is written. That no number is off by more than 1 ulp at any
-// α is proved by verification/tests/analytic/ellipse_pieces_test.cpp.
+// Each of the three numbers of EllipseOfCircle is, for α = R_y/R_x ≥ 1 and for α = R_x/R_y ≥ 1, on
+// each of four parts of an octave a polynomial in α/2^octave − centre: the interpolant at the
+// Chebyshev nodes, computed with 113 bits. Its constant coefficient is held as a sum of two
+// doubles. The functions are analytic but for α ≤ 0, so that the interpolant's error falls by a
+// factor of 17 or more with each degree. The error is checked here where it is greatest; if it is
+// more than a sixteenth of the last place, the program fails. The proof that no number is off by
+// more than 1 ulp at any α is verification/tests/analytic/ellipse_pieces_test.cpp.
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -23,7 +23,7 @@
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_quad;
-constexpr int octaves = 14, parts = 4;  // of α, and of each of them
+constexpr int octaves = 14, parts = 4;  // of α, and of each octave
 constexpr int degree = 13;
 constexpr double greatest_error = 0x1p-57;  // relative
 

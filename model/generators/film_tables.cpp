@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the tables of tribo/solved_films.hpp and solved_inlet.hpp of the rows of reference/ehl, at
-// each build:
+// Makes the tables of tribo/solved_films.hpp and solved_inlet.hpp from the rows of reference/ehl,
+// at each build:
 // `film_tables line_films.csv line_films_between.csv point_films.csv film_tables.inc`.
 //
-// Between the rows it takes ln(solved/formula), by the formula of all regimes (Moes' of lines,
-// Nijenbanning, Venner and Moes' of circles, in the reading that is nearer to the solved films), as
-// bicubic pieces over ln M and ln(1 + L) whose slopes at the rows are those of cubic splines
-// (not-a-knot) along the rows of one L and of one M. A piece is there where the rows at its four
-// corners are. Pieces over L or over its root, flatter slopes, and
-// pieces without the formula were each further from films solved between the rows.
+// Between the rows it interpolates ln(solved/formula). The formula is that of all regimes: Moes'
+// for lines, Nijenbanning, Venner and Moes' for circles, in the reading that is nearer to the
+// solved films. The pieces are bicubic over ln M and ln(1 + L); their slopes at the rows are those
+// of cubic splines (not-a-knot) along the rows of one L and of one M. A piece exists where the rows
+// at its four corners exist. Pieces over L or over its root, flatter slopes, and pieces without the
+// formula were each further from films solved between the rows.
 //
-// Each row of a starved film gives the ln γ at which Damiens' formula has this film. Between the
-// rows ln γ is a cubic spline along ln r, along ln(1 + L) and along ln M, where the rows of all r,
-// L and M are there.
+// Each row of a starved film gives the ln γ for which Damiens' formula has this film. Between the
+// rows ln γ is a cubic spline along ln r, along ln(1 + L) and along ln M, for the M that have rows
+// of all r and L.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -79,7 +79,7 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
   std::vector<std::vector<double>> a(n, std::vector<double>(n + 1));
   const auto end = [&](std::size_t row, std::size_t i0, std::size_t i1, std::size_t i2, double h0,
                        double h1, double d0, double d1) {
-    // third derivatives of both pieces at the end are alike
+    // the third derivatives of the two pieces next to the end are equal
     a[row][i0] = h1 * h1;
     a[row][i1] = h1 * h1 - h0 * h0;
     a[row][i2] = -h0 * h0;
@@ -136,7 +136,7 @@ struct Node {
 // ln(solved/formula) on the grid of the rows, and between.
 class Rows {
  public:
-  // The formula of a law, D = 1.
+  // `formula`: the law by which the films are divided; for points at R_x/R_y = 1.
   Rows(tribo::FilmForm formula, std::map<std::pair<double, double>, double> films)
       : formula_(formula) {
     std::set<double> loads, materials;
@@ -166,7 +166,7 @@ class Rows {
   double last_x() const { return x_.back(); }
   double last_material() const { return std::expm1(y_.back()); }
 
-  // ln Ĥ, its y being L; NaN where rows lack.
+  // ln Ĥ and its derivatives, where y is L; NaN where rows are missing.
   Node at(double x, double material) const {
     const Node formula = formula_at(x, material), rest = piece_at(x, std::log1p(material));
     return {formula.value + rest.value, formula.by_x + rest.by_x,
@@ -193,7 +193,7 @@ class Rows {
     return slopes;
   }
 
-  // Its y is L. At L = 0, from where the formula's slope rises as L^{1/8}, a slope from beside it.
+  // ln Ĥ of the formula; y is L. At L = 0, where the slope rises as L^{1/8}, that of L = 0.1.
   Node formula_at(double x, double y) const {
     const auto at = [&](double log_load, double material) {
       return tribo::film_number<double>(formula_, std::exp(log_load), material, 1.0);
@@ -265,7 +265,7 @@ void write_table(std::ostream& to, const char* name, const Rows& rows, std::size
   to << "};\n" << text;
 }
 
-// Ĥ by M and L, of the rows from a load number on.
+// Ĥ by M and L. add() takes it from flooded rows of lines or circles with M from least_load on.
 using Films = std::map<std::pair<double, double>, double>;
 void add(Films& films, const std::vector<Row>& rows, const std::string& film, double least_load) {
   for (const Row& row : rows) {
@@ -282,7 +282,7 @@ void add(Films& films, const std::vector<Row>& rows, const std::string& film, do
   }
 }
 
-// Takes out material numbers that few load numbers have: the flooded films beside starved ones.
+// Takes out the L that at most half of the M have: flooded films that belong to starved ones.
 void keep_whole_columns(Films& films) {
   std::map<double, std::size_t> loads;
   std::set<double> all_loads;
@@ -294,7 +294,7 @@ void keep_whole_columns(Films& films) {
                 [&](const auto& one) { return 2 * loads[one.first.second] <= all_loads.size(); });
 }
 
-// ln γ, at which (1 + r^γ)^{−1/γ} is y.
+// The ln γ at which (1 + r^γ)^{−1/γ} is y.
 double log_exponent(double r, double y) {
   const double greatest = std::fmin(1, 1 / r);
   if (!(y < greatest)) throw std::runtime_error("a starved film is not thinner than its limits");
@@ -385,7 +385,7 @@ class InletRows {
 };
 
 void write_inlet_table(std::ostream& to, const InletRows& rows) {
-  // With these steps the straight pieces lie within 5e-4 of the rows (ehl.SolvedInlet).
+  // With these steps the linear pieces lie within 5e-4 of the rows (ehl.SolvedInlet).
   constexpr std::size_t loads = 16, materials = 20, ratios = 40;
   const auto step = [](double first, double last, std::size_t steps) {
     return (last - first) / static_cast<double>(steps);

@@ -30,7 +30,7 @@ void check_pair(const std::string& direction, double first, double second, Probl
   if (direction == "y") allowed += ", or length in place of both radii, for a line";
   if (std::min(first, second) < 0 && std::max(first, second) > 0)
     allowed += "; the groove's radius must be larger than the ball's";
-  constexpr double slip = 100;  // so many times as large is no ball in a groove
+  constexpr double slip = 100;  // above this ratio one radius has a wrong unit
   const double convex = std::max(first, second), groove = -std::min(first, second);
   if (groove > 0 && convex > slip * groove)
     allowed += "; perhaps \"" + number_text(convex) + " mm\" was meant";
@@ -87,8 +87,8 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
        joined(fitting, " or ") + (is_line ? "; `tribocheck film` tells how far off each is" : "")});
 }
 
-// Refuses starved films between solved ones where the film is by another law, or of another
-// contact.
+// Refuses closures.starvation = "solved" unless the contact is a circle and closures.film is
+// "solved".
 void check_inlet(const Scene& scene, Problems& problems) {
   if (scene.closures.starvation != StarvationClosure::solved) return;
   if (scene.bodies.shape() != ContactShape::circle)
@@ -104,8 +104,8 @@ void check_inlet(const Scene& scene, Problems& problems) {
                     "closures.film = \"solved\", or another law of the inlet"});
 }
 
-// Refuses a viscosity that does not rise with pressure for a law whose film would be 0, or whose
-// law of the least film has none; and an ellipse that is given by its k for a law that takes radii.
+// Refuses a constant viscosity for a law that then has no film or no minimum film. Refuses an
+// ellipticity other than 1 for a law that takes radii.
 void check_rise(const Scene& scene, Problems& problems) {
   const FilmLaw& law = film_law(scene);
   if (!law.has_fixed_exponents() && scene.bodies.shape() == ContactShape::circle &&
@@ -146,7 +146,7 @@ void check_profile(const Scene& scene, Problems& problems) {
              " or more of an isotropic Gaussian face"});
 }
 
-// Refuses a temperature at which no oil is a liquid: it was meant in °C.
+// Refuses a temperature at which no oil is a liquid: probably °C was meant.
 void check_temperature(double temperature, std::string_view field, Problems& problems) {
   constexpr double coldest = 150;
   if (!(temperature > 0 && temperature < coldest)) return;
@@ -185,7 +185,7 @@ void check_oil(const Oil& oil, Problems& problems) {
                     "two temperatures in K, and above 3e-7 m²/s, the less the warmer"});
 }
 
-// Refuses an oil that Roelands' law does not take, and a heated inlet beyond its law.
+// Refuses an oil too thin for Roelands' law, and a heated inlet beyond Gupta's factor.
 void check_liquid(const Scene& scene, const Numbers& numbers, Problems& problems) {
   const Lubricant& lubricant = scene.lubricant;
   if (lubricant.oil.is_given() && scene.friction.viscosity == ViscosityLaw::roelands &&
@@ -221,8 +221,7 @@ void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problem
        "a ratio of the two that double can hold, or length in place of R_y, for a line"});
 }
 
-// Refuses legal bodies and moments from which numbers follow that overflow, or that lose their
-// digits next to 0.
+// Refuses legal bodies, moments and oils from which a number follows that overflows or underflows.
 void check_derived(const Scene& scene, const Numbers& numbers, Problems& problems) {
   const auto check = [&](bool is_derived, std::string_view field, std::string_view what,
                          double number) {

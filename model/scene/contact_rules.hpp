@@ -9,7 +9,7 @@
 
 namespace tribo::scene_detail {
 
-// The numbers of the contact; nothing, and errors, where the fields make no contact.
+// The numbers of the contact; std::nullopt if there are errors, which are in `problems`.
 std::optional<detail::SceneNumbers<double>> check_contact(const Scene& scene, SceneUse use,
                                                           bool film_is_given, Problems& problems);
 

@@ -31,7 +31,7 @@ std::optional<std::string> line_id(const Value& value) {
   std::array<char, 32> text{};
   char* const begin = text.data();
   char* const end = begin + text.size();
-  // A whole number without an exponent: readers of some languages want digits alone.
+  // Whole numbers are written without an exponent, because some readers accept digits only.
   const auto whole = static_cast<std::int64_t>(number);
   const auto written = static_cast<double>(whole) == number ? std::to_chars(begin, end, whole)
                                                             : std::to_chars(begin, end, number);

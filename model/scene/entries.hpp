@@ -22,25 +22,25 @@ struct Value {
   ValueKind kind = ValueKind::null;
   NumberFault fault = NumberFault::none;
   double number = 0;  // booleans: 0 or 1
-  std::string text;   // texts; of numbers with a fault, what was written
+  std::string text;   // of a text; of a number with a fault, as it was written
 };
 
-// The id of a line of JSON: a text, or a number that double holds to the last digit, as a text.
-// Nothing where the value is neither.
+// The id of a line of JSON, as a text. The value has to be a text, or a number below 2^53 in
+// magnitude; else the result is std::nullopt.
 std::optional<std::string> line_id(const Value& value);
 inline constexpr std::string_view allowed_line_ids =
     "a text, or a number below 9007199254740992 in magnitude";
 
-// `path` is "load" or "surface.summit_radius". Tables of a known section have an entry of their own
-// and one for each of their fields. The content of lists in lists and of other tables is in
-// `inner`, by its keys ("[0]", "[1]" …), from JSON of lists alone: scenes have no such tables,
-// sweeps (model/sweep) do.
+// `path` is "load" or "surface.summit_radius". A section that is a table has an entry, and each of
+// its fields has one. `inner` has the lists in a list, by the keys "[0]", "[1]" …, and the content
+// of other tables, by their keys. From JSON it has lists only, because only sweeps (model/sweep)
+// have such tables.
 struct Entry {
   std::string path;
   Value value;
   std::vector<Value> elements;  // of a list
   std::vector<Entry> inner = {};
-  // The field of the path (schema.hpp), where whoever made the entry has looked it up already.
+  // The place of the field of `path` (schema.hpp), if it is already looked up.
   std::optional<std::size_t> field = {};
 };
 
@@ -48,7 +48,7 @@ inline constexpr std::size_t max_depth = 16;      // of lists and tables within 
 inline constexpr std::size_t max_entries = 1000;  // far more than there are fields
 inline constexpr std::size_t max_problems = 50;   // reported of one scene
 
-// The errors and warnings of one input, whose name must outlive it.
+// Collects the errors and warnings of one input. `source`, its name, must outlive this object.
 class Problems {
  public:
   Problems(SceneReading& reading, std::string_view source) : reading_(reading), source_(source) {}
@@ -64,7 +64,7 @@ class Problems {
   std::string_view source_;
 };
 
-// A key as a part of a path: quoted where it could be taken for something else, and shortened.
+// A key as a part of a path. A key that is long or not bare is quoted, and a long one shortened.
 std::string path_part(std::string_view key);
 
 // The message on text over 1 MiB; "" for less.
@@ -72,8 +72,8 @@ std::string too_large_text(std::size_t bytes);
 extern const std::string_view too_many_fields_text;
 extern const std::string_view too_deep_text;
 
-// Are lists and tables of a JSON text nested more than max_depth deep? To be asked before a parser
-// makes a tree of the text: trees are copied, printed and destroyed by recursion.
+// Are lists and tables of a JSON text nested more than max_depth deep? Ask this before a parser
+// makes a tree of the text, because trees are copied, printed and destroyed by recursion.
 bool nests_too_deep(std::string_view json);
 
 // The entries of a TOML text; nothing, and an error, where the text is not TOML. Text over 1 MiB or
@@ -81,11 +81,11 @@ bool nests_too_deep(std::string_view json);
 std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields = max_entries);
 
-// The same of a JSON text; nothing, and an error, where the text is no JSON object.
+// The same for a JSON text; nothing, and an error, where the text is no JSON object.
 std::optional<std::vector<Entry>> json_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields = max_entries);
 
-// Puts the names of outputs in place of those that the entries have; none: leaves these.
+// Replaces the outputs in `entries` by these names. Without names nothing changes.
 void put_outputs(std::span<const std::string_view> outputs, std::vector<Entry>& entries);
 
 // Fills reading.scene from the entries, or reading.errors.

@@ -13,7 +13,7 @@ namespace tribo::scene_detail {
 // "0.5", "\"abc\"", "true"; empty for lists, tables and the like.
 std::string value_text(const Value& value);
 
-// The fault of a value of a kind that is not wanted here.
+// The fault of a value of the wrong kind.
 Fault wrong_kind(const Value& value, std::string allowed);
 
 // The fault of a text that is none of the words.

@@ -36,7 +36,7 @@ class InputFile {
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
-// Why a path is not to be opened; empty if it is a file or a pipe.
+// Why a path must not be opened; empty if it is a file or a pipe.
 std::string refusal_of(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return "cannot be read: " + system_message(errno);
@@ -46,8 +46,8 @@ std::string refusal_of(const std::string& path) {
   return {};
 }
 
-// The message on a file that is no text in UTF-8, by its first bytes; empty if these do not tell
-// its kind. `what` was expected.
+// The message on a file whose first bytes show that it is HDF5, UTF-16 or UTF-32; empty for other
+// files. `what` was expected.
 std::string other_kind(std::string_view text, std::string_view what) {
   constexpr std::string_view hdf5 = "\x89HDF\r\n\x1a\n";
   constexpr std::string_view part = "tribocheck sweep part";  // model/sweep/part.cpp
@@ -63,14 +63,14 @@ std::string other_kind(std::string_view text, std::string_view what) {
   if (text.starts_with(std::string_view("\xFF\xFE\0\0", 4)) ||
       text.starts_with(std::string_view("\0\0\xFE\xFF", 4)))
     return "the file is UTF-32; save it as UTF-8";
-  // Without a byte order mark, every other byte of ASCII signs is 0.
+  // In UTF-16 without a byte order mark, every other byte of ASCII signs is 0.
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
       (nul_at(0) == nul_at(2) && nul_at(1) == nul_at(3) && nul_at(0) != nul_at(1)))
     return "the file is UTF-16; save it as UTF-8";
   return {};
 }
 
-// Reads to the end, or until it is too large.
+// Reads to the end, or until `text` is too large.
 std::string read_up_to_limit(int descriptor, std::string& text) {
   std::array<char, 65536> block;
   while (text.size() <= max_scene_bytes) {

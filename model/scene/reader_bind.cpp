@@ -23,7 +23,7 @@
 namespace tribo::scene_detail {
 namespace {
 
-// Two faces are rough alike up to this ratio of their roughness.
+// Two faces count as equally rough up to this ratio of their roughness.
 constexpr double greatest_factor_of_alike_faces = 2;
 
 bool is_whole(double number) { return std::trunc(number) == number; }
@@ -94,7 +94,7 @@ class SceneBinder {
   }
 
   void place_section(const Entry& entry) {
-    // A table may be written in pieces in TOML, never in JSON; both parsers give it one entry.
+    // TOML may give a table in pieces, in one entry. Two entries mean a table that is given twice.
     if (has_section(entry.path)) return problems_.error(entry.path, {Fault::once});
     sections_[section_count_++] = entry.path;
     if (entry.path == "speed") place_field(entry, named().speed);
@@ -125,7 +125,7 @@ class SceneBinder {
     if (section_of(entry.path) == "supply") supply_explained_ = true;
   }
 
-  // One mistake, one line: the field that a misspelt name probably means is not called missing.
+  // The field that a misspelt name probably means is not reported as missing, too.
   void explain(std::string_view name) {
     if (name == "supply" || section_of(name) == "supply") supply_explained_ = true;
     for (std::size_t field = 0; field < fields_.size(); ++field) {
@@ -355,7 +355,7 @@ class SceneBinder {
     problems_.error(name, unknown_word(value, output_names, allowed_text(info)));
   }
 
-  // A word that is given twice is accepted once.
+  // A word may be given twice.
   void take_limit(const FieldInfo& info, const Value& value, const std::string& name) {
     if (value.kind != ValueKind::text) return refuse(info, name, value);
     const auto words = limit_words();
@@ -365,7 +365,7 @@ class SceneBinder {
     scene_.accepted.push_back(*found);
   }
 
-  // Outputs that were asked for need their inputs; without a list, those with inputs are computed.
+  // Asked outputs need their inputs. Without a list, outputs without their inputs are left out.
   void check_outputs() {
     const bool asked = given_[named().outputs] != nullptr;
     if (!asked) scene_.outputs = OutputSet::all();
@@ -397,7 +397,7 @@ class SceneBinder {
     }
   }
 
-  // Refuses what is a ratio to σ_s where the bodies are smooth.
+  // Refuses outputs and supplies that are ratios to σ_s where the bodies are smooth.
   void check_smooth() {
     if (!is_smooth()) return;
     const auto refuse_ratio = [this](std::string_view field, std::string_view name,
@@ -419,7 +419,7 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   bool is_of_solved_film() const { return is_of_solved_films(use_); }
-  // A scene is of smooth bodies where [surface] is not there, or has the roughness for Λ alone.
+  // The bodies are smooth if [surface] is missing, or has nothing but the roughness for Λ.
   bool is_smooth() const {
     return ((is_given_ | explained_) & named().of_summits).none() &&
            (!has_section("surface") || has_roughness());
@@ -526,8 +526,8 @@ class SceneBinder {
     return std::find(sections_.begin(), end, name) != end;
   }
 
-  // A heated inlet takes the sliding of friction, whose default is the paper's, not that of a
-  // bearing.
+  // A heated inlet takes friction.slide_roll_ratio, whose default is that of the published model,
+  // not that of a bearing.
   void note_heat() {
     if (scene_.lubricant.thermal == ThermalInlet::none) return;
     if (is_of_solved_film())
@@ -560,7 +560,7 @@ class SceneBinder {
   Scene scene_;
   std::array<const Entry*, field_capacity> given_{};
   std::forward_list<Entry> in_si_;  // entries that were given as texts with units
-  FieldPlaces is_given_;            // whether there is one
+  FieldPlaces is_given_;            // those with an entry in given_
   FieldPlaces explained_;           // an error already says why the field is not there
   bool supply_explained_ = false;
   std::array<std::string_view, sections.size()> sections_;  // the tables that were given

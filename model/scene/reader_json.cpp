@@ -2,8 +2,8 @@
 // JSON to entries, by nlohmann's event parser, which has no recursion to overflow and reports every
 // key, also those given twice.
 //
-// It stops at a number beyond the range of double. Such a number is replaced by 0, remembered, and
-// the text is parsed again: so the message names its field and the other problems are found too.
+// The parser stops at a number beyond the range of double. It is replaced by 0 and remembered, and
+// the text is parsed again. So its field is named, and other problems are found.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -177,8 +177,8 @@ class EntryCollector {
   std::vector<Entry> entries_;
   std::string key_, section_;
   std::size_t depth_ = 0;
-  std::size_t skip_from_ = 0;  // the depth of a table or list whose content is of no use; 0: none
-  int levels_of_lists_ = 0;    // lists that are not yet closed: the last entry, and its last one
+  std::size_t skip_from_ = 0;  // depth of the table or list whose content is skipped; 0: none
+  int levels_of_lists_ = 0;    // open lists; 1: the last entry, 2: its last inner entry, too
   std::size_t numbers_ = 0;
   std::string complaint_, last_token_;
   std::size_t position_ = 0;
@@ -228,7 +228,7 @@ void report(const EntryCollector& collector, std::string_view text, Problems& pr
   problems.error_at(place.row, place.column, "", {.what = collector.complaint()});
 }
 
-// Replaces the number that the collector stopped at by a 0 of equal length; false if it cannot.
+// Replaces the number that the collector stopped at by 0 and blanks; false if it cannot.
 bool mend_overflow(const EntryCollector& collector, std::string& text,
                    std::vector<Overflow>& overflows) {
   constexpr std::size_t most = 32;

@@ -55,7 +55,7 @@ class TomlCollector {
     entries_.push_back(entry_of(std::move(path), node, apart ? 0 : inner_depth));
   }
 
-  // The entry of a node, with `levels` levels of what the node holds.
+  // The entry of a node. Lists and tables in it go to `inner`, down to `levels` levels.
   Entry entry_of(std::string path, const toml::node& node, int levels) const {
     Entry entry{std::move(path), value_of(node), {}};
     if (const toml::array* const list = node.as_array()) {
@@ -109,16 +109,16 @@ class TomlCollector {
     return {.kind = ValueKind::number, .number = node.as_floating_point()->get(), .text = {}};
   }
 
-  // sweep.correlation is a list of lists in a table; a mistake in a solver
-  // (reference/mistakes.toml) is a table in a list, with tables in tables.
+  // Enough for sweep.correlation, a list of lists in a table, and for a mistake in a solver
+  // (reference/mistakes.toml): a table in a list, with tables in tables.
   static constexpr int inner_depth = 5;
 
   const std::vector<WideNumber>& wide_numbers_;
   std::vector<Entry> entries_;
 };
 
-// The name at the end of "cannot redefine existing floating-point 'viscosity'", with the table that
-// the row stands in; empty for other errors.
+// The name at the end of "cannot redefine existing floating-point 'viscosity'", after the name of
+// the table in which the row stands; empty for other errors.
 std::string redefined_field(const std::string& description, std::size_t row,
                             const std::vector<TableHeader>& headers) {
   const std::size_t start = description.find("cannot redefine existing");
@@ -135,7 +135,7 @@ std::string redefined_field(const std::string& description, std::size_t row,
   return std::string(header->name) + '.' + name;
 }
 
-// A table that says how a field varies, or how a sweep is made, is not of a scene.
+// Is this a table of a sweep? Such a table says how a field varies, or how the sweep is made.
 bool is_of_sweep(const Entry& entry) {
   if (entry.value.kind != ValueKind::table) return false;
   return entry.path == "sweep" ||
@@ -145,7 +145,7 @@ bool is_of_sweep(const Entry& entry) {
          });
 }
 
-// Does the parser stop at a letter, as at a unit behind a number?
+// Did the parser stop at a letter, for example at a unit after a number?
 bool stops_at_letter(std::string_view description) {
   if (description.size() < 3 || !description.ends_with('\'')) return false;
   const char sign = description[description.size() - 2];

@@ -36,7 +36,7 @@ std::optional<double> number_in(T from) {
 }
 std::optional<double> number_in(std::optional<double> from) { return from; }
 
-// Access to the scene's member of a member …, by a chain of pointers to members.
+// Access to a nested member of the scene, by a chain of pointers to members.
 template <auto... members>
 constexpr Access at{[](Scene& scene, double value) { put((scene.*....*members), value); },
                     [](const Scene& scene) { return number_in((scene.*....*members)); }};
@@ -45,7 +45,7 @@ constexpr Access at{[](Scene& scene, double value) { put((scene.*....*members), 
 template <double Numbers::*number, auto... members>
 constexpr Access at_number{at<members...>.store, at<members...>.load, number};
 
-// The same of a member of a table; the scene then knows that it has the number, not its default.
+// The same for a member of a table. Storing also notes that the scene gives the number.
 template <double Numbers::*number, auto section, auto member, auto gives_member>
 constexpr Access at_own{[](Scene& scene, double value) {
                           put(scene.*section.*member, value);
@@ -116,9 +116,9 @@ struct Row {
   Access access = {};
 };
 
-// The usual range of a number, and the unit that was probably meant where a number is outside of
-// it, of several the first that fits. Such a number is legal, but passes the limit "<field>_range"
-// (validity.hpp).
+// The usual range of a number. A number outside of it is legal, but passes the limit
+// "<field>_range" (validity.hpp). likely_unit: units that were perhaps meant then; the first unit
+// that brings the number into the range is named.
 struct Usual {
   double least, greatest;
   std::string_view likely_unit = "";
@@ -160,7 +160,7 @@ constexpr Row roughness_row(std::string_view path, std::string_view meaning, Acc
   row.info.takes_both_faces = true;
   return row;
 }
-// From soft rubber on; a number of N/mm² is below.
+// Soft rubber has the least modulus. Numbers that are meant in N/mm² lie below the range.
 constexpr Usual modulus{5e5, 2e12, "GPa, MPa"};
 // The faces of crowned rollers are nearly flat across the motion.
 constexpr Usual along{-5, 5, "mm"}, across{-1e4, std::numeric_limits<double>::infinity()};
@@ -442,7 +442,7 @@ constexpr auto infos = [] {
   return result;
 }();
 
-// Shorter paths first: most comparisons are of lengths alone, and a stream makes a hundred a line.
+// Shorter paths first: then most comparisons are of lengths, and a stream makes 100 of them a line.
 constexpr bool is_before(std::string_view left, std::string_view right) {
   if (left.size() != right.size()) return left.size() < right.size();
   return left < right;
@@ -458,8 +458,8 @@ constexpr auto by_path = [] {
   return places;
 }();
 
-// Keeps the nearest name seen so far. A name whose last part fits is near even where it was written
-// into the wrong section ("load" under [bodies]); the same section wins between equals.
+// Keeps the nearest name seen so far. A name whose last part fits is near even in the wrong section
+// ("load" under [bodies]). Between equals the same section wins.
 class Nearest {
  public:
   explicit Nearest(std::string_view path) : path_(path) {
@@ -544,7 +544,7 @@ std::optional<double> value_in(const Scene& scene, std::size_t field) {
   if (access.load == nullptr) return std::nullopt;
   const std::optional<double> value = access.load(scene);
   if (value != 0.0) return value;
-  // A field that is not given, and that could not be 0, is 0 in a scene.
+  // In a scene 0 means "not given" for a field that cannot be 0.
   const bool may_be_zero =
       info.type == FieldType::choice || info.minimum < 0 || !info.exclusive_minimum;
   return !may_be_zero || info.is_radius_of_face ? std::nullopt : value;

@@ -30,8 +30,8 @@ inline constexpr auto output_names = [] {
 
 using Numbers = detail::SceneNumbers<double>;
 
-// The place of a field in a scene, as a number, a whole number, or the place of a chosen word. All
-// are null for id and outputs, which have no such place.
+// Access to a field in a scene as a number; for a choice, as the place of its word. All are null
+// for fields that are no number and no choice, such as id and outputs.
 using Store = void (*)(Scene&, double);
 struct Access {
   Store store = nullptr;
@@ -39,12 +39,12 @@ struct Access {
   double Numbers::*number = nullptr;  // null: the field is not itself a number of a contact
 };
 
-// Puts the value into the scene; of `speed`, in place of all its speeds.
+// The function that puts a value into the scene; for `speed` it replaces all speeds.
 Store store_of(std::size_t field);
 // The field's value in the scene, given or computed from other fields; nothing where the scene has
 // none.
 std::optional<double> value_in(const Scene& scene, std::size_t field);
-// The contact's number that is the field's value; null where others depend on the field, too.
+// The number of the contact that is the field's value; null if others depend on the field, too.
 double Numbers::*contact_number(std::size_t field, ContactShape shape);
 
 // The place in scene_fields() of a dotted path.

@@ -60,7 +60,7 @@ void append_escape(std::string& text, std::uint32_t code) {
   }
 }
 
-// Appends the sign of text[at], escaped where it must be. Returns its bytes.
+// Appends the sign at text[at], escaped where it must be. Returns its length in bytes.
 std::size_t append_sign(std::string& result, std::string_view text, std::size_t at) {
   const std::size_t length = utf8_length(text, at);
   if (length == 0) {
@@ -98,7 +98,7 @@ std::string number_text(double number) {
   std::array<char, 32> buffer{};
   char* const begin = buffer.data();
   std::string text(begin, std::to_chars(begin, begin + buffer.size(), number).ptr);
-  const std::size_t exponent = text.find('e');  // 1e-06 is 1e-6 to people
+  const std::size_t exponent = text.find('e');  // 1e-06 becomes 1e-6
   if (exponent != std::string::npos && text[exponent + 2] == '0') text.erase(exponent + 2, 1);
   return text;
 }

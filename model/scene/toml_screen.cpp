@@ -95,7 +95,7 @@ bool is_zero(const Decimal& number) {
   return number.whole == "0" && number.fraction.find_first_not_of('0') == std::string::npos;
 }
 
-// The value, where toml++ would refuse the number or (some libraries) make it 0 or infinite.
+// The value of a number that toml++ refuses or, with some libraries, reads as 0 or ∞; else nothing.
 std::optional<Value> wide_value(std::string_view word) {
   constexpr std::size_t longest = 100;      // toml++ takes up to 127 signs
   constexpr std::size_t safe_integer = 18;  // digits that surely fit int64
@@ -139,7 +139,7 @@ class Screener {
     screen_.column = column_;
   }
 
-  // Goes on by one character (inside strings and comments any, outside them ASCII).
+  // Goes on by one character, which outside of strings and comments is ASCII.
   void step() {
     const std::size_t length = utf8_length(text_, at_);
     const char c = text_[at_];
@@ -266,7 +266,7 @@ class Screener {
     value_expected_ = false;
   }
 
-  // A bare key, a number, true … : whatever stands without a gap.
+  // Passes a word, which has no blanks: a bare key, a number, true …
   void pass_word() {
     line_start_ = false;
     const std::size_t start = at_;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A look at TOML text before toml++ 3.3 gets it, for what toml++ cannot take:
+// Checks TOML text before toml++ 3.3 parses it, for what toml++ cannot take:
 // - non-ASCII bytes outside strings and comments are undefined behaviour in it;
 // - tables nested by the thousand (a.b.c.d…) overflow the stack when they are destroyed;
 // - tables by the ten thousand take it quadratic time;
-// - at a number that fits neither double nor int64 it stops, without a word on the field.
-// Such numbers are replaced by `inf` of equal length, and remembered by their place.
+// - it stops at a number that fits neither double nor int64, and does not name the field.
+// Such numbers are replaced by `inf` and blanks, of equal length, and remembered by their place.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ struct TomlScreen {
   std::vector<TableHeader> headers;      // by rising row
 };
 
-// Mends `text`, whose size stays. The result has views of it. More fields than `most_fields` are
-// refused.
+// Mends `text` without a change of its size. The result has views of `text`. More fields than
+// `most_fields` are refused.
 TomlScreen screen_toml(std::string& text, std::size_t most_fields);
 
 }  // namespace tribo::scene_detail

@@ -32,7 +32,7 @@ constexpr auto prefixes = std::to_array<Prefix>({{"", 0},
                                                  {"n", -9},
                                                  {"p", -12}});
 
-// A unit that a field in the SI unit takes. * is the place of a prefix, which counts `times`.
+// A unit that fields in the unit `si` take. * stands for a prefix, which counts `times` times.
 struct Spelling {
   std::string_view si, written;
   int times;
@@ -117,7 +117,7 @@ constexpr auto aliases = std::to_array<Alias>({{"µ", "u"},
                                                {"degC", "°C"},
                                                {"℃", "°C"}});
 
-// A unit with the signs of the table of spellings, and no dot where it only separates.
+// The unit in the signs of the table of spellings, without dots that separate nothing.
 std::string plain_unit(std::string_view text) {
   std::string unit;
   while (!text.empty()) {
@@ -137,7 +137,7 @@ std::string plain_unit(std::string_view text) {
   return unit;
 }
 
-// The number and the unit of a text; an empty number where it does not begin with one.
+// The number and the unit of a text. `mantissa` is empty if the text does not begin with a number.
 struct Parts {
   std::string_view mantissa, unit;
   int exponent = 0;
@@ -168,7 +168,7 @@ Parts parts_of(std::string_view text) {
   return parts;
 }
 
-// The power of ten of a unit that fits.
+// The power of ten of `unit` over `si`; nothing where it does not fit.
 std::optional<int> power_of(std::string_view unit, std::string_view si) {
   for (const Spelling& spelling : spellings) {
     if (spelling.si != si) continue;
@@ -188,8 +188,8 @@ std::optional<int> power_of(std::string_view unit, std::string_view si) {
   return std::nullopt;
 }
 
-// The decimal in K of one in °C. The sum in long double is off by less than half a unit of the last
-// of its digits, so that these are the digits of the exact sum, where they are at most 18.
+// A decimal in °C as a decimal in K. The sum in long double is off by less than half a unit of its
+// last written digit. So the digits are those of the exact sum if they are at most 18.
 std::string kelvins(const Parts& celsius) {
   constexpr long double zero_celsius = 273.15L;
   const std::string written =
@@ -204,7 +204,7 @@ std::string kelvins(const Parts& celsius) {
   return text.data();
 }
 
-// The decimal in m/s of one in km/h, with more digits than double has.
+// A decimal in km/h as a decimal in m/s, with more digits than double has.
 std::string meters_per_second(const Parts& kilometers_per_hour) {
   const std::string written = std::string(kilometers_per_hour.mantissa) + 'e' +
                               std::to_string(kilometers_per_hour.exponent);
@@ -213,8 +213,8 @@ std::string meters_per_second(const Parts& kilometers_per_hour) {
   return text.data();
 }
 
-// A number with a unit of another quantity, which people have in place of the field's; empty where
-// it is none that is known here.
+// What to say of a number with a unit of another quantity, which people give in place of the
+// field's; empty if the unit is not known here.
 std::string_view other_quantity(std::string_view text, std::string_view unit) {
   if (unit == "Pa·s" && si_decimal(text, "m²/s"))
     return "a kinematic viscosity: write it as kinematic_viscosity, with density";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as people write them, "20.2 mPa s", in place of SI numbers. All units are powers of ten
-// of the SI unit, but for °C and km/h: a number keeps its digits, and so the bits that it has in
-// SI.
+// Numbers as people write them, "20.2 mPa s", in place of SI numbers. All units but °C and km/h are
+// powers of ten of the SI unit. So a number keeps its digits, and gives the same double as in SI.
 #pragma once
 
 #include <optional>
@@ -12,7 +11,7 @@
 
 namespace tribo::scene_detail {
 
-// A distance, as a standard deviation, has no origin: one of 5 °C is one of 5 K.
+// A distance, such as a standard deviation, has no origin: 5 °C is 5 K.
 enum class Measure : std::uint8_t { value, distance };
 
 // The decimal number in the SI unit, "20.2e-3" for "20.2 mPa s" in Pa·s; nothing where the text is
@@ -23,8 +22,8 @@ std::optional<std::string> si_decimal(std::string_view text, std::string_view un
 // The number in place of a text that si_decimal() takes; any other value as it is.
 Value in_si(const Value& value, std::string_view unit, Measure measure = Measure::value);
 
-// "0.05 km/h" of "6.2 km/h": half a unit of the last digit that is written, in the unit that it is
-// written in, which is a distance. Nothing where the text does not begin with a number.
+// "0.05 km/h" for "6.2 km/h": half a unit of the last written digit, in the same unit. The result
+// is a Measure::distance. Nothing where the text does not begin with a number.
 std::optional<std::string> half_last_digit(std::string_view text);
 
 // Does a text begin with a number?
@@ -36,7 +35,7 @@ std::string_view usual_units(std::string_view unit);
 // The fault of a value that is no number of the field.
 Fault no_number(const Value& value, std::string_view unit, std::string allowed);
 
-// The unit that si_decimal() knows a field's numbers by: its own, or "%" of a number without one.
+// The unit of a field for si_decimal(): its own, or "%" if the field takes per cent.
 std::string_view written_unit(const FieldInfo& field);
 // May the field be given as a text with a unit?
 bool takes_units(const FieldInfo& field);

@@ -37,16 +37,16 @@ constexpr double steel_thermal_contact = 13e3;
 constexpr double oil_conductivity = 0.14;
 // β of an oil in 1/K, by common practice.
 constexpr double oil_temperature_coefficient = 0.04;
-// σ_s/Rq of an isotropic Gaussian face with m₀m₄/m₂² = 1.5; it rises to 1 with that number.
+// σ_s/Rq of an isotropic Gaussian face with m₀m₄/m₂² = 1.5. It rises to 1 as m₀m₄/m₂² grows.
 constexpr double least_height_ratio = 0.63414;
-// A face of this radius in m is taken for one that was meant to be flat.
+// A face with a radius of this many m or more counts as flat.
 constexpr double flat_radius = 1e3;
-// A groove that holds a ball has a radius of 1.03 to 1.1 times the ball's in bearings; one of
-// 2.06 to 2.2 times is the diameter of such a groove.
+// In bearings the radius of a groove is 1.03 to 1.1 times that of its ball. A ratio of 2.06 to 2.2
+// means that the diameter of the groove was given.
 constexpr double greatest_groove_ratio = 1.2, greatest_diameter_ratio = 2.2;
-// A ratio of two computed numbers may be this much below the bound that it is to meet.
+// A computed ratio may be below its bound by this factor, because of rounding.
 constexpr double but_for_rounding = 1 - 1e-9;
-// Below this viscosity in mm²/s ASTM D341 has more terms than its line has.
+// Below this viscosity in mm²/s ASTM D341 has more terms than the line that is used here.
 constexpr double least_d341_viscosity = 2;
 // Where summits carry less of the load than this, their pressure does not matter.
 constexpr double least_share = 0.01;
@@ -64,12 +64,12 @@ struct State {
   // The operating points that are judged: at the slowest and the fastest speed, and, where the
   // inlet starves the film, at some speeds in between. Empty without a speed or a film law.
   std::vector<OperatingPoint<double>> points = {};
-  // The least Λ above 0 at these points, where Rq alone is known of the faces.
+  // The least Λ above 0 at these points, if Rq is all that is known of the faces.
   double lambda_ratio = not_assumed;
-  // A(0), where the film of one of these points lets it matter.
+  // A(0), if λ at one of these points is below film_parameter_near_none.
   double share_without_film = not_assumed;
   // For the closure flooded_inlet, whose film collapses at r = 1: the greatest r = h_ff/h_oil at
-  // these points; and the greatest film by damiens over the film by flooded_inlet where r is below
+  // these points, and the greatest ratio of the film by damiens to that by flooded_inlet at r below
   // 1.
   double flooded_over_inlet = not_assumed, film_by_damiens = not_assumed;
 
@@ -78,7 +78,7 @@ struct State {
       const SmoothContact smooth(contact);
       const double ratio = smooth.value(Output::lambda_ratio, point.speed, point.film);
       if (ratio > 0 && !(lambda_ratio <= ratio)) lambda_ratio = ratio;
-      // Where the faces touch, friction of the oil alone is not that of the contact.
+      // Where the faces touch, the friction of the oil alone is not that of the contact.
       if (smooth.has_unknown_summits(point.speed, point.film)) point.friction = not_assumed;
     }
     if (contact.supply() != SupplyKind::flooded && point.film_flooded > 0 &&
@@ -100,7 +100,7 @@ struct State {
   bool has_summits() const { return !scene.surface.is_smooth(); }
   bool solves_film() const { return is_of_solved_films(use); }
   bool follows(ViscosityLaw law) const {
-    // A solved film takes Barus' law where the scene names none of a liquid.
+    // A solved film takes Barus' law in place of `ambient`, which is meant for friction alone.
     const bool takes_barus = solves_film() && scene.friction.viscosity == ViscosityLaw::ambient;
     const ViscosityLaw own = takes_barus ? ViscosityLaw::barus : scene.friction.viscosity;
     return own == law && (solves_film() || scene.outputs.contains(Output::friction));
@@ -134,8 +134,8 @@ Hottest hottest(const State& state, const Number& number) {
 }
 
 // How much hotter the middle of the film is than the faces, τSuh/(8k_f), if the oil is sheared
-// alike in all its thickness and the faces take its heat. τA_H is the oil's part of friction
-// (model/README.md, section 8).
+// alike in all its thickness and the heat leaves through the faces. τA_H is the part of friction
+// that comes from the oil (model/README.md, section 8).
 double heat_of_film(const State& state) {
   const double given = state.scene.lubricant.conductivity;
   const double conductivity = given > 0 ? given : oil_conductivity;
@@ -158,8 +158,8 @@ Hottest heat_of_contact(const State& state) {
   });
 }
 
-// Tells by how much friction would heat bodies of steel: Blok's 1.11 q √(2b)/(√(kρc)(√u₁ + √u₂))
-// of a band whose heat is spread as Hertz' pressure is, q its mean, π/4 of its greatest.
+// Tells by how much friction would heat bodies of steel: Blok's 1.11 q √(2b)/(√(kρc)(√u₁ + √u₂)) of
+// a band. Its heat is spread as Hertz' pressure is; q is the mean, π/4 of the greatest.
 std::string advice_on_flash(const State& state) {
   const Hottest heat = heat_of_contact(state);
   const double slip = state.numbers.slide_roll_ratio, speed = heat.point.speed;
@@ -175,7 +175,7 @@ std::string advice_on_flash(const State& state) {
          scene_detail::rounded_text(flash) + " K; friction and film leave that out";
 }
 
-// The plane modulus E/(1 − ν²) of the softer body; where only E* is known, its greatest, 2E*.
+// The plane modulus E/(1 − ν²) of the softer body; its upper bound 2E* if only E* is known.
 double softer_modulus(const State& state) {
   double softer = 2 * state.numbers.effective_modulus;
   for (const Body& body : state.scene.bodies.bodies)
@@ -194,8 +194,8 @@ std::string advice_on_softer(const State& state) {
          " GPa or more; what it bears is not known, as a scene has no yield stress";
 }
 
-// The mean pressure on the summits: their load over their real area. By load sharing A of
-// Greenwood and Tripp is the root of the share that their own load is of F (model/README.md,
+// The greatest mean pressure on the summits: their load over their real area. In load sharing, A of
+// Greenwood and Tripp's model is the square root of the summits' load over F (model/README.md,
 // section 6).
 double summit_pressure(const State& state) {
   double greatest = not_assumed;
@@ -217,8 +217,8 @@ double roelands_index(const State& state) {
          (std::log(state.numbers.viscosity) + roelands_log_viscosity<double>());
 }
 
-// The smaller radius of the two bodies in a direction, convex or concave; that of the gap where the
-// scene does not give them.
+// The smaller of the two bodies' radii in a direction, without their signs; the radius of the gap
+// where the scene does not give the bodies'.
 double smaller_radius(const Scene& scene, double Body::*radius, double of_gap) {
   const auto& [first, second] = scene.bodies.bodies;
   if (first.*radius == 0) return of_gap;
@@ -235,8 +235,8 @@ double slope_at_edge(const State& state) {
                              smaller_radius(state.scene, &Body::radius_y, state.numbers.across));
 }
 
-// The regime of the contact where its film is furthest from that of the law's regime, and how many
-// times the films of the two regimes differ there; 1 where the regime is the law's at both ends.
+// The contact's regime where its film differs most from that of the law's regime, at the slowest or
+// the fastest speed, and the ratio of the two films; 1 where both regimes are the law's.
 struct RegimeOfFilm {
   LubricationRegime regime;
   double factor;
@@ -255,7 +255,7 @@ RegimeOfFilm regime_of_film(const State& state) {
 }
 
 // The larger radius across the motion over the smaller one, for two convex faces (are_convex), or
-// where one face is concave; not for flat faces.
+// for a convex and a concave one. NaN for other pairs, and where a face is flat.
 double radius_ratio(const State& state, bool are_convex) {
   const auto& [first, second] = state.scene.bodies.bodies;
   const double one = std::abs(first.radius_y), other = std::abs(second.radius_y);
@@ -264,15 +264,15 @@ double radius_ratio(const State& state, bool are_convex) {
   return std::max(one, other) / std::min(one, other);
 }
 
-// The radius ratio of two convex faces, where it would fit a ball in its groove, with the groove's
-// radius or its diameter: one face was perhaps meant to be concave.
+// The radius ratio of two convex faces, if a groove's radius or diameter has this ratio to the
+// ball's radius: perhaps one face was meant to be concave. Else NaN.
 double convex_groove(const State& state) {
   const double ratio = radius_ratio(state, true);
   const bool is_near = ratio <= greatest_groove_ratio;
   return is_near || (ratio > 2 && ratio <= greatest_diameter_ratio) ? ratio : not_assumed;
 }
 
-// The radius ratio of a ball in its groove; a groove that is far wider is not judged.
+// The radius ratio of a ball in its groove; NaN for a groove that is far wider.
 double concave_groove(const State& state) {
   const double ratio = radius_ratio(state, false);
   return ratio <= greatest_diameter_ratio ? ratio : not_assumed;
@@ -341,8 +341,8 @@ double share_of_planes(const State& state, int planes) {
   return LoadSharing<double>(model, contact.stiffness, contact.offset).asperity_share(0);
 }
 
-// S over Carter's creep from which a dry contact slides everywhere, μ_b a/R, where summits carry
-// enough of the load for their friction to matter.
+// S over μ_b a/R, Carter's creep, from which a dry contact slides everywhere. NaN where summits
+// carry too little of the load for their friction to matter.
 double sliding_of_summits(const State& state) {
   const auto& n = state.numbers;
   const bool is_asked = state.scene.outputs.contains(Output::friction) && !state.solves_film();
@@ -355,12 +355,12 @@ double sliding_of_summits(const State& state) {
   return n.slide_roll_ratio * n.radius_x / (n.boundary_coefficient * state.hertz.semi_axis_x);
 }
 
-// The part of a film law's film that depends on k.
+// The factor of a film law that depends on k: 1 − m e^{−nk}.
 double part_of_ellipticity(const FilmLaw& law, double k) {
   return 1 - ratio<double>(law.side_leakage) * std::exp(-ratio<double>(law.side_decay) * k);
 }
 
-// The law to take in place of one that was not fitted to the contact's ellipticity.
+// What to do where the film law was not fitted to the contact's ellipticity.
 std::string advice_on_ellipticity(const State& state) {
   const FilmLaw& law = film_law(state.scene);
   const double k = state.hertz.semi_axis_y / state.hertz.semi_axis_x;
@@ -391,11 +391,11 @@ struct Row {
   std::string_view source;
   // NaN: the scene does not make this assumption.
   double (*value)(const State&);
-  std::string_view touches = "everything";  // "friction": of a solved film the pressure
-  // The meaning of passing it, and the remedy.
+  std::string_view touches = "everything";  // of a solved film "pressure", not "friction"
+  // What passing the limit means, and what to do.
   std::string (*advice)(const State&) = nullptr;
   bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
-  bool is_of_steel = false;     // the bounds are not known of bodies that are softer
+  bool is_of_steel = false;     // for softer bodies no bounds are known
 };
 
 constexpr Row rows[] = {
@@ -455,7 +455,7 @@ constexpr Row rows[] = {
      "the maps of regimes: Hamrock (1991) of points, Moes (1992) of lines; next to a border both "
      "films are alike, and formulas scatter by as much",
      [](const State& state) {
-       // A law without fixed exponents is one of all regimes.
+       // A law without fixed exponents covers all regimes.
        if (state.solves_film() || !(state.speeds.low > 0) ||
            !film_law(state.scene).has_fixed_exponents())
          return not_assumed;
@@ -800,7 +800,7 @@ State state_of(const Scene& scene, SceneUse use) {
   return state;
 }
 
-// Takes the range of a field where the value is not in it.
+// Takes the range of a field if the value is outside of it.
 template <class Take>
 void take_range(const Scene& scene, const FieldInfo& field, std::string_view word, double value,
                 const Take& take) {
@@ -841,8 +841,8 @@ std::vector<Validity> ranges_left(const Scene& scene) {
   return left;
 }
 
-// Is a number outside of its range, and inside with another unit? What follows from it is no reason
-// for advice then.
+// Is a number outside of its range, and would another unit bring it inside? Then no advice is given
+// on what follows from the number.
 bool has_likely_slip(const std::vector<Validity>& ranges) {
   return std::any_of(ranges.begin(), ranges.end(), [](const Validity& one) {
     return !one.likely_unit.empty() && !one.is_accepted;

@@ -136,9 +136,8 @@ HWY_INLINE void add_hertz(D d, ContactShape shape, const detail::SceneNumbers<V>
   contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
 }
 
-// Are the numbers of a contact within the bounds of sharing_method.hpp? The number 0 counts as
-// within, where it is legal. The offset of the summit planes, μ_b and Damiens' γ are not looked at
-// here.
+// Are the numbers of a contact within the bounds of sharing_method.hpp? A number that may be 0
+// passes if it is 0. The offset of the summit planes, μ_b and Damiens' γ are not checked here.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, ContactShape shape, const detail::SceneNumbers<V>& scene,
                                    const detail::ContactNumbers<V>& contact) {

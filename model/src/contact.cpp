@@ -33,7 +33,7 @@ LoadSharing<Wide> wide(AsperityModel model, const FilmLaw& film,
   return {model, Wide(surface.stiffness), Wide(surface.offset), film};
 }
 
-// Sets the numbers about the floor of a surface beyond the engine's range.
+// Sets the floor, and the numbers about it, of a surface beyond the engine's range.
 void set_floor(const LoadSharing<Wide>& sharing, detail::SurfaceNumbers<double>& surface) {
   surface.floor = narrow(sharing.floor());
   surface.floor_argument = sharing.has_floor() ? narrow(sharing.floor() - sharing.offset()) : 0;
@@ -194,7 +194,7 @@ HertzContact<double> MixedContact<double>::hertz() const {
   return contact;
 }
 
-// The engine computes nothing else at a speed and contact at which it gives no λ₀.
+// Does the engine give λ₀ at this speed? Where it does not, it computes nothing else either.
 bool MixedContact<double>::is_within_engine(double speed) const {
   return speed >= least_speed && speed <= greatest_speed &&
          !std::isnan(numbers_.surface.film_at_unit_speed);
@@ -294,7 +294,7 @@ double detail::log_flow_ratio(const MixedContact<double>& contact, const WalkPoi
 
 namespace {
 
-// A point beyond the engine's range, apart from those within it, which are many.
+// A point beyond the engine's range. It is not inlined, because most points are within the range.
 [[gnu::noinline]] void solve_wide(const MixedContact<double>& contact, OutputSet outputs,
                                   OperatingPoint<double>& point) {
   point = detail::in_double(contact.in<Wide>().solve(Wide(point.speed), outputs));

@@ -32,7 +32,7 @@ HWY_INLINE const T* row_begin(const Numbers<T>& row) {
   return row_begin(const_cast<Numbers<T>&>(row));
 }
 
-// function(number) of each number of a row, in order: rows are nothing but their numbers.
+// The row of function(number) for each number of a row, in order.
 template <template <class> class Numbers, class T, class Function>
 HWY_INLINE auto transformed(const Numbers<T>& row, Function&& function) {
   using Result = decltype(function(row_begin(row)[0]));
@@ -54,7 +54,7 @@ HWY_INLINE auto first_lane(const Numbers& numbers) {
   return transformed(numbers, [](auto x) HWY_ATTR { return hn::GetLane(x); });
 }
 
-// For each lane the row that begins `index` times `stride` doubles behind `base`.
+// For each lane the row that begins index · stride doubles after `base`.
 template <template <class> class Numbers, class D>
 HWY_INLINE Numbers<hn::Vec<D>> rows_of(D d, const double* base, Integers<D> index,
                                        std::size_t stride = row_length<Numbers>) {

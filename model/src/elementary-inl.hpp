@@ -159,7 +159,7 @@ HWY_INLINE V decimal_power(D d, V x, const Exponent& exponent) {
   return hn::IfThenElse(is_ordinary, power, at_ends);
 }
 
-// x^a y^b z^c with such exponents, by one exponential. Error: 3 ulp.
+// x^a y^b z^c with such exponents. Error: 3 ulp by one exponential, 10 ε by three powers.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V decimal_powers(D d, V x, const Fraction& a, V y, const Fraction& b, V z,
                             const Fraction& c) {

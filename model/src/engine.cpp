@@ -280,7 +280,7 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
                                 const NeededParts& needs, const detail::Destination& to,
                                 double* lambda, std::size_t count, Counter& work) {
   const Many d;
-  const Exponent speed_power = words.film->speed_power;  // a copy, which film0 cannot overlap
+  const Exponent speed_power = words.film->speed_power;  // a copy, which no write to film0 changes
   const bool is_by_power = words.film->has_fixed_exponents();
   HWY_ALIGN double film0[sharing_block];  // or ln γ of a law without fixed exponents
   std::size_t steps = 0;
@@ -425,8 +425,8 @@ namespace {
 
 HWY_EXPORT(kernels);
 
-// The chosen kernels, kept because a look at all targets takes long beside a kernel's call. Null
-// where they are to be chosen anew.
+// The chosen kernels. They are kept because choosing takes long compared with a kernel's call.
+// Null: choose anew.
 constinit std::atomic<const detail::Kernels*> chosen = nullptr;
 
 void choose_from(std::int64_t targets) {

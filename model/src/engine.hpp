@@ -21,13 +21,13 @@ struct Destination {
   Inlet* inlet;
 };
 
-// λ at a speed and a γ, NaN beyond a table of solved films, and its exponents.
+// λ at a speed and a γ, and its exponents. λ is NaN beyond a table of solved films.
 struct FilmOfSpeed {
   double film_parameter;
   FilmExponents<double> exponents;
 };
 
-// The kernels of an instruction set, of one lane each where an argument is no array.
+// The kernels of an instruction set. Those without arrays compute one lane.
 struct Kernels {
   const char* (*instruction_set)();
   bool is_fused;
@@ -43,8 +43,8 @@ struct Kernels {
   double (*logarithm)(double x);
   void (*logarithms)(const double* x, double* result, std::size_t count);
   double (*power)(double x, const Exponent& exponent);
-  // Kernels of one surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the distance
-  // of a fluid share, a root with its steps, the root of a surface that is used once, the shares at
+  // Kernels of one surface: its floor; A at λ − δ; the shares at λ = λ_b + distance; the distance
+  // at a fluid share; a root with its steps; the root of a surface that is used once; the shares at
   // a root.
   SurfaceNumbers<double> (*surface)(Order order, const FilmLaw& law, double stiffness,
                                     double offset);
@@ -85,11 +85,11 @@ struct Kernels {
   void (*complete)(const ContactWords& words, const ContactNumbers<double>& contact,
                    const FloodedFilm<double>& flooded, const InletState<double>& inlet,
                    OutputSet outputs, const Destination& to);
-  // A point alone: its λ, NaN where the kernels do not reach.
+  // Computes one point. Returns its λ; NaN beyond the kernels' range.
   double (*point)(const ContactWords& words, const ContactNumbers<double>& contact, double speed,
                   OutputSet outputs, const Destination& to);
   // Points of one contact, or of the contact index[i] of many; at most sharing_block. λ of each
-  // goes to `film_parameter`, NaN where the kernels do not reach.
+  // goes to `film_parameter`; NaN beyond the kernels' range.
   void (*points)(const ContactWords& words, const ContactNumbers<double>* contacts,
                  const std::uint64_t* index, const double* speeds, OutputSet outputs,
                  const Destination& to, double* film_parameter, std::size_t count,

@@ -28,8 +28,8 @@ HWY_INLINE V log_viscosity_ratio(D d, ViscosityLaw law, const detail::ContactNum
                  exponential_less_one(d, hn::Mul(contact.roelands_exponent, log_pressure)));
 }
 
-// asinh x = ln(1 + x + x²/(1 + √(1 + x²))), 0 ≤ x < 2^53. SLEEF has it too, but
-// gains next to nothing from vectors there.
+// asinh x = ln(1 + x + x²/(1 + √(1 + x²))), 0 ≤ x < 2^53. SLEEF's asinh is hardly faster for
+// vectors than for single numbers.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V inverse_hyperbolic_sine(D d, V x) {
   const V one = hn::Set(d, 1.0), square = hn::Mul(x, x);

@@ -57,8 +57,8 @@ HWY_INLINE V product_and_sum(D d, V a, V b, V c) {
   return hn::Add(exact.high, hn::Add(exact.low, c));
 }
 
-// The first numbers of each lane's row, `count` of `stride`: whole rows are loaded and transposed
-// in registers, which is faster than gathering.
+// The first `count` numbers of each lane's row; rows are `stride` numbers apart. Whole rows are
+// loaded and transposed in registers, which is faster than gathering.
 template <std::size_t count, class D, class V = hn::Vec<D>>
 HWY_INLINE void load_rows([[maybe_unused]] D d, const double* base, Integers<D> index,
                           V (&numbers)[count], std::size_t stride = count) {
@@ -82,7 +82,7 @@ HWY_INLINE void load_rows([[maybe_unused]] D d, const double* base, Integers<D> 
     }
 #endif
 #if HWY_TARGET == HWY_AVX2
-    // Two numbers a block of 128 bits: interleaved, then the blocks put together.
+    // A block of 128 bits has two numbers. They are interleaved, then the blocks are put together.
     if constexpr (lanes == 4 && count % 4 == 0) {
       for (std::size_t k = 0; k < count; k += 4) {
         const V r0 = hn::LoadU(d, row(0) + k), r1 = hn::LoadU(d, row(1) + k);
@@ -150,10 +150,10 @@ struct Piece {
   V t;
 };
 
-// At |d| = x < pieces_end.
+// The piece of |d| = x < pieces_end.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Piece<V> piece_at(D d, Order n, hn::Mask<D> below_zero, V x) {
-  constexpr int kept = 47;  // bits below those that number the pieces of x + 3
+  constexpr int kept = 47;  // bits of x + 3 below those that are the number of its piece
   const hn::RebindToUnsigned<D> bits;
   const auto top = hn::ShiftRight<kept>(hn::BitCast(bits, hn::Add(x, hn::Set(d, 3.0))));
   const auto half = hn::Set(bits, std::uint64_t{1} << (kept - 1));
@@ -168,7 +168,7 @@ HWY_INLINE Piece<V> piece_at(D d, Order n, hn::Mask<D> below_zero, V x) {
 }
 
 // S_n(d) at |d| = x < pieces_end for d ≥ 0, F_n(d) for d < 0. The low part is at most an eleventh
-// of the high one, and its rounding is what the sum is off by.
+// of the high part. The error of the sum is the rounding of the low part.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Sum<V> moment_in_pieces(D d, Order n, hn::Mask<D> below_zero, V x) {
   const Piece<V> piece = piece_at(d, n, below_zero, x);
@@ -236,7 +236,7 @@ HWY_INLINE V times_gaussian(D d, Sum<V> s, V x, double part = 0.5) {
   const V small =
       hn::MulAdd(power[0], s.low, hn::Mul(hn::Add(s.high, s.low), hn::Mul(power[0], p)));
   const V value = product_and_sum(d, power[0], s.high, small);
-  // 2^−exponent in two steps, for where that, or the result, is subnormal
+  // 2^−exponent in two steps, because it or the result may be subnormal
   const auto exponent = hn::ShiftRight<7>(whole);
   const auto first = hn::ShiftRight<1>(exponent);
   const auto two_to_minus = [&](Integers<D> e) HWY_ATTR {
@@ -245,7 +245,7 @@ HWY_INLINE V times_gaussian(D d, Sum<V> s, V x, double part = 0.5) {
   return hn::Mul(hn::Mul(value, two_to_minus(first)), two_to_minus(hn::Sub(exponent, first)));
 }
 
-// |d|, and the end of the pieces for what lies beyond or is no number.
+// |d|, and the end of the pieces where |d| is beyond them or NaN.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V distance_in_pieces(D d, V argument) {
   const V x = hn::Abs(argument);

@@ -10,7 +10,7 @@ namespace tribo {
 
 #include "gaussian_moment_pieces.inc"
 
-// The polynomials are of |d| < pieces_end; and the last double below that.
+// The polynomials are for |d| < pieces_end; below_pieces_end is the last double below it.
 inline constexpr double pieces_end = 45, below_pieces_end = 0x1.67fffffffffffp5;
 inline constexpr std::size_t pieces_a_side = std::size(pieces[0][0]);
 inline constexpr std::size_t piece_numbers = std::size(pieces[0][0][0]);

@@ -16,7 +16,7 @@ template <>
 EllipseOfCircle<double> ellipse_of_circle(const double& radius_x, const double& radius_y) {
   const double low = std::min(radius_x, radius_y), high = std::max(radius_x, radius_y);
   const double ratio = high / low;
-  // Below this radius the remainder of the division may be no number of full precision.
+  // Below this radius the remainder of the division may be subnormal.
   if (!(ratio < std::exp2(octaves) && low > 1e-280)) {
     const auto ellipse = detail::wide_ellipse(radius_x, radius_y);
     return {static_cast<double>(ellipse.axis_cube), static_cast<double>(ellipse.axes_ratio),

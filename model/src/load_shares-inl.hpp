@@ -39,7 +39,7 @@ HWY_INLINE V share_at(D d, Order order, V stiffness, V argument) {
   return hn::IfThenElse(above_zero, above, at_zero);
 }
 
-// ln(x/y): where x/y > 1/2 as ln(1 + (x − y)/y), elsewhere by the rounded quotient.
+// ln(x/y): for x/y > 1/2 it is ln(1 + (x − y)/y), else the logarithm of the rounded quotient.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log_ratio(D d, V x, V y) {
   const V difference = hn::Div(hn::Sub(x, y), y);
@@ -54,8 +54,8 @@ template <class D, class V>
 HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                         V distance);
 
-// The shares at λ = max(λ₀, λ_b) of a law with e = 0. It stands apart, so that other laws' kernels
-// keep their registers.
+// The shares at λ = max(λ₀, λ_b), for a law with e = a − b = 0. The function is not inlined, so
+// that the kernels of other laws keep their registers.
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE Shares<V> shares_without_exponent(D d, Order order,
                                                const detail::SurfaceNumbers<V>& surface,
@@ -68,9 +68,9 @@ HWY_NOINLINE Shares<V> shares_without_exponent(D d, Order order,
           hn::IfThenElseZero(is_above, above.fluid)};
 }
 
-// Is the film above a high floor so stiff that A is determined better by 1 − A, the film's share of
-// the load, than by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp, which is
-// more than `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp at most.
+// Is A more exact from 1 − A, the film's share of the load, than from the rounded λ? Yes, above a
+// floor higher than 3, where q(λ − δ)λ is more than `least` times (1 − A)/A: an ulp of λ moves A by
+// −d ln A/d ln λ ≥ q(λ − δ)λ ulp. Above lower floors it moves A by a few ulp at most.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_stiff(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                 V lambda, const Shares<V>& shares, double least) {
@@ -83,9 +83,9 @@ HWY_INLINE hn::Mask<D> is_stiff(D d, Order order, const detail::SurfaceNumbers<V
                  hn::Gt(moves, hn::Mul(shares.fluid, hn::Set(d, least))));
 }
 
-// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b, where an ulp of λ moves 1 − A
-// by 1/e ulp; A is computed from this 1 − A where it is below 1/2 or the film is stiff
-// (is_stiff()), else from λ. Where e = 0, the shares are those at the greater of λ₀ and the floor.
+// The shares at the root λ for λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b. An ulp of λ moves this 1 − A by
+// 1/e ulp. A is computed from it where it is below 1/2 or the film is stiff (is_stiff()), else from
+// λ. For e = 0 the shares are those at the greater of λ₀ and the floor.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
                                     const detail::SurfaceNumbers<V>& surface, V flooded, V lambda) {
@@ -94,7 +94,7 @@ HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
     return shares_without_exponent(d, order, surface, flooded);
   const V log_film = log_ratio(d, flooded, lambda);
   const V log_fluid = hn::Div(log_film, exponent);
-  // A large logarithm enlarges the rounding errors of the quotient and of e.
+  // `correction` takes off the errors of the quotient and of e, which grow with the logarithm.
   const Sum<V> exact = product(d, log_fluid, exponent);
   const V short_of = hn::Sub(hn::Sub(hn::Sub(log_film, exact.high), exact.low),
                              hn::Mul(log_fluid, hn::Set(d, law.sharing_power.residual)));
@@ -128,10 +128,9 @@ constexpr FloorFactors floor_factors(double p) {
 inline constexpr FloorFactors floor_factors_5_2 = floor_factors(2.5);
 inline constexpr FloorFactors floor_factors_3_2 = floor_factors(1.5);
 
-// F_p(d_b + x)/F_p(d_b) − 1 at distances x above a floor, as its Taylor series: with Σ c_k x^k,
-// F″ = pF − dF′ gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}. Used for A ≥ 3/4 and
-// d_b x ≥ −4, where 32 terms are enough, as F_p(d_b + z) is at most F_p(d_b − ρ)e^{ρ²/2} for |z| =
-// ρ.
+// The Taylor series Σ c_k x^k of F_p(d_b + x)/F_p(d_b) − 1 at a distance x above a floor. From
+// F″ = pF − dF′ follows (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d_b c_{k+1}. Used for A ≥ 3/4 and
+// d_b x ≥ −4. There 32 terms are enough, because |F_p(d_b + z)| ≤ F_p(d_b − ρ)e^{ρ²/2} for |z| = ρ.
 template <class D>
 class FloorSeries {
  public:
@@ -169,7 +168,7 @@ class FloorSeries {
   V c_[floor_terms];
 };
 
-// 1 − A at a distance x above the floor at which A ≥ 3/4, and d_b x ≥ −4.
+// 1 − A at a distance x above the floor, for A ≥ 3/4 and d_b x ≥ −4.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V fluid_near_floor(D d, Order order, const FloorSeries<D>& series, V distance) {
   const V less = hn::Neg(series.change(distance).value);
@@ -179,8 +178,8 @@ HWY_INLINE V fluid_near_floor(D d, Order order, const FloorSeries<D>& series, V 
   return hn::Div(less, hn::Add(one, hn::Sqrt(hn::Sub(one, less))));
 }
 
-// The distance above the floor at which the fluid carries the share w < 1/4: 1 − A is concave
-// there, so that Newton's method rises to it.
+// The distance above the floor at which the fluid carries the share w < 1/4. 1 − A is concave
+// there, so that Newton's method approaches this distance from below.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V distance_above_floor(D d, Order order, const FloorSeries<D>& series, V hazard, V w) {
   V change = hn::Neg(w);
@@ -198,7 +197,7 @@ HWY_INLINE V distance_above_floor(D d, Order order, const FloorSeries<D>& series
 }
 
 // The shares at a distance above the floor, λ = λ_b + distance; λ_b = 0 where there is no floor.
-// Near a floor 1 − A comes from the Taylor series, so that it does not cancel.
+// Near a floor 1 − A comes from the Taylor series, so that no digits cancel.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                         V distance) {
@@ -228,9 +227,8 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_without_floor(D d, const FilmLaw& l
   return {stiffness, offset, zero, zero, zero, zero, film_from, film_at_unit_speed};
 }
 
-// The floor of a surface, λ_b with A(λ_b) = 1, and what follows from it. ln A is concave and
-// decreasing: steps of third order from the right of its zero. K and δ have to be in the kernels'
-// range.
+// The numbers of a surface with its floor λ_b, where A = 1. ln A is concave and decreasing: steps
+// of third order go to its zero from the right. K and δ have to be in the kernels' range.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw& law, V stiffness,
                                                 V offset, V film_at_unit_speed) {
@@ -245,7 +243,7 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw&
       surface.film_from = zero;
     return surface;
   }
-  // F_p(x) ≤ F_p(0) e^{−x²/2} for x ≥ 0 gives a start.
+  // The start follows from F_p(x) ≤ F_p(0) e^{−x²/2} for x ≥ 0.
   const V at_zero = hn::Mul(stiffness, hn::Set(d, sharing_moment_at_zero(order)));
   V x = hn::Sqrt(hn::Mul(hn::Set(d, 2.0), logarithm(d, hn::Max(at_zero, one))));
   // h = −d ln F/dx
@@ -269,7 +267,7 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw&
   surface.floor_argument = hn::IfThenElseZero(has_floor, x);
   surface.floor = hn::IfThenElseZero(has_floor, hn::Add(offset, x));
   surface.hazard = hn::IfThenElseZero(has_floor, hn::Mul(q, hazard_at(x)));
-  // A ≤ e^{−h(λ−λ_b)} above the floor, A being log-concave: λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^p)/h.
+  // ln A is concave: above the floor A ≤ e^{−h(λ−λ_b)}, λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^{1/e})/h.
   const V part = hn::Mul(hn::Set(d, 0.99 * 0x1p-54), hn::Mul(surface.hazard, surface.floor));
   if (law.sharing_exponent.p == 0) [[unlikely]] {  // λ is the greater of λ₀ and the floor
     surface.floor_up_to = surface.film_from = surface.floor;

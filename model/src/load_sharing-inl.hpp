@@ -2,24 +2,24 @@
 // The root of load sharing (load_sharing.hpp) in double, once for each instruction set, for one
 // lane and for vectors of points.
 //
-// In y = ln(λ/λ₀), with A = (K F_p(λ−δ))^q, and w = e^{−py} = 1 − A at the root, p = 1/(a−b) of the
-// film law,
+// The unknown is y = ln(λ/λ₀). With A = (K F_p(λ−δ))^q, the film law's p = 1/(a−b) and w = e^{−py}
+// the root has 1 − A = w. This equation is g = 0 in one of two forms:
 //
 //   the film's form    g = ln(1 − A) − ln w
 //   the floor's form   g = ln(1 − w) − ln A, where A > w and λ|d ln A/dλ| A/(1 − A) > p
 //
-// both increase, and each is nearly straight where it is taken, so that steps of fourth order reach
-// the root in one to three steps from
+// Both forms increase with y, and each is nearly straight where it is taken. Steps of fourth order
+// reach the root in one to three steps from
 //   λ₀                   where A(λ₀) < 1 and λ₀ is not next to a floor,
 //   just above the floor elsewhere: there ln A = −h(λ − λ_b), and 1 − w hardly changes.
-// The floor is the one of the surface. Where A(0) is hardly below 1 there is no floor, but the same
-// pole of ln(1 − A) lies just below 0: A and its derivatives at λ₀ give it to a few digits.
+// The floor is that of the surface. Where A(0) is slightly below 1 there is no floor, but the same
+// pole of ln(1 − A) lies just below λ = 0: A and its derivatives at λ₀ give it to a few digits.
 //
 // A step is the last one where the estimate of its error in y is below 2^−55. The greatest error
 // of 39 000 random steps was 1.09 times its estimate; in the 2400 steps of analytic.SharingStep no
 // error exceeds its estimate. No iterate falls below λ₀. A lane that has not reached its root after
-// max_sharing_steps is left to Newton's method on the convex form, which rises to the root from any
-// start left of the root.
+// max_sharing_steps is left to Newton's method on the convex function A + w − 1 (load_sharing.hpp),
+// whose steps from any start below the root rise to the root.
 #include <hwy/highway.h>
 
 #include <limits>
@@ -48,8 +48,8 @@ template <class V>
 struct Asperities {
   V share;   // A
   V hazard;  // −d ln A/dλ
-  V slope;   // of the hazard, ≥ 0
-  V bend;    // of the slope
+  V slope;   // d hazard/dλ ≥ 0
+  V bend;    // d slope/dλ
 };
 
 template <class D, class V = hn::Vec<D>>
@@ -72,13 +72,13 @@ HWY_INLINE Asperities<V> asperities(D d, Order order, const SharingInputs<V>& in
           hn::Mul(exponent, hn::MulSub(hn::Add(h, less_d), slope, h))};
 }
 
-// A point on its way: λ and y = ln(λ/λ₀).
+// An iterate of a point: λ and y = ln(λ/λ₀).
 template <class V>
 struct Iterate {
   V film_parameter, log_rise;
 };
 
-// x e^s, without the whole exponential where no lane needs it.
+// x e^s, by a short series where |s| is small in all lanes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V times_exp(D d, V x, V s) {
   V sum = hn::MulAdd(s, hn::Set(d, 1.0 / 120), hn::Set(d, 1.0 / 24));
@@ -90,7 +90,7 @@ HWY_INLINE V times_exp(D d, V x, V s) {
   return hn::IfThenElse(is_near, near, hn::Mul(x, exponential(d, s)));
 }
 
-// A little above a floor, where A falls as e^{−hx} and (λ₀/λ)^p hardly changes.
+// An iterate a little above a floor λ_b. At λ_b + x A is e^{−hx}; (λ₀/λ)^p hardly changes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Iterate<V> above_floor(D d, V film_power, V floor, V hazard, V flooded) {
   const V p = film_power, one = hn::Set(d, 1.0);
@@ -103,8 +103,8 @@ HWY_INLINE Iterate<V> above_floor(D d, V film_power, V floor, V hazard, V floode
 }
 
 // A start for a λ₀ below the floor or hardly above it. It lies a little above the zero of the
-// parabola that continues ln A from λ₀; this zero is taken as no greater than δ + √(2 ln K F_p(0)),
-// which no floor exceeds.
+// parabola that has the value, slope and curvature of ln A at λ₀. This zero is taken as at most
+// δ + √(2 ln(K F_p(0))), which no floor exceeds.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, V film_power, const SharingInputs<V>& in,
                                        const Asperities<V>& at) {
@@ -121,8 +121,8 @@ HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, V film_power, const Sha
                      hn::MulAdd(at.slope, distance, at.hazard), in.flooded);
 }
 
-// A step is four functions of a point, with p as film_power. A batch runs each over all its points
-// before the next: the chain of all four is longer than a processor looks ahead.
+// A step consists of four functions of a point; film_power is p. A batch calls each for all its
+// points before the next: a processor does not look ahead over the chain of four.
 
 // w = (λ₀/λ)^p
 template <class D, class V = hn::Vec<D>>
@@ -137,8 +137,8 @@ HWY_INLINE V complement(D d, V x) {
   return hn::Max(hn::Sub(hn::Set(d, 1.0), x), hn::Set(d, 0x1p-60));
 }
 
-// Is the floor's form taken? It is taken where it bends less: near the root, g″/g′ of the film's
-// form is about (q/p)² times that of the floor's, with q = λ|d ln A/dλ| A/(1 − A).
+// Is the floor's form taken? It is taken where it is straighter. Near the root g″/g′ of the film's
+// form is about (c/p)² times that of the floor's form, with c = λ|d ln A/dλ| A/(1 − A).
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_by_floor(D d, V film_power, const Iterate<V>& from,
                                    const Asperities<V>& at, V w) {
@@ -147,8 +147,8 @@ HWY_INLINE hn::Mask<D> is_by_floor(D d, V film_power, const Iterate<V>& from,
                  hn::Gt(hn::Mul(a, at.share), hn::Mul(film_power, complement(d, at.share))));
 }
 
-// g = ln(1 + s), s = (1 − A − w)/w in the film's form and (1 − A − w)/A in the floor's, without the
-// whole logarithm where no lane needs it.
+// g = ln(1 + s), with s = (1 − A − w)/w in the film's form and (1 − A − w)/A in the floor's form;
+// by a short series where |s| is small in all lanes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log_balance(D d, V share, V w, hn::Mask<D> by_floor) {
   const V one = hn::Set(d, 1.0);
@@ -185,7 +185,7 @@ HWY_INLINE Rises<V> rises_of(const Asperities<V>& at, V lambda) {
       a2, hn::MulAdd(hn::Mul(hn::Mul(at.bend, lambda), lambda), lambda, hn::Add(bent, bent)));
   return {a1, a2, a3};
 }
-// The same at y = 0, where λ is proportional to e^{y + cy²/2}.
+// The same derivatives at y = 0, for a λ proportional to e^{y + cy²/2}.
 template <class V>
 HWY_INLINE Rises<V> bent(const Rises<V>& a, V c) {
   const V by_first = hn::Mul(a.first, c), by_second = hn::Mul(a.second, c);
@@ -193,9 +193,9 @@ HWY_INLINE Rises<V> bent(const Rises<V>& a, V c) {
           hn::Add(a.third, hn::Add(by_second, hn::Add(by_second, by_second)))};
 }
 
-// A step of fourth order on g, by the inverse of its Taylor series. With −ln A and −ln w = py, both
-// 0 or more, g = ln(1 − e^{−v}) + u: in the film's form v is −ln A and u is −ln w, in the floor's
-// v is −ln w and u is −ln A.
+// A step of fourth order on g, by the inverse of its Taylor series. g = ln(1 − e^{−v}) + u, with v
+// and u ≥ 0: in the film's form v = −ln A and u = −ln w = py, in the floor's form v = −ln w = py
+// and u = −ln A.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Step<D> step_by(D d, V film_power, V flooded, const Iterate<V>& from,
                            const Rises<V>& of_share, V share, V w, hn::Mask<D> by_floor,
@@ -206,7 +206,7 @@ HWY_INLINE Step<D> step_by(D d, V film_power, V flooded, const Iterate<V>& from,
   const V v1 = hn::IfThenElse(by_floor, p, a1), u1 = hn::IfThenElse(by_floor, a1, p);
   const V v2 = hn::IfThenZeroElse(by_floor, a2), u2 = hn::IfThenElseZero(by_floor, a2);
   const V v3 = hn::IfThenZeroElse(by_floor, a3), u3 = hn::IfThenElseZero(by_floor, a3);
-  // g′ = u′ + r v′, r = e^{−v}/(1 − e^{−v}), whose derivative is −r s, s = (1 + r)v′
+  // g′ = u′ + r v′ with r = e^{−v}/(1 − e^{−v}); r′ = −r s with s = (1 + r)v′
   const V small = hn::IfThenElse(by_floor, w, share);
   const V r = hn::Div(small, complement(d, small));
   const V s = hn::MulAdd(v1, r, v1), s_v1 = hn::Mul(s, v1);
@@ -226,9 +226,9 @@ HWY_INLINE Step<D> step_by(D d, V film_power, V flooded, const Iterate<V>& from,
       hn::Min(hn::Max(step, hn::Set(d, sharing_least_step)), hn::Set(d, sharing_greatest_step));
   const V rise = hn::Max(hn::Add(from.log_rise, bounded), zero);
   const auto is_near = hn::Lt(rise, hn::Set(d, sharing_near_rise));
-  // The rest of the series begins with |5t₂³ − 5t₂t₃ + t₄| newton, which is of the size of
-  // `estimate` unless the terms of t₄ cancel: each derivative of v and of ln(1 − e^{−v}) is at most
-  // some (1 + s) times the one before it.
+  // The first term that is left out is |5t₂³ − 5t₂t₃ + t₄|·newton. `estimate` has its size unless
+  // the terms of t₄ cancel: each derivative of v and of ln(1 − e^{−v}) is at most about (1 + s)
+  // times the derivative before it.
   const V reach = hn::Mul(newton, hn::Add(one, s)), reach2 = hn::Mul(reach, reach);
   const V bends = hn::Mul(hn::MulAdd(r, hn::Add(v2, s_v1), u2), inverse);
   const V estimate = hn::Mul(hn::Mul(reach2, hn::Mul(newton, newton)), bends);
@@ -243,7 +243,7 @@ HWY_INLINE Step<D> sharing_step(D d, V film_power, V flooded, const Iterate<V>& 
                  by_floor, balance);
 }
 
-// Is λ still λ₀, and hardly above a floor or below it? Then a jump is made, and no step.
+// Is λ still λ₀, and below a floor or hardly above it? Then a jump takes the place of the step.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterate<V>& now) {
   const V near = hn::Set(d, sharing_pole_nearness);
@@ -286,7 +286,7 @@ HWY_INLINE Roots<V> roots_from(D d, Order order, V film_power, const SharingInpu
   return {root, max_sharing_steps};
 }
 
-// e + 1 of 2^e ≤ x < 2^{e+1}.
+// e + 1, for 2^e ≤ x < 2^{e+1}.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V exponent_plus_one(D d, V x) {
   const hn::RebindToUnsigned<D> bits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The roots of many points (load_sharing-inl.hpp has the steps): whole blocks at a time.
+// The roots of many points, a block at a time, by the steps of load_sharing-inl.hpp.
 #include <hwy/highway.h>
 
 #include <bit>
@@ -39,7 +39,7 @@ HWY_INLINE void store(D d, hn::Vec<D> value, double* to, std::size_t count) {
   for (std::size_t j = 0; j < count; ++j) to[j] = buffer[j];
 }
 
-// Where the kernels of the root may be used: nothing in them overflows or loses digits.
+// The lanes in which the kernels of the root may be used: nothing there overflows or loses digits.
 template <class D>
 HWY_INLINE hn::Mask<D> in_range(D d, const SharingInputs<hn::Vec<D>>& in) {
   const auto within = [&](hn::Vec<D> x, double low, double high) HWY_ATTR {
@@ -51,7 +51,7 @@ HWY_INLINE hn::Mask<D> in_range(D d, const SharingInputs<hn::Vec<D>>& in) {
 }
 
 #if HWY_TARGET == HWY_AVX2
-// The halves (32 bits) of the lanes in each mask of four lanes, in order.
+// For each mask of four lanes: the places of the halves (32 bits) of its lanes, in order.
 struct CompressTable {
   alignas(32) std::int32_t halves[16][8];
 };
@@ -70,8 +70,8 @@ constexpr CompressTable compress_table() {
 inline constexpr CompressTable compress_halves = compress_table();
 #endif
 
-// The lanes of a mask, in order. Highway 1.0.3 has this behind a table of 2 kB that g++ copies to
-// the stack at each call.
+// The lanes of a mask, moved to the front in order. The function of Highway 1.0.3 for this has a
+// table of 2 kB, which g++ copies to the stack at each call.
 template <class D>
 HWY_INLINE hn::Vec<D> compressed([[maybe_unused]] D d, hn::Vec<D> value, hn::Mask<D> mask) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
@@ -94,20 +94,20 @@ HWY_INLINE hn::Vec<D> compressed([[maybe_unused]] D d, hn::Vec<D> value, hn::Mas
 #endif
 }
 
-// The place of a point, which travels as the bits of a double.
+// The place of a point, which is kept as the bits of a double.
 HWY_INLINE std::size_t place_in(double bits) {
   return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(bits));
 }
 
-// Up to sharing_block points on their way to the root. Points that have reached their root leave,
-// and the others move together, so that no lane waits for another.
+// Up to sharing_block points whose roots are sought. Points that have reached their root are taken
+// out, and the others move together, so that no lane waits for another.
 template <class D, bool one_surface>
 class Travellers {
  public:
   using V = hn::Vec<D>;
 
   HWY_INLINE Travellers(D d, double film_power) : d_(d), film_power_(film_power) {}
-  // `surface` is that of all points, where they have one.
+  // surface: that of all points; read only with one_surface.
   HWY_INLINE Travellers(D d, double film_power, const detail::SurfaceNumbers<V>& surface)
       : Travellers(d, film_power) {
     if constexpr (one_surface) {
@@ -116,7 +116,7 @@ class Travellers {
     }
   }
 
-  // Points at whose start A is known come before all others.
+  // Adds points at whose start A is known; they must be added before all others.
   HWY_INLINE void add(hn::Mask<D> mask, const SharingInputs<V>& in, const Iterate<V>& at, V place,
                       const Asperities<V>& known) {
     put(mask, known.share, share_);
@@ -139,7 +139,7 @@ class Travellers {
     count_ += hn::CountTrue(d_, mask);
   }
 
-  // Takes all points to their roots; NaN where one takes more than max_sharing_steps.
+  // Writes the roots, NaN where one needs more than max_sharing_steps. Returns the sum of steps.
   HWY_INLINE std::size_t travel(Order order, double* result) {
     std::size_t steps = 0;
     for (int step = 0; step < max_sharing_steps && count_ > 0; ++step) {
@@ -251,7 +251,7 @@ class Travellers {
   HWY_ALIGN std::uint8_t is_last_[room];  // within a step
   D d_;
   std::size_t count_ = 0;
-  std::size_t known_ = 0;  // so many points have their A
+  std::size_t known_ = 0;  // the number of first points with a known A
   double film_power_;
   HWY_ALIGN double stiffness_[surface_room];
   HWY_ALIGN double offset_[surface_room];
@@ -299,9 +299,9 @@ HWY_INLINE RootStart<D> root_start(D d, V film_power, const detail::SurfaceNumbe
   return start;
 }
 
-// At most sharing_block roots at λ₀; surface_at(i) gives the numbers of the surfaces of the vector
-// of points that starts at i. A root that is left to Newton's method is NaN. Returns the number of
-// steps.
+// The roots for at most sharing_block λ₀. surface_at(i) gives the numbers of the surfaces for the
+// vector of points that starts at i. A root that is left to Newton's method is NaN. Returns the
+// number of steps.
 template <class D, bool one_surface, class SurfaceAt>
 HWY_INLINE std::size_t roots_of_block(D d, Order order, double film_power,
                                       const SurfaceAt& surface_at, const double* flooded,
@@ -323,7 +323,7 @@ HWY_INLINE std::size_t roots_of_block(D d, Order order, double film_power,
   return travellers.travel(order, result);
 }
 
-// May λ₀ be below a floor? A > 1 there, and this A is off by some ulp.
+// May λ₀ be below a floor, where A > 1? The computed A may be off by some ulp.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> may_be_below_floor(D d, const FilmLaw& law, const Asperities<V>& at) {
   if (law.sharing_exponent.p == 0) [[unlikely]]  // the root is λ₀ or the floor
@@ -331,7 +331,7 @@ HWY_INLINE hn::Mask<D> may_be_below_floor(D d, const FilmLaw& law, const Asperit
   return hn::Gt(at.share, hn::Set(d, 0.99));
 }
 
-// The same with a surface for each point. The floor of a surface is computed only where λ₀ may be
+// As roots_of_block(), with a surface for each point. A floor is computed only where λ₀ may be
 // below it; elsewhere the root, which is not below λ₀, does not need the floor.
 template <class D>
 HWY_INLINE std::size_t roots_of_surfaces(D d, Order order, const FilmLaw& law,
@@ -340,7 +340,7 @@ HWY_INLINE std::size_t roots_of_surfaces(D d, Order order, const FilmLaw& law,
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> integers;
   const V film_power = hn::Set(d, law.sharing_power.inverse), zero = hn::Zero(d);
-  HWY_ALIGN double lows[sharing_block + hn::MaxLanes(D())];  // places of what may be below a floor
+  HWY_ALIGN double lows[sharing_block + hn::MaxLanes(D())];  // places of the `low` points
   std::size_t low_count = 0;
   Travellers<D, false> travellers(d, law.sharing_power.inverse);
   const auto start_of = [&](const detail::SurfaceNumbers<V>& surface, V film) HWY_ATTR {

@@ -11,7 +11,7 @@
 namespace tribo {
 namespace {
 
-// visit(first, end) for each run of neighbours that `is_alike` with the run's first.
+// Calls visit(first, end) for each run of neighbours for which is_alike(first, neighbour) holds.
 template <class IsAlike, class Visitor>
 void for_each_run(std::size_t first, std::size_t end, const IsAlike& is_alike,
                   const Visitor& visit) {

@@ -71,7 +71,7 @@ HWY_INLINE Starvation<D> starvation(D d, const detail::ContactWords& words,
   return state;
 }
 
-// The inlet's effect on a film. r = h_ff/h_oil.
+// The inlet's effect on a film, and r = h_ff/h_oil.
 template <class D>
 struct InletLanes {
   Starvation<D> starvation;
@@ -87,14 +87,13 @@ HWY_INLINE InletLanes<D> inlet_of(D d, const detail::ContactWords& words,
   return {starvation(d, words, contact, speed, r, needs_deficit), r};
 }
 
-// From this limit on of q(λ − δ)λ A/(1 − A), moments and starved shares follow from A, and not from
-// the rounded λ. An ulp of λ moves A by a = −d ln A/d ln λ ulp, and A has at least the condition
-// a/(1 + e a A/(1 − A)): up to the limit that is 1 + 6e ulp of it, 5 for soft bodies.
+// From this value of q(λ − δ)λ A/(1 − A) on, moments and starved shares follow from A, not from the
+// rounded λ. An ulp of λ moves A by a = −d ln A/d ln λ ulp. The condition number of A is at least
+// a/(1 + e a A/(1 − A)). Up to this value a is 1 + 6e times that, 5 times for soft bodies.
 inline constexpr double stiff_film = 6;
 
-// A at the film λ − `fall`, from A at λ; argument = λ − δ ≥ 0. With d = λ − δ and d* = d − `fall`,
-// the ratio of the two F_p is known to more digits than each F_p, because d² − d*² is the fall
-// times d + d*.
+// A at the film λ − `fall`, from A at λ; `argument` is d = λ − δ ≥ 0. With d* = d − `fall` the
+// ratio of the two F_p is known to more digits than each F_p, because d² − d*² = `fall`·(d + d*).
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE V share_below(D d, Order order, const V& asperity, const V& argument, const V& fall) {
   const V less = hn::Min(fall, argument), lower = hn::Sub(argument, less);
@@ -105,8 +104,8 @@ HWY_NOINLINE V share_below(D d, Order order, const V& asperity, const V& argumen
 }
 
 // The shares at the starved film λ*: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
-// computed as the distance of the flooded film from the floor, which its fluid share gives, minus
-// λ(1 − y). This avoids a difference of nearly equal numbers.
+// the distance of the flooded film from the floor, computed from its fluid share, minus λ(1 − y).
+// This avoids a difference of nearly equal numbers.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                     const Flooded<V>& flooded, const Starvation<D>& inlet,
@@ -143,9 +142,9 @@ HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbe
           hn::IfThenElse(by_share, rest, shares.fluid)};
 }
 
-// factor · F_n(λ − δ). The rounding of λ moves F_n, whose logarithm falls as (λ − δ)²/2, by up to
-// λ²/2 ulp: a few at a floor of 3, dozens beyond. Near such a floor A, which must be given there,
-// is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
+// factor · F_n(λ − δ). ln F_n falls as (λ − δ)²/2, so that the rounding of λ moves F_n by up to
+// λ²/2 ulp: a few at a floor of 3, dozens at higher ones. In the lanes of by_share F_n follows from
+// A (`share`), which is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>& surface, V factor,
                        V film_parameter, V share, hn::Mask<D> by_share) {
@@ -166,8 +165,8 @@ HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>
       by_share, hn::Mul(hn::Mul(factor, hn::Div(of_load, surface.stiffness)), ratio), value);
 }
 
-// Is A < 2^−54, half an ulp of 1 − A? This follows from the bound at film_from, where A < 2^−54/e,
-// e = a − b: beyond it the bound falls as e^{−d²/4}.
+// Is A < 2^−54, half an ulp of 1 − A? At film_from a bound of A is 2^−54/e, e = a − b. Beyond
+// film_from this bound falls as e^{−d²/4}, d = λ − δ.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const FilmLaw& law,
                                              const detail::SurfaceNumbers<V>& surface, V film) {
@@ -205,7 +204,7 @@ HWY_INLINE void count_lanes([[maybe_unused]] D d, [[maybe_unused]] Counter& work
   if constexpr (Counter::counts) work.add(what, hn::CountTrue(d, lanes));
 }
 
-// Codes of words, 0 … 255 each, as the words of an enumeration.
+// Stores codes from 0 to 255 as the words of an enumeration.
 template <class D, class Word>
 HWY_INLINE void store_words(D, hn::Vec<D> codes, Word* to, std::size_t count) {
   static_assert(sizeof(Word) == 1);
@@ -219,8 +218,8 @@ HWY_INLINE void store_words(D, hn::Vec<D> codes, Word* to, std::size_t count) {
   std::copy_n(buffer, count, first);
 }
 
-// The numbers of a vector of points at `to` from point i on, `count` of them, from a film and inlet
-// that are known.
+// Computes the outputs of a vector of points from a known film and inlet, and writes the first
+// `count` of them to `to` from point i on.
 template <class D, class Counter, class V = hn::Vec<D>>
 HWY_INLINE void complete(D d, const detail::ContactWords& words,
                          const detail::ContactNumbers<V>& contact, const NeededParts& needs,
@@ -297,7 +296,7 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
     put(Output::summit_count, moment_at(d, order, count_order(words.model), surface,
                                         contact.count_factor, apart, shares.asperity, by_share));
   }
-  // Only friction is left. An output that is computed without it stands above this line.
+  // Only friction is left: every other output has to be written above this line.
   if (to.numbers[static_cast<std::size_t>(Output::friction)] == nullptr) return;
   // μ = μ_b A + τ (1 − A_r/A_nom)/p̄
   add(Work::shear_stress, present);
@@ -322,7 +321,7 @@ HWY_INLINE bool needs_shares(D d, const NeededParts& needs,
          ((needs.area || needs.count) && !hn::AllFalse(d, hn::Gt(surface.floor, hn::Set(d, 3.0))));
 }
 
-// Where the film ratio of `printed_exponents`, which falls as r⁻⁴, comes near the least double.
+// Where the film ratio of `printed_exponents` comes near the least double: it falls as r⁻⁴.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_next_to_nothing(D d, const detail::ContactWords& words,
                                           const Starvation<D>& inlet) {
@@ -331,8 +330,8 @@ HWY_INLINE hn::Mask<D> is_next_to_nothing(D d, const detail::ContactWords& words
   return hn::Lt(inlet.film_ratio, hn::Set(d, least_film_ratio));
 }
 
-// The same from λ₀, or ln γ of a law without fixed exponents, and the root λ. Returns the root; NaN
-// where the point is beyond the kernels' range.
+// As complete(), from the root λ and λ₀ (`flooded_film`), which is ln γ for a law without fixed
+// exponents. Returns the root; NaN where the point is beyond the kernels' range.
 template <class D, class Counter, class V = hn::Vec<D>>
 HWY_INLINE V complete_root(D d, const detail::ContactWords& words,
                            const detail::ContactNumbers<V>& contact, const NeededParts& needs,
@@ -343,7 +342,7 @@ HWY_INLINE V complete_root(D d, const detail::ContactWords& words,
   const bool has_floor = !hn::AllFalse(d, hn::Gt(contact.surface.hazard, zero));
   const bool shares = needs_shares(d, needs, contact.surface);
   Flooded<V> flooded{speed, film_parameter, {zero, one}};
-  // A starved film has shares of its own; only near a floor do they need those of the flooded one.
+  // A starved film has shares of its own. They need those of the flooded film only with a floor.
   if (shares && (!needs.is_starved || has_floor))
     flooded.shares = words.film->has_fixed_exponents()
                          ? shares_at_root(d, load_order(words.model), *words.film, contact.surface,

@@ -44,7 +44,7 @@ void solve_points(const MixedContact<double>& contact, std::span<const double> s
   std::copy(speeds.begin(), speeds.end(),
             points.speed.begin() + static_cast<std::ptrdiff_t>(first));
   using Wide = WiderType<double>;
-  std::optional<MixedContact<Wide>> wide;  // for what the engine does not reach
+  std::optional<MixedContact<Wide>> wide;  // for points beyond the engine's range
   std::array<double, sharing_block> lambda;
   for (std::size_t start = 0; start < speeds.size(); start += lambda.size()) {
     const auto block = speeds.subspan(start, std::min(lambda.size(), speeds.size() - start));

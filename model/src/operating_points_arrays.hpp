@@ -9,7 +9,7 @@ namespace tribo {
 
 namespace detail {
 
-// Where the numbers of points from `first` on go.
+// The places of the numbers of points from `first` on.
 inline Destination destination(OperatingPoints& points, std::size_t first) {
   const auto from = [first](auto& array) { return array.empty() ? nullptr : array.data() + first; };
   Destination to;
@@ -21,7 +21,7 @@ inline Destination destination(OperatingPoints& points, std::size_t first) {
   return to;
 }
 
-// Where the outputs of one point go, but for the speed.
+// The places of the outputs of one point; its speed is not among them.
 inline Destination destination(OperatingPoint<double>& point, OutputSet outputs) {
   const auto asked = [&](Output output, auto& member) {
     return outputs.contains(output) ? &member : nullptr;

@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
 
-inline constexpr double linear_slope = 1.71887338539246962630;  // κ = 5.4/π: y = κψ, short inlets
+inline constexpr double linear_slope = 1.71887338539246962630;  // κ = 5.4/π; short inlets: y = κψ
 inline constexpr double linear_slope_power = 1.9681348835114139;  // κ^{5/4}
 
 // y(ψ) = (2/π) arctan(2.7ψ)
@@ -51,8 +51,8 @@ HWY_INLINE InverseRatio<V> inverse_ratio(D d, StarvationClosure closure, V x) {
 }
 
 // √ψ of an implicit closure at 1/r = g, by multiplicative steps of Halley's kind. They are of third
-// order for a power of x, and 1/r is nearly such a power. The start is from the greater of the two
-// terms of 1/r alone.
+// order for a power of x, and 1/r is nearly such a power. The start is the root for the greater of
+// the two terms of 1/r alone.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
   const V one = hn::Set(d, 1.0);
@@ -67,8 +67,8 @@ HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
     short_inlet = hn::Sqrt(hn::Div(g, hn::Set(d, linear_slope)));
   }
   V x = hn::Min(long_inlet, short_inlet);
-  // Near where x³, or the inverse power of y, overflows a double, one term of 1/r is all to every
-  // digit.
+  // Where x³ or the inverse power of y comes near an overflow, one term of 1/r is the sum of both
+  // to every digit.
   auto is_open = hn::And(hn::Gt(x, hn::Set(d, 1e-40)), hn::Lt(x, hn::Set(d, 1e90)));
   for (int steps = 0; steps < 30 && !hn::AllFalse(d, is_open); ++steps) {
     const InverseRatio<V> at = inverse_ratio(d, closure, x);
@@ -83,7 +83,7 @@ HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
   return x;
 }
 
-// ψ at r > 0, r < 1 for flooded_inlet.
+// ψ at r > 0; flooded_inlet needs r < 1, too.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V inlet_length(D d, StarvationClosure closure, V r) {
   const V one = hn::Set(d, 1.0);
@@ -95,8 +95,8 @@ HWY_INLINE V inlet_length(D d, StarvationClosure closure, V r) {
   return hn::Mul(root, root);
 }
 
-// The effect of the inlet on the flooded film: y, 1 − y without its cancellation, and whether the
-// film has collapsed.
+// The effect of the inlet on the flooded film: y, 1 − y without cancellation, and whether the film
+// has collapsed.
 template <class D>
 struct Starvation {
   hn::Vec<D> film_ratio, deficit;
@@ -120,7 +120,7 @@ HWY_INLINE Starvation<D> damiens(D d, V r, V exponent, bool needs_deficit) {
   return state;
 }
 
-// At r = h_ff/h_oil > 0.
+// At r = h_ff/h_oil > 0: the effect of the inlet by a law.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Starvation<D> starvation(D d, const InletLaw<V>& law, V r, bool needs_deficit) {
   const StarvationClosure closure = law.closure;
@@ -139,7 +139,7 @@ HWY_INLINE Starvation<D> starvation(D d, const InletLaw<V>& law, V r, bool needs
   return state;
 }
 
-// γ of starved films between solved ones; NaN beyond their table.
+// γ from the table of solved starved films (solved_inlet.hpp); NaN where M or L is beyond it.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V solved_inlet_exponent(D d, const InletTable& table, V log_load, V material,
                                    V log_ratio) {

@@ -20,8 +20,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
 
-// ln λ, its slopes in z and in s, and its second derivative in z, in which the change of a norm's
-// exponent is left out: no root depends on it.
+// ln λ, its slopes in z and in s, and its second derivative in z. This derivative leaves out the
+// change of a norm's exponent: no root depends on it.
 template <class D>
 struct LogFilm {
   using V = hn::Vec<D>;
@@ -29,13 +29,13 @@ struct LogFilm {
   hn::Mask<D> is_known;  // false beyond a table of solved films
 };
 
-// The exponent of a norm, and its slope in z, which is that in s.
+// The exponent of a norm, and its slope, which is the same in z and in s.
 template <class V>
 struct NormExponent {
   V value, slope;
 };
 
-// The norm of exponent p of two films.
+// The norm of exponent p of two films. is_of_greater: p > 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LogFilm<D> norm_of(D d, const LogFilm<D>& x, const LogFilm<D>& y, bool is_of_greater,
                               const NormExponent<V>& p, bool has_slope) {
@@ -67,7 +67,7 @@ HWY_INLINE LogFilm<D> norm_of(D d, const LogFilm<D>& x, const LogFilm<D>& y, boo
   return joined;
 }
 
-// A law that joins limits: the numbers of a contact are ln λ by each at s = z = 0.
+// The film by a law that joins limits. The contact's numbers are ln λ by each limit at s = z = 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LogFilm<D> film_by_limits(D d, bool is_line, const detail::FilmNumbers<V>& film,
                                      V greatest, V s, V z) {
@@ -107,7 +107,7 @@ HWY_INLINE LogFilm<D> film_by_limits(D d, bool is_line, const detail::FilmNumber
   return norm_of(d, isoviscous, piezoviscous, true, p, true);
 }
 
-// A cubic between two nodes at t from 0 to 1, and its first and second slope.
+// A cubic between two nodes, at t from 0 to 1, and its first and second derivative in t.
 template <class V>
 struct Cubic {
   V value, slope, bend;
@@ -145,7 +145,7 @@ class CubicLanes {
   Cubic<V> end_, from_, to_;
 };
 
-// The step that holds t, of a table whose steps have a length of 1, as a number.
+// The number of the step that contains t, in a table whose steps have the length 1.
 inline constexpr double whole_shifter = 0x1.8p52;  // its sum with a number is a whole number
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V step_of(D d, V t, std::size_t steps) {
@@ -153,7 +153,7 @@ HWY_INLINE V step_of(D d, V t, std::size_t steps) {
   const V whole = hn::Sub(hn::Add(hn::Sub(t, hn::Set(d, 0.5)), shifter), shifter);
   return hn::Min(hn::Max(whole, hn::Zero(d)), last);
 }
-// A whole number from 0 on as the index of a row.
+// The index of a row from a whole number ≥ 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Integers<D> whole_number(D d, V number) {
   const hn::RebindToUnsigned<D> bits;
@@ -161,12 +161,12 @@ HWY_INLINE Integers<D> whole_number(D d, V number) {
   return hn::Sub(hn::BitCast(bits, hn::Add(number, shifter)), hn::BitCast(bits, shifter));
 }
 
-// A solved film; straight on beyond the table.
+// A solved film. Beyond the table ln λ continues in a straight line, with is_known = false.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LogFilm<D> film_in_table(D d, const FilmTable& table, bool is_line,
                                     const detail::FilmNumbers<V>& film, V log_scale, V s, V z) {
   const hn::RebindToUnsigned<D> bits;
-  // ln M falls as m(s + z), L as its power s/4 − 3z/4.
+  // ln M falls by m(s + z); L has the factor e^{s/4 − 3z/4}.
   const V m = hn::Set(d, is_line ? 0.5 : 0.75), quarter = hn::Set(d, 0.25);
   const V three_quarters = hn::Set(d, 0.75);
   const V log_load = hn::NegMulAdd(hn::Add(s, z), m, film.rigid);

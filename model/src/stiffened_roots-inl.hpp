@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The root of load sharing by a law without fixed exponents (stiffened_film-inl.hpp) in double,
 // once for each instruction set, for one lane and for vectors: 1 − A(λ) = 1/γ. It is sought in z =
-// ln γ, by the steps of load_sharing-inl.hpp: at each the law is one of fixed exponents that bends
-// a little.
+// ln γ, by the steps of load_sharing-inl.hpp. In each step the law counts as one of fixed exponents
+// with a small curvature.
 #include <hwy/highway.h>
 
 #include <cstddef>
@@ -31,10 +31,10 @@ HWY_INLINE V log_speed_of(D d, V speed) {
                         hn::Set(d, std::numeric_limits<double>::quiet_NaN()));
 }
 
-// Up to sharing_block points on their way to the root. A step is split into functions of a vector
-// of points. Each runs over all vectors with an open point before the next one starts: the chain of
-// all is longer than a processor looks ahead. contact_at(i) gives the numbers of the contacts of
-// the vector of points that starts at i.
+// Up to sharing_block points whose roots are sought. A step is split into functions of a vector of
+// points. Each is called for all vectors with an open point before the next one, because a
+// processor does not look ahead over the chain of all. contact_at(i) gives the numbers of the
+// contacts for the vector of points that starts at i.
 template <class D, class ContactAt>
 class StiffenedRoots {
  public:
@@ -64,7 +64,7 @@ class StiffenedRoots {
     const V nan = hn::Set(d_, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < count; i += hn::Lanes(d_)) {
       const V root = hn::Load(d_, root_ + i);
-      // The last film was asked for within 1e-5 of the root.
+      // is_known tells of the last film that was computed: its ln γ is within 1e-5 of the root's.
       const auto is_known = hn::LoadMaskBits(d_, is_known_ + i);
       store(d_, hn::IfThenElse(is_known, root, nan), film_parameter + i, count - i);
       store(d_, hn::Load(d_, root_log_stiffening_ + i), log_stiffening + i, count - i);
@@ -110,7 +110,7 @@ class StiffenedRoots {
     const LogFilm<D> film =
         log_film_at(d_, law_, table_, contact.film, contact.surface.film_at_unit_speed,
                     hn::Load(d_, log_speed_ + i), hn::Load(d_, log_stiffening_ + i));
-    // Where a film does not rise with γ the root is left to the template.
+    // Where a film does not grow with γ, a NaN leaves the root to the template.
     const V e = hn::IfThenElse(hn::Gt(film.by_sharing, hn::Set(d_, 1e-6)), film.by_sharing,
                                hn::Set(d_, std::numeric_limits<double>::quiet_NaN()));
     hn::Store(e, d_, exponent_ + i);
@@ -132,13 +132,13 @@ class StiffenedRoots {
     hn::Store(at.bend, d_, bend_ + i);
   }
 
-  // From film and asperities to the root, or to the next ln γ. Returns whether a lane is open.
+  // Takes film and asperities to the root or the next ln γ. Returns whether a lane is open.
   HWY_INLINE bool move(std::size_t i, hn::Mask<D> open) {
     const V one = hn::Set(d_, 1.0);
     const V z = hn::Load(d_, log_stiffening_ + i), lambda = hn::Load(d_, film_parameter_ + i);
     const Asperities<V> at{hn::Load(d_, share_ + i), hn::Load(d_, hazard_ + i),
                            hn::Load(d_, slope_ + i), hn::Load(d_, bend_ + i)};
-    // In y = e z, e the exponent here, the law is one of the power 1/p = e, with a bend.
+    // In y = e z, with the exponent e at this film, the law has the power 1/p = e and a curvature.
     const V e = hn::Load(d_, exponent_ + i), p = hn::Div(one, e);
     const V film_bend = hn::Mul(hn::Mul(hn::Load(d_, film_bend_ + i), p), p);
     const Iterate<V> now{lambda, hn::Mul(e, z)};
@@ -148,7 +148,7 @@ class StiffenedRoots {
                                  at.share, w, by_floor, log_balance(d_, at.share, w, by_floor));
     const V rise = hn::Sub(step.log_rise, now.log_rise);
     const V next = hn::Mul(step.log_rise, p), dz = hn::Mul(rise, p);
-    // The film's third derivative in z, which the step leaves out, is below 1.
+    // The third derivative of ln λ in z, which the step leaves out, is below 1.
     const auto is_exact = hn::Lt(hn::Abs(hn::Mul(hn::Mul(dz, dz), dz)), hn::Set(d_, 0x1p-50));
     const auto below = hn::And(is_below_floor(d_, at, now), open);
     const auto arrives = hn::AndNot(below, hn::And(hn::And(step.is_last, is_exact), open));
@@ -173,7 +173,7 @@ class StiffenedRoots {
     hn::Store(hn::IfThenElse(lanes, z, hn::Load(d_, log_stiffening_ + i)), d_, log_stiffening_ + i);
   }
 
-  // A vector has at most 8 lanes; with room for 8 more each array fills whole vectors.
+  // A vector has at most 8 lanes: with 8 more numbers each array has room for whole vectors.
   static constexpr std::size_t room = sharing_block + 8;
   static_assert(hn::MaxLanes(D()) <= 8);
   D d_;
@@ -199,8 +199,8 @@ class StiffenedRoots {
   HWY_ALIGN std::uint8_t is_known_[room];
 };
 
-// The shares at such a root: 1 − A = 1/γ, an ulp of which is some 8 ulp of λ at most where the film
-// is stiff. It stands apart, so that other laws' kernels keep their registers.
+// The shares at such a root: 1 − A = 1/γ, which an ulp of λ moves by about 8 ulp at most in a stiff
+// film. Not inlined, so that the kernels of other laws keep their registers.
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE Shares<V> shares_at_stiffening(D d, Order order,
                                             const detail::SurfaceNumbers<V>& surface,

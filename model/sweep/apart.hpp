@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work on files of others in a child process: a file that crashes or hangs the library which reads
-// it does not harm this process.
+// Work on foreign files in a child process: a file that makes the reading library crash or hang
+// does not harm this process.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@
 namespace tribo::sweep {
 
 #if defined(__SANITIZE_ADDRESS__) || TRIBO_HAS_FEATURE(address_sanitizer)
-inline constexpr bool has_sanitizer = true;  // its shadow takes terabytes of addresses
+inline constexpr bool has_sanitizer = true;  // its shadow memory takes terabytes of addresses
 #else
 inline constexpr bool has_sanitizer = false;
 #endif
 
 // Runs `work` in a child process and gives the bytes that it returns there. The child may take some
 // seconds of the processor, more for a larger file, twice that time by the clock, and 2 GB of
-// memory more than this process. An exception of `work` is thrown here as std::runtime_error with
-// its text; so is the end of a child that crashed or was ended at a limit.
+// memory more than this process. Throws std::runtime_error where `work` throws, with the same text,
+// and where the child crashes or is ended at a limit.
 Bytes apart(std::uint64_t file_size, const std::function<Bytes()>& work);
 
 }  // namespace tribo::sweep

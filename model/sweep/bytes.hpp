@@ -87,8 +87,8 @@ class Sender {
 };
 
 // Takes from the front what a Sender wrote. Throws std::runtime_error where the bytes are not those
-// of a Sender. It reserves no memory by a count, which may be false: elements are added as they are
-// read.
+// of a Sender. A count in the bytes may be false, so that no memory is reserved by it: elements are
+// added as they are read.
 class Receiver {
  public:
   explicit Receiver(std::span<const std::byte> bytes) : left_(bytes) {}

@@ -17,7 +17,7 @@ SceneUse use_of(const SceneSweep& sweep) {
   return sweep.criteria.empty() ? SceneUse::line_film : SceneUse::onset;
 }
 
-// How far a value is beyond its limit, as a factor or its inverse.
+// How far a value is beyond its limit: |ln(value/limit)|.
 double excess(const Validity& limit) { return std::abs(std::log(limit.value / limit.limit())); }
 
 void count(std::vector<Validity>& counted, const std::vector<Validity>& passed,

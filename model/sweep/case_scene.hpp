@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case of a sweep by itself, as a scene that other commands read.
+// A single case of a sweep as a scene, which other commands read.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace tribo::sweep {
 
-// The scene of a case in TOML, with the id "<scene>, case <number>". `number`: as `sweep show
-// --cases` counts, below sweep.cases().
+// The scene of a case in TOML, with the id "<scene>, case <number>". `number` counts as in `sweep
+// show --cases`, and is below sweep.cases().
 std::string case_scene(const SceneSweep& sweep, std::uint64_t number);
 
 }  // namespace tribo::sweep

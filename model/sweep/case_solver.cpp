@@ -186,7 +186,7 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases,
     const bool is_of_summits = has_rq_alone_ && summit_outputs().contains(output);
     put([&](std::size_t i) { return is_of_summits && are_unknown[i] ? undefined : numbers[i]; });
   });
-  // The word of a point without a film stands behind the others.
+  // The word for a point without a film comes after the other words.
   const bool may_lack_film = sweep::may_lack_film(sweep_);
   const auto lacks_film = [&](std::size_t i) {
     return may_lack_film && std::isnan(points_.film[i]);

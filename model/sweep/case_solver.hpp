@@ -19,7 +19,8 @@ namespace tribo::sweep {
 // Two threads must not use one solver at once: each thread has its own.
 class CaseSolver {
  public:
-  // stopped() is asked for each case; once it gives true, solve() throws Stopped.
+  // stopped() is asked for each case, but not where the speed alone varies (only_contact_). Once it
+  // gives true, solve() throws Stopped.
   explicit CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped = {});
 
   // variables: the values of each case's variables. results: the values of each case's columns, NaN
@@ -48,8 +49,8 @@ class CaseSolver {
   const SceneSweep& sweep_;
   std::function<bool()> stopped_;
   Scene scene_;
-  // The words and numbers of the scene that a contact needs, and which number each variable is
-  // (not used for the speed). places_ is empty where some variable is not just one of
+  // The words and numbers of the scene that a contact needs. places_[v] is the number that variable
+  // v sets; it is not used for the speed. places_ is empty where a variable is not just one of
   // these numbers (a closure, say); then all variables go through the scene.
   detail::ContactWords words_;
   detail::SceneNumbers<double> numbers_;
@@ -60,13 +61,13 @@ class CaseSolver {
   MixedContacts contacts_;                         // of the cases in hand
   std::vector<std::uint64_t> contact_of_;          // for each of these cases: its contact's place
   std::span<const double> prepared_;               // the last contact's variables
-  std::vector<InletOnsets<double>> inlet_onsets_;  // by each criterion, for this law:
+  std::vector<InletOnsets<double>> inlet_onsets_;  // by each criterion, for inlet_law_
   std::optional<InletLaw<double>> inlet_law_;
   std::vector<double> speeds_;
   std::vector<Output> asked_;
   bool has_rq_alone_ = false;    // Rq alone is known, and outputs of summits are asked for
-  OutputSet solved_;             // what points must have for these outputs
-  std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow
+  OutputSet solved_;             // the outputs that points need for these
+  std::size_t point_width_ = 0;  // a case's values of operating points; then those of onsets
   OperatingPoints points_;
   std::vector<std::uint64_t> contact_of_point_;
   std::vector<double> point_speeds_;

@@ -10,7 +10,7 @@ namespace tribo::sweep {
 CaseGenerator::CaseGenerator(const SceneSweep& sweep)
     : sweep_(sweep), grids_(sweep.variables.size() - sweep.drawn()), drawn_(sweep.drawn()) {
   if (drawn_ == 0) return;
-  // With sensitivity one point of twice the dimensions gives A and B.
+  // With sensitivity a point has twice the dimensions: it gives the cases A and B.
   points_.emplace(sweep.design, drawn_ * sweep.cases_kept_per_group(), sweep.draws, sweep.seed);
 }
 

@@ -15,12 +15,12 @@ namespace tribo::sweep {
 
 struct Chunk {
   std::uint64_t number = 0;  // in the plan
-  // The values of its variables in their order, then of its columns, where the scene keeps points;
-  // each has the room of a whole chunk, even where the last chunk has fewer cases.
+  // Where the scene keeps points: the values of the variables in their order, then of the columns.
+  // Each has the size of a whole chunk, even in the last chunk, which may have fewer cases.
   std::vector<PackedValues> values;
   // summaries[c][i]: the summary of value i < width (of each case) of column c.
   std::vector<std::vector<ValueSummary>> summaries;
-  // sensitivities[c][i], with sensitivity: its sums in each block that the chunk touches.
+  // sensitivities[c][i], with sensitivity: the sums of value i in each block the chunk touches.
   std::vector<std::vector<std::map<std::uint32_t, SensitivitySums>>> sensitivities;
 
   Bytes bytes() const;

@@ -13,8 +13,8 @@
 namespace tribo::sweep {
 namespace {
 
-// A block of this many numbers is solved and then summed up while it is in the cache. Columns of so
-// few groups that summing up would take longer than solving get larger blocks.
+// A block of about block_numbers numbers is solved, then summed up in the cache. It has at least
+// few_groups groups, up to most_block_numbers: with fewer, summing up takes longer than solving.
 constexpr std::size_t block_numbers = 8192, few_groups = 8, most_block_numbers = 1 << 17;
 
 }  // namespace
@@ -41,7 +41,7 @@ struct ChunkSolver::OfScene {
   // The inputs and columns of the chunk that are kept, in their order.
   struct Kept {
     const std::vector<double>& block;  // a row of it has the numbers of a case
-    std::size_t row_size, at, width;   // so many numbers of a row, from `at` on
+    std::size_t row_size, at, width;   // `width` numbers of a row are kept, from `at` on
     bool words;
     std::vector<double> numbers = {};  // of the chunk
 
@@ -80,7 +80,7 @@ struct ChunkSolver::OfScene {
         }
   }
 
-  // Adds the results of the block, whose first group is `first` of the scene, to the sums.
+  // Adds the results of the block to the sums. Its first group is group `first` of the scene.
   void sum_up(Chunk& chunk, std::uint64_t first, std::size_t groups) {
     const std::size_t kept_rows = sweep.cases_kept_per_group();
     std::size_t at = 0;
@@ -95,7 +95,7 @@ struct ChunkSolver::OfScene {
         }
       }
   }
-  // The numbers of one column, of the first cases of each of some groups of the block.
+  // Takes the numbers of a column from the first `cases` cases of the groups from `group` to `end`.
   void take_column(std::size_t at, std::size_t group, std::size_t end, std::size_t cases) {
     of_column.clear();
     for (; group < end; ++group)
@@ -149,7 +149,7 @@ Chunk ChunkSolver::solve(std::uint64_t number) {
 int compute(const SweepPlan& plan, int threads, const NextChunk& next,
             const std::function<void(const Chunk&)>& keep, const std::function<bool()>& stopped) {
   std::atomic<bool> failed = false;
-  // More threads than the machine has are allowed, as they are elsewhere.
+  // `threads` may exceed the number of processors, as everywhere.
   return on_threads(thread_count(threads), [&] {
     ChunkSolver solver(plan, [&] { return failed || (stopped && stopped()); });
     try {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Writes the header that says of which commit the build is, where that has changed. Run at each build.
+# Writes the header with the commit of the build, if the commit has changed. Run at each build.
 execute_process(COMMAND git describe --always --dirty --abbrev=40 --exclude "*"
   WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)

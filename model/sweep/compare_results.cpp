@@ -15,7 +15,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// So many numbers of each file are in memory at once: 32 MB.
+// The most numbers of each file that are in memory at once: 32 MB.
 constexpr std::uint64_t block_numbers = std::uint64_t{1} << 22;
 
 bool is_same(double a, double b) {
@@ -119,7 +119,7 @@ struct Pair {
     throw std::invalid_argument(first.path() + " and " + second.path() +
                                 " cannot be compared: " + why);
   }
-  // `of` tells behind the name what it is a part of.
+  // `of` is the text behind the name, such as " of scene a".
   template <class T>
   void check_names(const std::vector<T>& a, const std::vector<T>& b, std::string T::*name_of,
                    const std::string& kind, const std::string& of = {}) const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two results of sweeps side by side: each number of one beside the same number of the other.
 //
-// Kept cases are compared where both results have them: what varied, and each output. Where one has
+// Kept cases are compared if both results have them: the varied fields and each output. If one has
 // only summaries, these are compared: counts, moments, quantiles and histograms. Sensitivity
-// indices are compared wherever they are. A result keeps no reason for an undefined number but the
-// words of its columns (`regime`, `inlet`, `solved_film.outcome`), which are compared as such; so
-// an undefined number equals an undefined one.
+// indices are compared if the results have them. Two undefined numbers are equal: a result keeps no
+// reason for them, except as a word of a column (`regime`, `inlet`, `solved_film.outcome`). Words
+// are compared as words.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct ComparedColumn {
   ComparedKind kind = ComparedKind::output;
   std::string name;  // of the column, or the path of the input
   std::string unit;
-  std::vector<std::string> words;  // not empty: cases have places in this list
+  std::vector<std::string> words;  // not empty: numbers are places in this list
   std::uint64_t compared = 0, differing = 0;
   double worst = 0;  // the greatest Difference::size of the numbers that differ
 };
@@ -43,7 +43,7 @@ struct Difference {
   std::string statistic;       // of summaries and sensitivities: "mean", "0.5 quantile"
   double first = 0, second = 0;
   // |a − b| over the greater of |a| and |b|; of sensitivity indices, which are parts of 1, |a − b|.
-  // Infinite where one is undefined, infinite, or another word.
+  // Infinite where one number is undefined or infinite, or where two words differ.
   double size = 0;
 };
 
@@ -58,9 +58,8 @@ struct ComparedResults {
 
 // Numbers differ where Difference::size exceeds the tolerance; with a tolerance of 0 they differ
 // where any bit does. At most `most` differences are listed; all are counted. Throws
-// std::invalid_argument where the results cannot be compared, as they have other scenes, numbers of
-// cases or columns, and std::runtime_error where one cannot be read. Memory does not grow with the
-// number of cases.
+// std::invalid_argument where the results have different scenes, numbers of cases or columns, and
+// std::runtime_error where one cannot be read. Memory does not grow with the number of cases.
 ComparedResults compare_results(const ResultFile& first, const ResultFile& second, double tolerance,
                                 std::size_t most);
 

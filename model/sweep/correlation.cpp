@@ -24,10 +24,10 @@ double value_at(const std::array<double, size>& polynomial, double x) {
 }
 
 // Wichura's PPND16, Algorithm AS 241 (Appl. Stat. 37 (1988) 477): seven of eight values of u need
-// no logarithm. Boost.Math's erfc_inv is not used: with it drawing took twice as long, and most of
-// the time that a sweep adds to its scenes. The terms 2.75, 1.125 r and 1.375 r are taken out of
-// Wichura's ratios of polynomials, so that the rounding of the polynomials counts little. This
-// function is for the middle, |u − ½| ≤ 0.425:
+// no logarithm. With Boost.Math's erfc_inv, drawing took twice as long, and was most of the time
+// that a sweep adds to its scenes. The terms 2.75, 1.125 r and 1.375 r are taken out of Wichura's
+// ratios of polynomials, so that the rounding of the polynomials counts little. This function is
+// for the middle, |u − ½| ≤ 0.425.
 double normal_of_middle(double from_middle) {
   constexpr std::array near_above{0.637132872796366608,   16.780008462381871507,
                                   81.826679703392194875,  -1102.3452934086044212,

@@ -52,10 +52,10 @@ struct Square {
   std::uint64_t column, row;
 };
 
-// A permutation of 0 … N − 1 for each dimension: a Feistel network whose halves are the column and
-// the row of the number in a rectangle that is hardly greater than N (Black and Rogaway, Ciphers
-// with arbitrary finite domains, CT-RSA 2002), so that hardly any number has to go through twice
-// to come back below N.
+// A permutation of 0 … N − 1 for each dimension, by a Feistel network (Black and Rogaway, Ciphers
+// with arbitrary finite domains, CT-RSA 2002). Its halves are the column and the row of a number in
+// a rectangle of hardly more than N places. So hardly any number has to go through the network
+// twice to come out below N.
 class CellPermutations {
  public:
   CellPermutations(const RandomWords& words, std::size_t dimensions, std::uint64_t points)
@@ -90,7 +90,7 @@ class CellPermutations {
  private:
   static constexpr std::size_t rounds = 6;
 
-  // `half` moved around its circle of `size` < 2³² by a hash of the other half.
+  // `half` plus a hash of the other half and the key, modulo `size` < 2³².
   static std::uint64_t moved(std::uint64_t half, std::uint64_t other, std::uint64_t key,
                              std::uint64_t size) {
     std::uint64_t hash = (other ^ key) * 0x9E3779B97F4A7C15;

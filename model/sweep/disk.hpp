@@ -51,8 +51,8 @@ inline Descriptor open_file(const std::string& path, int flags, const std::strin
   return file;
 }
 
-// The size of an open file, and as many of its bytes as there are, up to the size of `room`. Both
-// throw as open_file() does.
+// size_of() gives the size of an open file. read_at() reads from `offset` until `room` is full or
+// the file ends, and returns the number of bytes. Both throw as open_file() does.
 inline std::uint64_t size_of(int file, const std::string& what) {
   struct stat status {};
   if (::fstat(file, &status) != 0) throw std::runtime_error(what + ": " + error_text(errno));
@@ -72,7 +72,7 @@ inline std::size_t read_at(int file, std::uint64_t offset, std::span<std::byte> 
   return have;
 }
 
-// Writes all of a text where the file stands. Throws std::runtime_error, with the reason alone.
+// Writes a whole text at the file's position. Throws std::runtime_error with the reason alone.
 inline void write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -98,7 +98,7 @@ inline std::string folder_of(const std::string& path) {
   return slash == path.npos ? "." : path.substr(0, slash + 1);
 }
 
-// A path by which an open file is opened again, whatever its name leads to by then.
+// A path that opens an open file again, whatever its name leads to by then.
 inline std::string open_path_of(int file) { return "/proc/self/fd/" + std::to_string(file); }
 
 }  // namespace tribo::sweep

@@ -23,7 +23,7 @@ constexpr std::size_t block = 256;  // the numbers that are computed at a time
 double part_above(double z) { return gaussian_moment(Order::zero, z); }
 double part_below(double z) { return part_above(-z); }
 
-// More digits than a double, so that numbers made from a logarithm lose nothing.
+// A type with more digits than a double: numbers computed from a logarithm lose nothing.
 using Wide = boost::multiprecision::cpp_bin_float_quad;
 
 std::string shortest(double value) {
@@ -42,7 +42,7 @@ Distribution Distribution::uniform(double from, double to) {
 }
 
 Distribution Distribution::log_uniform(double from, double to) {
-  // In two parts, so that the product with u loses no digits: exp() would enlarge the loss.
+  // In two parts, so that the product with u loses no digits; exp() would enlarge this loss.
   const Wide width = log(Wide(to) / from);
   Distribution d(DistributionKind::log_uniform, from, static_cast<double>(width), from, to);
   d.second_rest_ = static_cast<double>(Wide(width - d.second_));
@@ -68,7 +68,7 @@ Distribution Distribution::log_normal(double median, double log_sd, double from,
 void Distribution::truncate(double from, double to) {
   below_from_ = part_below(from);
   above_to_ = part_above(to);
-  // If both bounds lie in one tail, the parts of that tail are taken: small numbers, and exact.
+  // If both bounds lie in one tail, the parts of that tail are used: they are small and exact.
   if (from > 0)
     between_ = part_above(from) - above_to_;
   else if (to < 0)
@@ -130,8 +130,8 @@ void Distribution::take_values(std::span<double> normals) const {
 
 namespace {
 
-// Copies the numbers block by block to places side by side, calls use(some), which changes them in
-// place, and copies them back.
+// Copies the numbers of each block side by side, calls use(some), which changes them in place, and
+// copies them to `to`.
 template <class Use>
 void in_blocks(Rows<const double> from, Rows<double> to, std::size_t count, const Use& use) {
   std::array<double, block> numbers;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distribution that a varied field is drawn from, by its quantile function: numbers in (0, 1)
-// to values.
+// The distribution that a varied field is drawn from, given by its quantile function, which turns
+// numbers in (0, 1) into values.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace tribo::sweep {
 
-// The bound of a distribution without one.
+// The bound where a distribution has none.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 enum class DistributionKind : std::uint8_t { uniform, log_uniform, normal, log_normal };
@@ -24,7 +24,7 @@ constexpr std::string_view name(DistributionKind kind) {
   return distribution_names[static_cast<std::size_t>(kind)];
 }
 
-// A column of a table: its first number, and how far on the next one is.
+// A column of a table: its first number, and the distance from one number to the next.
 template <class T>
 struct Rows {
   T* first;

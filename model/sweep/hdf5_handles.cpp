@@ -49,7 +49,7 @@ Handle access_without_locks() {
 
 constexpr hssize_t most_texts = 1'000'000;
 
-// How many values an attribute has. Throws Error where its rank is another; rank 0: a scalar.
+// The number of an attribute's values. Throws Error where its rank is another; rank 0: a scalar.
 std::size_t length_of(hid_t attribute, hid_t space, int rank) {
   const H5S_class_t kind = rank == 0 ? H5S_SCALAR : H5S_SIMPLE;
   if (H5Sget_simple_extent_type(space) != kind ||
@@ -176,7 +176,7 @@ void write_attribute(hid_t object, const char* name, std::uint64_t value) {
   write_attribute(object, name, H5T_STD_U64LE, H5T_NATIVE_UINT64, scalar(), &value);
 }
 
-// HDF5's own functions for this write what happens to lie in the gap of a struct, so that no two
+// HDF5's own functions for this write the undefined bytes in the gap of a struct, so that no two
 // files would be equal.
 void make_scale(hid_t scale, const char* name, std::span<const hid_t> datasets) {
   for (const auto& [attribute, text] :

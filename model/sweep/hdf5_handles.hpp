@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HDF5's C API with owners for what it hands out and exceptions for what fails.
+// HDF5's C API, with owners for its identifiers and exceptions for its failures.
 #pragma once
 
 #include <hdf5.h>
@@ -23,8 +23,8 @@ namespace tribo::sweep::hdf5 {
 void note_failed_close() noexcept;
 std::optional<std::string> take_failed_close();
 
-// While such an object lives, HDF5 prints none of its errors in this thread. It has to be made
-// before any other call.
+// While such an object lives, HDF5 prints none of its errors in this thread. The object has to be
+// made before any other call of HDF5.
 class QuietErrors {
  public:
   QuietErrors() {
@@ -90,9 +90,9 @@ class Handle {
 Handle create_file(const std::string& path);
 // Opens a file for reading. Whatever the file says, no other file is read and no library is loaded.
 Handle open_file(const std::string& path);
-// Do the first bytes of a file begin one of ours, which has this text as its first attribute? A
-// process that is killed leaves such a file at whichever moment it is killed: only HDF5's head, as
-// it is when the file is made, or the text in the first bytes that follow.
+// Are these the first bytes of a file of ours, whose first attribute is the text `format`? A
+// process that is killed at any moment leaves such a file: it has only HDF5's head, as when the
+// file is made, or the text in the first bytes behind the head.
 bool is_start_of(std::span<const std::byte> start, std::string_view format);
 
 // The types of numbers in files and in memory. Texts are of UTF-8, of any length.
@@ -107,8 +107,8 @@ Handle make_group(hid_t parent, const std::string& name);
 Handle make_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, hid_t creation);
 void without_times(hid_t creation);
 
-// Stores numbers as a dataset in chunks of whole rows of some 1 MB, since HDF5 has checksums of
-// chunks alone.
+// Stores numbers as a dataset in chunks of whole rows, about 1 MB each: HDF5 has checksums of
+// chunks only.
 template <class T>
 Handle write_array(hid_t group, const std::string& name, const std::vector<T>& values,
                    std::vector<hsize_t> extents) {
@@ -127,8 +127,8 @@ void write_attribute(hid_t object, const char* name, std::string_view text);
 void write_attribute(hid_t object, const char* name, std::span<const std::string> texts);
 void write_attribute(hid_t object, const char* name, double value);
 void write_attribute(hid_t object, const char* name, std::uint64_t value);
-// Makes a dataset the dimension scale of the last of two dimensions of others, as HDF5's "Dimension
-// Scale Specification" has it.
+// Makes `scale` the dimension scale of the second dimension of `datasets`, which have two, by
+// HDF5's "Dimension Scale Specification".
 void make_scale(hid_t scale, const char* name, std::span<const hid_t> datasets);
 // These functions throw Error where there is no attribute of that name, type and shape.
 std::string read_text(hid_t object, const char* name);

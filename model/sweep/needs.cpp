@@ -27,14 +27,14 @@ namespace {
 // Time of the processor that this process used: other work of the machine is not counted.
 double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// The number of values a case that the widest column has.
+// The number of values that a case has in the widest column.
 std::size_t widest(const SceneSweep& scene) {
   std::size_t widest = 1;
   for (const Column& column : scene.columns) widest = std::max(widest, column.width);
   return widest;
 }
 
-// The scene at `speeds` of its speeds, in chunks of `chunk_groups` groups.
+// A plan of this scene at `speeds` of its speeds, in chunks of `chunk_groups` groups.
 SweepPlan thinned(const SceneSweep& scene, std::size_t speeds, std::uint64_t chunk_groups) {
   SceneSweep thin = scene;
   const Speeds& all = scene.scene.speeds;
@@ -78,14 +78,14 @@ double memory_of(const Chunk& chunk) {
 // Means over some chunks that are spread over a scene.
 struct Sample {
   double solve_seconds = 0, merge_seconds = 0;
-  double write_seconds = 0;     // of the summaries of all values a case has, at the end
+  double write_seconds = 0;     // of the summaries of all values of a case, at the end
   double kept = 0, record = 0;  // bytes of a chunk: its points packed, and all of it in a part
   double chunk_memory = 0;
   double merged_memory = 0;  // of the merged summaries of these chunks
 };
 
-// Time that quantiles and histograms of all summaries take. Where there are few cases, the bounds
-// of quantiles are by the binomial distribution itself, and take most of the time of a wide sweep.
+// The time that quantiles and histograms of all summaries take. With few cases the bounds of
+// quantiles come from the binomial distribution itself, and take most of the time of a wide sweep.
 double write_seconds_of(const std::vector<std::vector<ValueSummary>>& summaries) {
   constexpr std::size_t most_tried = 32;  // of a column
   double seconds = 0;
@@ -102,7 +102,7 @@ double write_seconds_of(const std::vector<std::vector<ValueSummary>>& summaries)
   return seconds;
 }
 
-// The place of sample k. Samples are spread over all chunks, each at random in its part, because
+// The chunk of sample k. Each sample has an irregular place in its part of the chunks, because
 // neighbouring cases are alike, and those of a grid repeat in equal steps.
 std::uint64_t place_of_sample(std::uint64_t k, std::uint64_t parts, std::uint64_t chunks) {
   const double within = std::fmod(0.5 + 0.754877666246693 * static_cast<double>(k * k + k), 1.0);
@@ -110,7 +110,7 @@ std::uint64_t place_of_sample(std::uint64_t k, std::uint64_t parts, std::uint64_
                                     static_cast<double>(chunks) / static_cast<double>(parts));
 }
 
-// Samples chunks for `seconds` seconds, and at least `least` chunks.
+// Samples chunks for `seconds` seconds: at least `least` chunks, and at most 7.
 Sample sample_of(const SweepPlan& plan, double seconds, int least = 2) {
   const SceneSweep& scene = plan.scenes.front();
   std::vector<std::vector<ValueSummary>> merged;
@@ -161,8 +161,8 @@ Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
           reach(&Sample::merged_memory)};
 }
 
-// Samples chunks of the scene. A chunk that takes long is sampled with fewer groups. Some films
-// take ten times as long as others: single films from all over the sweep are sampled.
+// Samples chunks of the scene, with fewer groups if a chunk takes long. Some solved films take ten
+// times as long as others: for them chunks of one group from all over the sweep are sampled.
 Sample chunk_sample(const SceneSweep& scene) {
   constexpr std::uint64_t probed = 64;
   constexpr double seconds = 0.1;
@@ -194,7 +194,7 @@ Sample chunk_sample(const SceneSweep& scene) {
 constexpr double program_memory = 25e6;  // before it does anything, with its libraries; measured
 
 constexpr double levels = quantile_levels.size();
-// Numbers that the summary of one value a case has in the file.
+// The numbers that the file has for the summary of one value of a case.
 constexpr double numbers_of_summary = 6 + 3 * levels + 2 * histogram_bins + 1;
 
 double numbers_of_sensitivity(const SceneSweep& scene) {
@@ -215,7 +215,7 @@ double summary_bytes(const SceneSweep& scene) {
          (numbers_of_summary + numbers_of_sensitivity(scene));
 }
 
-// The memory of a result, beside its points, while it is read and told.
+// The memory of a result without its points, while it is read and printed.
 double reading_memory(const SceneSweep& scene) {
   const auto width = static_cast<double>(scene.width());
   const double value =
@@ -227,7 +227,7 @@ double reading_memory(const SceneSweep& scene) {
 
 // Adds the bytes of a scene to the file and the parts. kept, record: bytes of one chunk there.
 void add_files(Needs& needs, const SceneSweep& scene, double kept, double record) {
-  constexpr double in_index = 75;  // bytes of HDF5's for each chunk of a dataset, measured
+  constexpr double in_index = 75;  // HDF5's bytes for each chunk of a dataset, measured
   const auto chunks = static_cast<double>(scene.chunks);
   const auto datasets = static_cast<double>(scene.variables.size() + scene.columns.size());
   needs.file += (kept + (scene.keep_points ? in_index * datasets : 0)) * chunks +
@@ -239,8 +239,8 @@ struct Phases {
   double computing = 0, writing = 0, reading = 0;  // bytes
 };
 
-// The chunks that a process holds at most: of the part that it begins, and of one before it, whose
-// last chunks are still being computed.
+// The most chunks that a process holds: those of the part that it begins, and of the one before it,
+// whose last chunks are still being computed.
 double chunks_held(const SweepPlan& plan) { return 2 * most_chunks_of_part(plan); }
 
 // sample: of its chunks; merged: the memory of all summaries; held: chunks_held().
@@ -273,7 +273,7 @@ Phases phases_of(const SceneSweep& scene, const Sample& sample, double merged, d
 
 // --- Free memory and disk.
 
-// The numbers of a line "Name:   123 kB" of a file of the system, in bytes.
+// The number of a line "Name:   123 kB" in a system file, times `unit`; infinite without one.
 double number_in(const char* path, std::string_view name, double unit) {
   std::ifstream file(path);
   std::string word;
@@ -284,13 +284,13 @@ double number_in(const char* path, std::string_view name, double unit) {
 }
 double number_in(const char* path) {
   std::ifstream file(path);
-  double number = 0;  // "max": none
+  double number = 0;  // "max": there is no limit
   return file >> number ? number : std::numeric_limits<double>::infinity();
 }
 
 double memory_there_is() {
   double least = number_in("/proc/meminfo", "MemAvailable:", 1024);
-  // In a container: its limit of memory, less its used memory that is no cache of files.
+  // In a container: its limit of memory, less the memory in use that is no file cache.
   const double most = number_in("/sys/fs/cgroup/memory.max");
   const double used = number_in("/sys/fs/cgroup/memory.stat", "anon", 1);
   if (std::isfinite(most) && std::isfinite(used)) least = std::min(least, most - used);
@@ -313,8 +313,8 @@ Needs needs_of(const SweepPlan& plan, int threads) {
   double computing = 0, writing = 0, reading = 0;
   for (const SceneSweep& scene : plan.scenes) {
     const Sample sample = chunk_sample(scene);
-    // Summaries grow with the number of different values, and a chunk may have one case alone: this
-    // sample takes chunks of up to 256 groups. Films take too long for that.
+    // Summaries grow with the number of different values, and a chunk may have only one case: this
+    // sample takes chunks of up to 256 groups. Solved films take too long for that.
     const double merged =
         scene.solves_film ? static_cast<double>(scene.width()) *
                                 QuantileSketch::most_memory(static_cast<double>(scene.cases()))
@@ -340,8 +340,8 @@ Needs needs_of(const SweepPlan& plan, int threads) {
 }
 
 Needs most_needs(const SweepPlan& plan, int threads) {
-  constexpr double packed = 9;      // bytes of a number: eight, where it is not made shorter
-  constexpr double a_dataset = 64;  // of a chunk of it, whatever its size
+  constexpr double packed = 9;      // bytes of a number: eight, if packing does not shorten it
+  constexpr double a_dataset = 64;  // of a chunk of a dataset, whatever its size
   constexpr double in_sketch = 5;   // of a case in a part: four for its bin, one for the count
   constexpr double other = 128;     // of a summary, and of a block of sums, in a part
   const double held = chunks_held(plan);

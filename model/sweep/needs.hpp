@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The time, memory and disk that a sweep will take, from its plan and a few cases at some of its
-// speeds. The estimate takes constant memory, and less than a second for each scene.
+// speeds. The estimate takes constant memory, and less than a second for each scene; films that a
+// sweep solves take longer, as some cases are solved at all speeds.
 #pragma once
 
 #include <string>

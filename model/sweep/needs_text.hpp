@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time and memory in the words of every --estimate.
+// Time and memory as each --estimate prints them.
 #pragma once
 
 #include <string>

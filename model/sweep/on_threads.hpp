@@ -13,15 +13,15 @@
 
 namespace tribo {
 
-// The number of threads that `threads` asks for; 0 asks for as many as this process may run on.
+// The number of threads that `threads` asks for; 0 asks for one on each processor of the machine.
 inline int thread_count(int threads) {
   return threads > 0 ? threads
                      : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-// Calls work() on `count` threads at once, the calling one among them, and waits for all. Returns
-// the number of threads: where the system starts fewer, these do all the work. Throws the first
-// exception of any of them.
+// Calls work() once on each of `count` threads, of which the calling one is the first, and waits
+// for all. Returns the number of threads, which is smaller where the system starts fewer: they have
+// to share all the work. Throws the first exception of any thread.
 template <class Work>
 int on_threads(int count, const Work& work) {
   std::mutex mutex;
@@ -40,7 +40,7 @@ int on_threads(int count, const Work& work) {
     threads.reserve(static_cast<std::size_t>(count));
     try {
       for (; started < count; ++started) threads.emplace_back(guarded);
-    } catch (const std::system_error&) {  // by `ulimit -u`, or the limit of a container
+    } catch (const std::system_error&) {  // a limit is reached: `ulimit -u`, or a container's
     }
     guarded();
   }

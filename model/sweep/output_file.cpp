@@ -19,7 +19,7 @@ bool is_same(const struct stat& a, const struct stat& b) {
   return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
-// Any other error, as of a server that does not answer, says nothing about the file.
+// Only these errors say that a file is not there. A server that does not answer gives others.
 bool is_gone(int code) { return code == ENOENT || code == ENOTDIR; }
 
 // EINVAL comes from a file system on which fsync() has nothing to do.
@@ -41,7 +41,7 @@ bool carries(Mark mark, int file, const struct stat& status, const std::string& 
   return mark(std::span(start).first(read_at(file, 0, start, what)));
 }
 
-// The mark of locks in which something is noted.
+// The first bytes of a lock's file that holds a note.
 constexpr std::string_view lock_start = "tribocheck sweep lock 1\n";
 
 bool is_lock(std::span<const std::byte> start) {
@@ -49,7 +49,7 @@ bool is_lock(std::span<const std::byte> start) {
   return start.size() >= mark.size() && std::equal(mark.begin(), mark.end(), start.begin());
 }
 
-// A place in the target's folder, so that the rename stays within one file system.
+// Makes a file in the target's folder: a later rename must stay within one file system.
 FilePlace unused_place(const std::string& target, Descriptor& file) {
   for (int number = 0;; ++number) {
     FilePlace place(target, '.' + std::to_string(::getpid()) + '-' + std::to_string(number), ".");
@@ -165,13 +165,13 @@ void FilePlace::rename_to(const FilePlace& target, int file, const Replaceable& 
   const char* const from = name_.c_str();
   const char* const to = target.name_.c_str();
   int code = ::renameat2(folder_, from, target.folder_, to, flags) == 0 ? 0 : errno;
-  if (code == EINVAL || code == ENOSYS)  // a file system or system without RENAME_NOREPLACE
+  if (code == EINVAL || code == ENOSYS)  // a file system or kernel without RENAME_NOREPLACE
     code = ::renameat(folder_, from, target.folder_, to) == 0 ? 0 : errno;
   if (code == EEXIST) taken();
   if (code != 0) throw std::runtime_error(error_text(code));
   if (!target.leads_to(file))
     throw std::runtime_error(target.path_ + " was replaced by another process");
-  // A file has its name after a power failure only once its folder is on the disk.
+  // The new name outlasts a power failure only if the folder, too, is written to the disk.
   if (const int failed = sync_error(target.folder_)) throw std::runtime_error(error_text(failed));
 }
 
@@ -211,8 +211,8 @@ void check_place(const std::string& target, Mark mark) {
                      "allowed: another output");
 }
 
-// A process that holds the lock removes the lock's file before it releases the lock. So a process
-// that locks a file which has lost its name meanwhile has locked nothing, and begins again.
+// A process that holds the lock removes the lock's file before it releases the lock. A process that
+// then locks this file without a name excludes nobody, and begins again.
 OutputLock::OutputLock(const std::string& output, std::string_view ending)
     : output_(output), place_(output, ending) {
   do {
@@ -225,7 +225,7 @@ OutputLock::OutputLock(const std::string& output, std::string_view ending)
   } while (!leads_to_it());
 }
 
-// Some file systems give all files one owner: no file that is kept there could be taken up again.
+// Refuses a file system that gives all files to another user: no kept file could be used again.
 void OutputLock::check_owner(int made) const {
   struct stat status {};
   if (::fstat(made, &status) != 0 || status.st_uid == ::geteuid()) return;

@@ -13,7 +13,7 @@
 namespace tribo::sweep {
 namespace {
 
-// x[i]'s j-th byte becomes x[j]'s i-th.
+// Exchanges byte j of x[i] with byte i of x[j].
 void transpose(std::array<std::uint64_t, 8>& x) {
   const auto swap = [&x](std::size_t i, std::size_t j, int shift, std::uint64_t mask) {
     const std::uint64_t changed = ((x[i] >> shift) ^ x[j]) & mask;
@@ -44,9 +44,9 @@ void shuffle(std::span<const double> values, std::span<std::byte> planes) {
 
 enum class Method : std::uint8_t { stored, huffman, matches };
 
-// Would a Huffman code for the bytes of a plane save less than about 0.2 bits of 8? Judged by Σp²
-// of a sample, in integers, so that all machines decide alike. For n bytes that are spread evenly,
-// 256 Σc² of their counts c is n², plus about 256 n by chance.
+// Would a Huffman code shorten a plane by less than about 0.2 bits a byte? The answer comes from
+// the counts c of the byte values in a sample of n bytes, in integers, so that all machines decide
+// alike. For evenly spread bytes, 256 Σc² is n², plus about 256 n by chance.
 bool is_spread_evenly(std::span<const std::byte> plane) {
   constexpr std::size_t runs = 16, run = 64;
   std::array<std::uint32_t, 256> counts{};
@@ -65,7 +65,7 @@ bool is_spread_evenly(std::span<const std::byte> plane) {
   return 256 * squares < sampled * sampled * 13 / 10 + 256 * sampled;
 }
 
-// Do many words of a row, `step` bytes apart, come again soon? Judged by a stretch in the middle.
+// Does over 1/4 of the words, `step` bytes apart, repeat a recent one? Counts 1024 in the middle.
 template <class Word>
 bool has_matches(std::span<const std::byte> bytes, std::size_t step) {
   constexpr std::size_t most = 1024;
@@ -92,8 +92,7 @@ Method method_for(std::span<const std::byte> plane, bool may_repeat) {
   return is_even ? Method::stored : Method::huffman;
 }
 
-// The buffers and the zlib stream for packing: kept by each thread, as zlib takes a while to set
-// up.
+// The buffers and the zlib stream of a thread. They are kept, because zlib takes a while to set up.
 class Packer {
  public:
   Packer() {
@@ -110,7 +109,7 @@ class Packer {
   }
 
   // A zlib stream (RFC 1950) of deflate blocks (RFC 1951). Each plane begins and ends at a whole
-  // byte and looks back to nothing before it.
+  // byte and refers to no bytes of other planes.
   Bytes stream(std::span<const std::byte> bytes, std::size_t plane_size, bool may_repeat) {
     used_ = 0;
     put({0x78, 0x01});
@@ -152,7 +151,7 @@ class Packer {
     }
   }
 
-  // False if the plane would not become shorter than it is stored as it is; nothing is added then.
+  // Returns false, and adds nothing, where the plane would be no shorter than in stored blocks.
   bool deflate_plane(std::span<const std::byte> plane, Method method) {
     const std::size_t stored = plane.size() + stored_header * (plane.size() / most_stored + 1);
     if (stored > 0xFFFFFFFF) throw std::length_error("too many values to pack");
@@ -170,7 +169,7 @@ class Packer {
   }
 
   z_stream zlib_{};
-  std::vector<std::byte> planes_, packed_;  // what lies beyond used_ is of no use
+  std::vector<std::byte> planes_, packed_;  // packed_ is valid up to used_
   std::size_t used_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An array of numbers or words as HDF5's filters `shuffle` and `deflate` would leave it, made here
-// so that all threads pack and one need only write. Doubles make eight byte planes; those that look
-// random (the low digits) are stored as they are: zlib would take most of its time to gain nothing.
+// An array of numbers or words in the form that HDF5's filters `shuffle` and `deflate` give it. So
+// all threads can pack, and one writes. Doubles make eight byte planes. Planes that look random
+// (the low digits) are not packed: zlib would spend most of its time on them for no gain.
 #pragma once
 
 #include <cstddef>

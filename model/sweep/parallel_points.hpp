@@ -11,11 +11,11 @@
 
 namespace tribo {
 
-// solve() of operating_points.hpp on at most `threads` threads, 0: as many as the machine has. The
-// bits are the same for any number of threads.
+// Calls solve() of operating_points.hpp on at most `threads` threads; 0 means as many as the
+// machine has. The results have the same bits for any number of threads.
 inline void solve_in_parallel(const MixedContact<double>& contact, std::span<const double> speeds,
                               OutputSet outputs, OperatingPoints& points, int threads = 0) {
-  // Points that take some tenths of a millisecond: long enough for a task, short enough to share.
+  // So many points take some tenths of a millisecond: enough for a task, and not too many to share.
   constexpr std::size_t grain = 2048;
   if (threads == 1 || speeds.size() <= grain) return solve(contact, speeds, outputs, points);
   each_on_threads(threads, (speeds.size() + grain - 1) / grain, [&](std::size_t part) {

@@ -87,7 +87,7 @@ void write_part_content(const std::string& path, const PartHeader& header,
   const hdf5::QuietErrors quiet;
   Handle file = hdf5::create_file(path);
   write_header(file, header);
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // it carries our mark: is_start_of_part()
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // the file now has our mark: is_start_of_part()
   write_chunks(file, content);
   checked(H5Fflush(file, H5F_SCOPE_GLOBAL));
   file.close();
@@ -144,7 +144,7 @@ Bytes read_head(const std::string& path) {
   return head;
 }
 
-// Throws std::runtime_error where the index is not of chunks in `size` bytes.
+// Throws std::runtime_error where chunks do not ascend, or do not fill exactly `size` bytes.
 std::vector<Part::Record> records_of(std::span<const std::uint64_t> index, std::uint64_t offset,
                                      std::uint64_t size) {
   std::vector<Part::Record> records;
@@ -303,7 +303,7 @@ std::string PartSet::arithmetics() const {
   std::set<std::string> sets;
   for (const Place& place : places_) {
     if (place.part == none) continue;
-    // A shard has those of all parts that it was made of.
+    // The header of a shard has the arithmetics of all parts that it was made of.
     std::string_view left = parts_[place.part].header().arithmetic;
     for (std::size_t end = 0; end != left.npos;) {
       end = left.find(between);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part of a sweep: some of its chunks, in one HDF5 file that is whole or not there. Shards, and
-// all files that are put together to a result, are such files too.
+// A part of a sweep: some of its chunks, in one HDF5 file that is whole or not there. A shard is
+// such a file, too. A result is put together from such files.
 //
 //   /        attributes: format, tribocheck_version, numbers (numbers_version), digest (of the
 //            plan), arithmetic, replaces, file_names and file_texts (of the sweep's files)
 //     chunks [bytes] the chunks (chunk.hpp), one behind the other
-//     index  [chunks, 3] of each chunk, ascending: its number, where it ends in `chunks`, and its
-//            checksum (XXH3)
+//     index  [chunks, 3] a row for each chunk, by ascending number: the number, the end of its
+//            bytes in `chunks`, and their checksum (XXH3)
 //
 // The file ends in a checksum of the whole file (result_seal.hpp).
 #pragma once
@@ -35,7 +35,7 @@ struct PartHeader {
   std::uint64_t numbers = 0;  // numbers_version
   std::string digest;         // of the plan
   std::string arithmetic;     // "FMA", "no FMA"; of a shard "FMA; no FMA" where it has both
-  // The files that the plan was made of: names and texts, so that parts are enough to make the
+  // Names and texts of the files that the plan was made of: the parts alone are enough for a
   // result.
   std::vector<std::pair<std::string, std::string>> files;
   // The file at the output (FileIdentity) that --force lets this sweep replace; empty: none.
@@ -61,18 +61,18 @@ class Part {
     std::uint64_t checksum;
   };
 
-  // The part in a file, whose checksum is checked first. HDF5 reads the rest in a process of its
+  // Reads a part from its file, after a check of the file's checksum. HDF5 runs in a process of its
   // own (apart.hpp), because the file may be forged. Throws std::runtime_error, with a text that
-  // names the file, where it is no whole part; Stopped once stopped() is true.
+  // names the file, where it is no whole part, and Stopped once stopped() is true.
   explicit Part(const std::string& path, const std::function<bool()>& stopped = {});
-  // The part of a short sweep, which writes no file of it.
+  // A part in memory: a short sweep writes no files of parts.
   Part(PartHeader header, ChunksInMemory chunks);
 
   const std::string& path() const { return path_; }  // empty: in memory
   const PartHeader& header() const { return header_; }
   std::span<const Record> records() const { return records_; }
-  // The bytes of a chunk. Its file is opened again, because a sweep may have more parts than a
-  // process may have open files, and the chunk's checksum is checked.
+  // The bytes of a chunk, after a check of their checksum. The file is opened again each time,
+  // because a sweep may have more parts than a process may have open files.
   Bytes read(const Record& record) const;
 
  private:
@@ -85,8 +85,8 @@ class Part {
 // All chunks of some parts of one sweep, by number.
 class PartSet {
  public:
-  // Throws std::runtime_error where the parts do not go together: the text says which and why. With
-  // `mixed_fma` their arithmetics may differ.
+  // Throws std::runtime_error where the parts do not fit together; its text says which and why.
+  // With `mixed_fma` their arithmetics may differ.
   PartSet(std::vector<Part> parts, std::uint64_t chunks, bool mixed_fma);
 
   bool has(std::uint64_t chunk) const { return places_[chunk].part != none; }
@@ -94,8 +94,8 @@ class PartSet {
   std::uint64_t chunks() const { return places_.size(); }
   Bytes read(std::uint64_t chunk) const;
   std::uint64_t size_of(std::uint64_t chunk) const { return record(chunk).size; }
-  // The arithmetics with which the chunks were computed: each once, in the alphabet's order. There
-  // are several only where the user has allowed it.
+  // The arithmetics of the chunks, each once, in alphabetical order, joined by "; ". There are
+  // several only where the user has allowed it.
   std::string arithmetics() const;
 
  private:
@@ -111,8 +111,8 @@ class PartSet {
   std::uint64_t count_ = 0;
 };
 
-// The chunks of a part that is written: their numbers, ascending, the size of all of them, and
-// their bytes, asked for in their order.
+// The chunks of a part to be written: their ascending numbers, the size of all of them, and a
+// function that gives the bytes of one. It is called in the order of the numbers.
 struct PartContent {
   std::vector<std::uint64_t> chunks;
   std::uint64_t bytes = 0;
@@ -120,9 +120,9 @@ struct PartContent {
 };
 PartContent content_of(const ChunksInMemory& chunks);
 
-// Writes a part into `file`, to the disk, and gives it its name. Any thread may call. Throws
-// std::runtime_error with a text that names the file `path`; Stopped, thrown by read(), is thrown
-// on.
+// Writes a part into `file` and to the disk, and gives it its name. Any thread may call it. Throws
+// std::runtime_error with a text that names the file `path`. A Stopped that content.read() throws
+// passes through.
 void write_part(const std::string& path, PartFile& file, const PartHeader& header,
                 const PartContent& content, const Replaceable& replaceable);
 

@@ -27,7 +27,7 @@ constexpr double part_seconds = 2;
 constexpr double most_parts = 4000;
 constexpr double most_numbers = 1 << 21;  // in a part: a process holds two or three parts
 
-// A rough estimate of what a chunk, or some chunks, take; or the most that a part may take.
+// A rough estimate of the cost of one or more chunks, or the most that a part may cost.
 struct Cost {
   double seconds = 0;  // of one processor
   double numbers = 0;  // of 8 bytes, about the most
@@ -55,7 +55,7 @@ Cost cost_of_chunk(const SceneSweep& scene) {
           cases * static_cast<double>(kept) + static_cast<double>(scene.width()) * of_column};
 }
 
-// A part is full where it has reached one of these two.
+// A part is full when it reaches one of these two limits.
 Cost most_of_part(const Cost& all) {
   return {std::max(part_seconds, all.seconds / (most_parts / 2)),
           std::max(most_numbers, all.numbers / (most_parts / 2))};
@@ -68,7 +68,7 @@ std::size_t chunks_asked_for() {
 
 // --- Files.
 
-// The rest of the names of files beside the output that begin with BEGINNING and the output's name.
+// The ends of file names beside the output, after BEGINNING and the output's name; sorted.
 std::vector<std::string> endings_beside(const std::string& output, const std::string& beginning) {
   const std::string start = beginning + fs::path(output).filename().string();
   std::vector<std::string> endings;
@@ -80,7 +80,7 @@ std::vector<std::string> endings_beside(const std::string& output, const std::st
   return endings;
 }
 
-// The files beside an output whose names are BEGINNING, that of the output, and an ending.
+// The files beside an output whose endings_beside() match the regular expression `ending`.
 std::vector<std::string> files_like(const std::string& output, const std::string& beginning,
                                     const std::string& ending) {
   const std::size_t name = output.rfind('/') + 1;
@@ -183,7 +183,7 @@ PartsInHand::PartsInHand(Settings settings, std::vector<ChunkList> parts,
     if (const std::string path = path_of_part(settings_.output, parts_[part]);
         !there_[part] && path.size() > longest.size())
       longest = path;
-  if (!longest.empty()) static_cast<void>(PartFile(longest));  // is tried, and removed again
+  if (!longest.empty()) static_cast<void>(PartFile(longest));  // a trial: makes and removes it
 }
 
 bool PartsInHand::has_chunks() const {
@@ -230,8 +230,8 @@ std::optional<PartsInHand::InHand> PartsInHand::claim() {
   return std::nullopt;
 }
 
-// Sees to it that chunks can be handed out; false: all parts are there, claimed or not needed. One
-// thread looks for a part while the others wait for it, and while any of them may keep its chunks.
+// Claims a part if no chunks are in hand; false: all parts are there, claimed or not needed. One
+// thread claims while the others wait for it. Meanwhile any thread may call keep().
 bool PartsInHand::find_work(std::unique_lock<std::mutex>& lock) {
   claimed_.wait(lock, [this] { return has_chunks() || !is_claiming_; });
   if (has_chunks() || is_over_) return has_chunks();
@@ -289,12 +289,12 @@ void PartsInHand::keep(std::uint64_t chunk, Bytes bytes) {
   write(std::move(done.front()));
 }
 
-// The claim ends with `done`, after the part has its name.
+// Writes a part. Its claim ends with `done`, after the part has its name.
 void PartsInHand::write(InHand done) {
   const std::string path = path_of_part(settings_.output, parts_[done.part]);
   if (FilePlace(path).status()) {
-    // Another process has computed the same part, on a file system without locks. The two would
-    // meet at each part from here on: this one goes on at another part.
+    // Another process has computed the same part, on a file system without locks. Both would
+    // compute the same parts from here on. Therefore this one goes on at another part.
     const std::lock_guard lock(mutex_);
     settings_.begin = place_of_process(parts_.size(), ++jumps_);
     return;
@@ -303,7 +303,7 @@ void PartsInHand::write(InHand done) {
   try {
     write_part(path, file, settings_.header, content_of(done.kept), {.any = true, .only = {}});
   } catch (const std::runtime_error&) {
-    // Where another process has put the same part there at the same time, that one is used.
+    // If another process has put the same part there at the same time, its file is used.
     const FilePlace place(path);
     if (!place.status() || place.leads_to(file.file())) throw;
   }

@@ -23,7 +23,7 @@ std::size_t SceneSweep::width() const {
 }
 
 std::uint64_t SceneSweep::points() const {
-  // A column of an onset is one wide, one of an output as wide as there are speeds.
+  // A column of an onset has one value a case; a column of an output has one for each speed.
   std::size_t points = 1;
   for (const Column& column : columns) points = std::max(points, column.width);
   return groups * cases_per_group() * points;
@@ -72,7 +72,7 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
                        {info.words.begin(), info.words.end()},
                        sweep.scene.speeds.size(),
                        std::string(info.meaning)});
-    // Summits that are not known; bodies without summits have no boundary lubrication.
+    // The summits are not known. The word for boundary lubrication, which needs them, is replaced.
     if (info.output == Output::regime && sweep.scene.surface.has_rq_alone())
       columns.back().words.front() = "undefined";
     else if (!info.words.empty() && may_lack_film(sweep))
@@ -98,11 +98,11 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
 
 // A chunk is long enough that the overhead of its record and of its place in the file is small, and
 // short enough that little is lost with it. A point whose film is solved takes as long as a million
-// other points: its chunk has up to four points, or one where many threads would have nothing to
-// do. Any other sweep has about 256 chunks of 1024 to 65536 points; a greater one has more chunks
-// of 65536 points; the greatest have about 4096 chunks of more points each, up to 2²⁰. Where a case
-// has more points than that, a chunk has up to eight cases, as each column of a chunk has a record
-// of its own. A chunk of kept points has at most some 131072 numbers.
+// other points: a chunk has up to four such points, or one where many threads would have nothing to
+// do. Any other sweep has about 256 chunks of 1024 to 65536 points. A larger one has more chunks of
+// 65536 points, and the largest have about 4096 chunks of up to 2²⁰ points. Where a group has that
+// many points, a chunk may still have eight groups, because each column of a chunk has a record of
+// its own. A chunk whose points are kept has at most some 131072 numbers, or one group.
 std::uint64_t groups_a_chunk(const SceneSweep& sweep, std::uint64_t points) {
   constexpr std::uint64_t least = 1024, usual = 65536, most = 1 << 20, most_numbers = 1 << 17;
   std::uint64_t chunk_points = std::clamp(points / 256, least, usual);

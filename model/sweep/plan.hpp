@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep: scenes in which some fields vary, and what is asked of each of their cases.
-// plan_reader.hpp makes it from files. All results are a function of the plan alone, so that any
-// number of threads, machines and restarts comes to the same bits.
+// A sweep: scenes in which some fields vary, and the results that are asked of each of their cases.
+// plan_reader.hpp makes it from files. The results depend on the plan and the arithmetic (with or
+// without FMA) alone. They have the same bits for any number of threads, machines and restarts.
 //
 //   case    one set of values of the varied fields
-//   point   one case at one speed, or one case with its onsets where no operating point is asked
+//   point   one case at one speed; one case alone where only onsets are asked
+//   group   one case; with sensitivity, the k + 2 cases of sensitivity.hpp
 //   chunk   a number of cases in a row, which a thread computes as a whole
 //   part    chunks of some seconds of work: what a process claims, writes and resumes as a whole
 #pragma once
@@ -41,8 +42,8 @@ struct Variable {
   std::string meaning;                      // of the field
   std::string text;                         // how it varies: "uniform from 0.02015 to 0.02025"
   void (*store)(Scene&, double) = nullptr;  // puts a value into a scene
-  double nominal = 0;                       // the middle value; SceneSweep::scene has it
-  std::vector<double> grid;                 // not empty: the values, each with all others
+  double nominal = 0;                       // in SceneSweep::scene: median, or middle entry of grid
+  std::vector<double> grid;                 // its values; empty where it is drawn
   std::vector<std::string> words;  // of a grid of words: all words of the field; `grid` has
                                    // places in this list
   Distribution distribution;       // where there is no grid
@@ -69,11 +70,11 @@ struct SceneSweep {
   Design design = Design::sobol;    // of the drawn variables
   std::uint64_t draws = 1;          // for each set of grid values; of each matrix with sensitivity
   std::uint64_t seed = 1;
-  // Rows of the lower triangle L of the correlation matrix, L·Lᵀ, of the drawn variables in their
-  // order; empty: independent.
+  // Rows of the lower triangular L. The correlation matrix of the drawn variables, in their order,
+  // is L·Lᵀ. Empty: they are independent.
   std::vector<std::vector<double>> correlation_root;
   bool sensitivity = false;  // Sobol indices: see sensitivity.hpp for the cases that this adds
-  bool keep_points = true;   // in the result, or its summaries alone
+  bool keep_points = true;   // in the result; if not, it has summaries alone
 
   OutputSet outputs;                     // of operating points; empty: none
   std::vector<OnsetCriterion> criteria;  // of onsets; empty: none
@@ -98,9 +99,9 @@ struct SceneSweep {
   std::uint64_t points() const;
 };
 
-// The version of the numbers that chunks hold: it changes only when an answer changes a bit, or the
-// bytes of a chunk mean something else, so that a newer program takes older parts and results.
-// After it was raised, `make numbers` writes the answers that it stands for
+// The version of the numbers in chunks. It is raised only when a bit of an answer, or the meaning
+// of a chunk's bytes, changes. With an equal version a newer program takes older parts and results.
+// After a rise, `make numbers` writes the answers of the new version
 // (reports/tests/kept_numbers.py).
 inline constexpr std::uint64_t numbers_version = 8;
 
@@ -121,7 +122,7 @@ struct ChunkPlace {
 };
 ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk);
 
-// May a case's film be between solved ones, so that some points may have none?
+// May a film come from the tables of solved films, so that points beyond them have none?
 bool may_lack_film(const SceneSweep& sweep);
 
 // The work was stopped early, as asked.

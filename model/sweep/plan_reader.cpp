@@ -68,8 +68,8 @@ std::string_view allowed(std::string_view name) {
   return "";
 }
 
-// Rules of the scene reader about several numbers or words: faces that meet in an ellipse that
-// double can hold, the moments of a profile, Roelands' law, and the line of an oil.
+// Fields that the scene reader checks together: radii of faces (double must hold their ellipse of
+// contact), the moments of a profile, Roelands' law, and an oil's viscosity by temperature.
 constexpr auto faces =
     std::to_array<std::string_view>({"bodies.first_radius_x", "bodies.second_radius_x",
                                      "bodies.first_radius_y", "bodies.second_radius_y"});
@@ -92,7 +92,7 @@ struct VariedEntry {
 
 class SweepBinder {
  public:
-  // problems: those of `reading`, whose scene is not used. `passed` gets the limits of the sweep.
+  // `problems` adds to `reading`, whose scene is not used. `passed` gets the passed limits.
   SweepBinder(std::vector<Entry> entries, const std::string& source, SceneReading& reading,
               Problems& problems, std::vector<Validity>& passed)
       : entries_(std::move(entries)),
@@ -159,7 +159,7 @@ class SweepBinder {
       error("", {.what = "more than " + std::to_string(most_variables) + " fields vary"});
   }
 
-  // Temperatures and viscosities in pairs are no field that varies: refuses a table among them.
+  // Refuses a table among the pairs of temperature and viscosity, because these do not vary.
   void refuse_pairs(const Entry& pairs) {
     const auto is_table = [](const auto& one) { return one.kind == ValueKind::table; };
     const auto has_table = [&](const Entry& pair) {
@@ -171,7 +171,7 @@ class SweepBinder {
             "lubricant.temperature, each of which may vary");
   }
 
-  // `speed` is a section of the schema, whose fields have entries of their own.
+  // Puts the fields of a drawn `speed` into its entry. The schema gives them entries of their own.
   void gather_speed() {
     constexpr std::string_view prefix = "speed.";
     const auto is_part = [&](const Entry& entry) { return entry.path.starts_with(prefix); };
@@ -223,7 +223,7 @@ class SweepBinder {
     reading_.errors = std::move(scene.errors);
     reading_.warnings = std::move(scene.warnings);
     if (!scene.scene) return;
-    if (varied_.empty())  // a scene that is wrong may hold what was meant to vary
+    if (varied_.empty())  // not said of a wrong scene: its error may hide a variable
       return error("", "nothing varies",
                    "a grid or a distribution in place of a number, as in "
                    "viscosity = { distribution = \"uniform\", from = 0.01, to = 0.03 }");
@@ -281,9 +281,9 @@ class SweepBinder {
       if (all_good) check_together(together);
   }
 
-  // If these values are legal, so are all others of the variable: legal numbers have no gaps but
-  // that of the radii of faces at 0, and 1/R, which the rule of two faces adds up, falls on both
-  // sides of 0. All values of whole numbers and words are looked at.
+  // If these values are legal, so are all others of the variable, because legal numbers form one
+  // interval. Only radii of faces form two, below 0 and above. In each of them 1/R, which the rule
+  // of two faces adds up, is monotonic. For whole numbers and words, all values are checked.
   static std::vector<double> values_to_check(const Variable& variable) {
     const FieldInfo& field = scene_fields()[scene_detail::field_at(variable.path)];
     if (variable.is_drawn()) {
@@ -307,8 +307,7 @@ class SweepBinder {
     return values;
   }
 
-  // Fields that a rule of the scene reader looks at together, as far as they vary: all values to
-  // check of each with all of the others.
+  // Checks the fields of one rule that vary, in all combinations of their values to check.
   void check_together(std::span<const std::string_view> paths) {
     std::vector<std::vector<Setting>> sets{{}};
     std::size_t count = 0;
@@ -341,7 +340,7 @@ class SweepBinder {
       if (std::ranges::find(reading_.warnings, warning.line(), &InputProblem::line) ==
           reading_.warnings.end())
         reading_.warnings.push_back(warning);
-    // The ends of a distribution are far beyond nearly all of its draws.
+    // The ends of a distribution are not noted: they lie far beyond nearly all of its draws.
     if (scene.scene && settings.size() == 1 && !settings.front().varied->variable.is_drawn())
       note_limits(*scene.scene);
     if (scene.errors.empty()) return true;
@@ -391,8 +390,8 @@ class SweepBinder {
         allowed};
   }
 
-  // A bound that cuts off less than a thousandth, for a distribution that reaches 0 or beyond from
-  // above; empty for all others.
+  // Advice on a lower bound, and the part that it cuts off, for a normal distribution with a mean
+  // above 0 that reaches 0 or less. Empty for all others.
   static std::string bound_text(const Variable& variable, double value) {
     const double mean = variable.nominal;
     if (variable.distribution.kind() != DistributionKind::normal || !(value <= 0 && mean > 0))
@@ -402,8 +401,8 @@ class SweepBinder {
            scene_detail::rounded_text(variable.distribution.part_beyond(bound, false)) + " of it";
   }
 
-  // How much of a distribution with tails is beyond the range of its field; empty where another
-  // number limits it.
+  // How much of a distribution with tails is beyond the range of its field; empty where the allowed
+  // range depends on another field.
   static std::string beyond_text(const Variable& variable, double value,
                                  const std::string& allowed) {
     const FieldInfo& field = scene_fields()[scene_detail::field_at(variable.path)];
@@ -511,7 +510,7 @@ class SweepBinder {
             std::to_string(2 * jackknife_blocks) + " and more");
   }
 
-  // A criterion that has no onset even at the nominal values will hardly have any.
+  // Warns of a criterion that has no onset at the nominal values: few cases will have one.
   void check_onsets() {
     if (sweep_.criteria.empty()) return;
     const MixedContact<double> contact(sweep_.scene);
@@ -560,7 +559,7 @@ SweepReading refused(const std::string& source, const std::string& why) {
   return {{}, std::move(scene.errors), {}, {}};
 }
 
-// 32 hexadecimal digits.
+// The digest of a plan: 32 hexadecimal digits.
 std::string digest_of(const std::string& of_program, const std::vector<SceneSweep>& scenes) {
   XXH3_state_t state{};
   XXH3_128bits_reset(&state);

@@ -31,8 +31,8 @@ struct SweepReading {
   std::optional<SceneSweep> sweep;     // set when `errors` is empty
   std::vector<InputProblem> errors;    // every problem found
   std::vector<InputProblem> warnings;  // what is legal but has no effect
-  // The limits that the scene passes, and does not accept, at its nominal values and at the least
-  // and the greatest of each grid; each limit once.
+  // The limits, each once, that the scene passes and does not accept: at its nominal values, and
+  // with the least or the greatest value of a grid.
   std::vector<Validity> passed;
 };
 
@@ -49,7 +49,7 @@ inline constexpr std::uint64_t default_draws = 16384;
 inline constexpr std::uint64_t most_cases = 1'000'000'000'000;  // and as many points
 inline constexpr std::size_t most_variables = 40;
 
-// `source` names the input in messages and, without its folder and ending, a scene without an id.
+// `source` names the input in messages. Without its folder and ending it is the default id.
 SweepReading parse_sweep(std::string_view text, const std::string& source);
 // A regular file of at most 1 MiB; "-" is standard input.
 SweepReading read_sweep(const std::string& path);

@@ -11,7 +11,7 @@ namespace tribo::sweep {
 namespace {
 
 constexpr int dropped_places = 52 - 10;
-constexpr std::int32_t subnormal_bins = 1023;  // of exponent 0; its first bin is for zero
+constexpr std::int32_t subnormal_bins = 1023;  // of exponent 0: they are joined to bin 0
 
 constexpr int page_places = 6;
 constexpr std::int32_t bins_of_page = 1 << page_places;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often values fell into fixed bins of the number line, 1024 to each power of two: counts that
-// add up to the same whatever the order, and quantiles whose error is known.
+// Counts of values in fixed bins of the number line, 1024 for each power of two. The counts do not
+// depend on the order of the values, and the error of quantiles is known.
 //
-// The bins of DDSketch (Masson, Rim, Lee: DDSketch, VLDB 2019), with the floating-point format's
-// own logarithm in place of the true one: a value's bin is its sign, its exponent and its first ten
-// binary places. Zero and all that is nearer to it than the least normal number, 2.2e-308, is one
-// bin, number 0; those above it have the numbers 1, 2 …, those below it −1, −2 ….
+// The bins are those of DDSketch (Masson, Rim, Lee: DDSketch, VLDB 2019) with the logarithm that
+// the floating-point format has: a value's sign, exponent and first ten binary places give its bin.
+// Bin 0 holds zero and all values nearer to it than the least normal number, 2.2e-308. The bins
+// above it have the numbers 1, 2 …, and the bins below it −1, −2 ….
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace tribo::sweep {
 
 class QuantileSketch {
  public:
-  // The relative error of a quantile (unless the value of its rank is below 2.3e-308).
+  // The relative error of a quantile is at most this, if its magnitude is 2.3e-308 or more.
   static constexpr double relative_error = 0x1p-11;
   static constexpr std::int32_t greatest_bin = 2046 * 1024;  // of the greatest finite number
 
@@ -28,14 +28,14 @@ class QuantileSketch {
   void merge(const QuantileSketch& other);
 
   std::uint64_t count() const { return count_; }
-  // The greatest memory() with `values` values.
+  // The greatest memory() of a sketch of `values` values.
   static double most_memory(double values);
   // Bytes that the sketch has allocated.
   std::size_t memory() const {
     return pages_.capacity() * sizeof(Page) + places_.capacity() * sizeof places_.front();
   }
-  // The middle of the bin of the value of rank `rank`, 0 ≤ rank < count(), in ascending order; of
-  // bin 0: zero.
+  // The middle of the bin of the value at `rank` in ascending order, 0 ≤ rank < count(); zero for
+  // bin 0.
   double value_at_rank(std::uint64_t rank) const;
 
   // The bins that are not empty, ascending.
@@ -55,8 +55,8 @@ class QuantileSketch {
   static QuantileSketch read(Receiver& from);
 
  private:
-  // Counts are kept by pages, a sixteenth of a power of two each: values from 1e-300 to 1 would
-  // otherwise need all the memory between. Longer pages cost time where each column of a chunk has
+  // Counts are kept in pages, each a sixteenth of a power of two. Empty pages take no memory, as
+  // between values near 1e-300 and near 1. Longer pages cost time where each column of a chunk has
   // few values.
   static constexpr std::size_t page_bins = 64;
   using Page = std::array<std::uint64_t, page_bins>;

@@ -15,7 +15,7 @@
 namespace tribo::sweep {
 namespace {
 
-// MPI's own waiting keeps a core busy, which another rank may need.
+// Sleeps between tests. MPI_Wait() would keep a core busy that another rank may need.
 void wait_for(MPI_Request request) {
   int done = 0;
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); done == 0;
@@ -26,7 +26,7 @@ void wait_for(MPI_Request request) {
 }  // namespace
 
 Ranks::Ranks() {
-  // Processes that MPI did not start need not start it, which takes time.
+  // A process that MPI did not start does not initialise MPI, because that takes time.
   const bool is_by_srun = std::getenv("PMIX_RANK") != nullptr;  // srun --mpi=pmix
   if (ranks_by_mpirun() == 0 && !is_by_srun) return;
   int given = 0;

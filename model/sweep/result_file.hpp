@@ -6,8 +6,8 @@
 //                            the build; empty: not known), sweep_digest, arithmetic
 //   /<scene id>              attributes: scene (the sweep file's text), file, design, seed, draws,
 //                            cases, points, departure, columns (their names)
-//     speed                  [speeds] the scene's speeds, where operating points are asked; the
-//                            dimension scale of outputs
+//     speed                  [speeds] the scene's speeds, where outputs or solved films are asked;
+//                            the dimension scale of columns with a value for each speed
 //     inputs/<field>         [cases] attributes: unit, meaning, varies, words
 //     outputs/<column>       [cases] or [cases, speeds] attributes: unit, meaning (and why it may
 //                            be NaN), words
@@ -22,11 +22,11 @@
 //                            total_high: [width, variables]; groups, left_out: [width]; NaN where
 //                            too few groups are left (sensitivity.hpp)
 //
-// Columns "onset.film_maximum.speed" are groups: outputs/onset/film_maximum/speed. Numbers are
-// doubles, NaN where undefined. Words are places of one byte in the list of the attribute `words`,
-// counted from 0; not HDF5's enumerations, which Octave cannot read. Where points are not kept,
-// there are no outputs, and inputs are of length 0. Every dataset has HDF5's checksums
-// (fletcher32). The file ends in a checksum of the whole file (result_seal.hpp); HDF5 ignores it.
+// The column "onset.film_maximum.speed" is at outputs/onset/film_maximum/speed. Counts, groups and
+// left_out are integers of 64 bits, other numbers doubles, NaN where undefined. A word is one byte:
+// its place, from 0, in the attribute `words` (Octave cannot read HDF5's enumerations). Where
+// points are not kept, there are no outputs, and inputs are of length 0. Every dataset has HDF5's
+// checksums (fletcher32). The file ends in its checksum (result_seal.hpp); HDF5 ignores it.
 #pragma once
 
 #include <algorithm>
@@ -63,12 +63,11 @@ inline constexpr std::size_t histogram_bins = 100;
 // The mark of results (output_file.hpp).
 bool is_start_of_result(std::span<const std::byte> start);
 
-// Writes the result next to `path` (at PATH.part; if processes share it, at a name that no other
-// uses), to the disk, and renames it into place, where it may replace what
-// `replaceable` says. All chunks have to be there; it takes them in order, one at a time, and calls
-// told(chunks written) after each. Returns the written file, open. Throws std::runtime_error (disk
-// full, not writable …) with a text that names the file; what it wrote so far is removed then.
-// Stopped, thrown by told(), is thrown on.
+// Writes the result to the disk at PATH.part (`is_shared`: at a name that no other process uses),
+// and renames it to `path`, where it may replace what `replaceable` says. All chunks have to be
+// there. It takes them in order, one at a time, and calls told(chunks written) after each. Returns
+// the open file. Throws std::runtime_error (disk full, not writable …) with a text that names the
+// file, and removes the unfinished file. A Stopped that told() throws passes through.
 Descriptor write_result(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
                         const std::function<void(std::uint64_t)>& told,
                         const Replaceable& replaceable = {.any = true, .only = {}},
@@ -119,7 +118,7 @@ struct CaseRange {
 };
 
 // A result, open for reading. A file that another process has written is read in a child process
-// with limits of time and memory (apart.hpp), for a forged file may crash or hang HDF5. All
+// with limits of time and memory (apart.hpp), because a forged file may crash or hang HDF5. All
 // functions throw std::runtime_error, with a text that names the file, where it is not a whole
 // result of `tribocheck sweep`.
 class ResultFile {
@@ -131,8 +130,8 @@ class ResultFile {
   const std::string& path() const { return path_; }
   ResultIdentity identity() const;
   SweepResult read() const;
-  // The kept values of one input or column of a scene, [cases, width]; of words, their places. With
-  // a range: of these cases alone.
+  // The kept values of one input or column of a scene, [cases, width]. Words are given as their
+  // places. With a range, the values are of these cases alone.
   using Range = std::optional<CaseRange>;
   std::vector<double> input(const std::string& scene_id, const std::string& name,
                             const Range& range = {}) const;

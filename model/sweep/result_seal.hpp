@@ -13,8 +13,8 @@ namespace tribo::sweep {
 // Puts these bytes at the end of a whole, open file. Throws std::runtime_error where that fails.
 void seal(int file);
 
-// Why an open file is not the one that was sealed; empty if it is. kind: "result". Throws
-// std::runtime_error, with a text that names the file by its path, where it cannot be read, and
+// Says why an open file is not as it was sealed; empty if it is. `kind`: "result" or "part". Throws
+// std::runtime_error, with a text that names the file by `path`, where it cannot be read, and
 // Stopped once stopped() is true.
 std::string broken_seal(int file, const std::string& path, std::string_view kind,
                         const std::function<bool()>& stopped = {});

@@ -26,9 +26,9 @@ using hdf5::write_attribute;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// As the filter of this name in HDF5 computes it, from big-endian words of 16 bits.
+// The checksum of HDF5's filter of this name, from big-endian words of 16 bits.
 std::uint32_t fletcher32(std::span<const std::byte> bytes) {
-  constexpr std::size_t words_between = 360;  // as many as do not overflow
+  constexpr std::size_t words_between = 360;  // the most for which no sum overflows
   const auto folded = [](std::uint32_t sum) { return (sum & 0xFFFF) + (sum >> 16); };
   std::uint32_t first = 0, second = 0;
   for (std::size_t i = 0; i < bytes.size();) {
@@ -44,7 +44,7 @@ std::uint32_t fletcher32(std::span<const std::byte> bytes) {
   return folded(second) << 16 | folded(first);
 }
 
-// The group at a path below another one; groups on the way are made where they are not there yet.
+// Opens the group at a path below `parent`, and makes the groups on the way that are missing.
 Handle make_groups(hid_t parent, const std::string& path) {
   Handle group(H5Gopen2(parent, ".", H5P_DEFAULT));
   for (std::size_t start = 0; start < path.size();) {
@@ -65,7 +65,7 @@ class CaseDataset {
   CaseDataset(hid_t group, const std::string& name, const std::vector<std::string>& words,
               std::uint64_t cases, std::uint64_t chunk_cases, std::size_t width)
       : element_size_(words.empty() ? 8 : 1), chunk_cases_(chunk_cases), rank_(width > 1 ? 2 : 1) {
-    // The greatest extents, beyond the cases: no chunk may be longer than its dataset can become.
+    // The greatest extents. HDF5 takes no chunk that is longer than its dataset can become.
     const std::array<hsize_t, 2> extents{cases, width};
     const std::array<hsize_t, 2> greatest{std::max<hsize_t>(cases, chunk_cases), width};
     const std::array<hsize_t, 2> chunk{chunk_cases, width};
@@ -97,8 +97,8 @@ class CaseDataset {
   int rank_;
 };
 
-// Writes a dataset NAME, and those of the intervals' ends, NAME_low and NAME_high. A relative error
-// that is not 0 is written beside them.
+// Writes the datasets NAME, NAME_low and NAME_high: the values, and the ends of their intervals. A
+// relative error above 0 becomes an attribute of each.
 void write_bounded(hid_t group, const std::string& name, const std::vector<Bounded>& numbers,
                    const std::vector<hsize_t>& extents, double relative_error = 0) {
   for (const auto& [ending, part] :
@@ -178,7 +178,7 @@ void write_sensitivity(hid_t group, std::size_t variables,
   write_array(group, "left_out", left_out, {width});
 }
 
-// The group of one scene: its points as the chunks come, its summaries at the end.
+// Writes the group of one scene: its points as the chunks come, and its summaries at the end.
 class SceneWriter {
  public:
   SceneWriter(hid_t file, const SceneSweep& scene)
@@ -307,7 +307,7 @@ void write_result_content(const std::string& path, const SweepPlan& plan, const 
   write_attribute(file, "tribocheck_commit", build_commit);
   write_attribute(file, "sweep_digest", plan.digest);
   write_attribute(file, "arithmetic", chunks.arithmetics());
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // it carries our mark: is_start_of_result()
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // the file now has our mark: is_start_of_result()
   std::uint64_t written = 0;
   for (const SceneSweep& scene : plan.scenes) {
     SceneWriter writer(file, scene);

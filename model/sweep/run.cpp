@@ -41,8 +41,8 @@ std::string difference(const PartHeader& mine, const PartHeader& theirs, bool an
 
 constexpr Shard no_shard{0, 0};
 
-// The sweep that the owner of an output computes, as its lock's file says. A process that was
-// killed leaves the file.
+// The note in the file of an output's lock: the sweep that the owner of the output computes. The
+// file of an owner that was killed stays there.
 struct OwnersNote {
   PartHeader header;  // without files
   Shard shard;        // or no_shard
@@ -53,7 +53,7 @@ struct OwnersNote {
   }
 };
 
-// The owner's note; nothing where none is whole: the owner is about to write it, or to end.
+// The owner's note; nullopt: there is no whole one, as the owner is about to write it, or to end.
 std::optional<OwnersNote> noted_at(const std::string& output) {
   const Bytes bytes = OutputLock::noted(output);
   OwnersNote note;
@@ -71,7 +71,7 @@ bool is_of_shard(const Part& part, const Shard& shard) {
                      [&](const Part::Record& record) { return shard.has(record.chunk); });
 }
 
-// there: what is on the disk already needs no more room.
+// `there`: files that are on the disk already, and need no more room.
 void check_room(const SweepPlan& plan, int threads, const std::string& result,
                 const std::vector<std::string>& there) {
   double bytes = 0;
@@ -120,7 +120,7 @@ ChunkList chunks_of(const SweepPlan& plan, const std::optional<Shard>& shard) {
 struct Start {
   bool complete = false;    // the result is there
   std::vector<bool> there;  // of this run's parts; a part is there only with all its chunks
-  // The file that may be at the output when the result takes its place.
+  // The file at the output that the result may replace.
   Replaceable replaceable = {};
 };
 
@@ -232,7 +232,7 @@ class Starter {
     }
   }
 
-  // Is there a part of this very run that may replace the file `replaces`? Empty: any file.
+  // Is any part of this run, with `replaces` as the file that it may replace? Empty: any file.
   bool any_goes_on(const std::vector<std::string>& paths, const std::string& replaces) const {
     return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
       try {
@@ -295,7 +295,7 @@ std::function<void(std::uint64_t)> told_of_writing(const RunSettings& settings,
   };
 }
 
-// A shard is a part with all its chunks.
+// Writes a shard: one part with all chunks of the shard.
 void write_shard(const std::string& path, PartHeader header, const ChunkList& chunks,
                  const PartSet& parts, const std::function<void(std::uint64_t)>& told,
                  const Replaceable& replaceable) {
@@ -313,7 +313,7 @@ void write_shard(const std::string& path, PartHeader header, const ChunkList& ch
   write_part(path, file, header, content, replaceable);
 }
 
-// The thread that computes, beside the one that shows progress.
+// Starts the thread that computes, while the calling thread shows the progress.
 std::future<void> started_thread(std::function<void()> work) {
   try {
     return std::async(std::launch::async, std::move(work));
@@ -347,7 +347,7 @@ class Run {
       std::exception_ptr failure;
       if (!start.complete) failure = failure_of([&] { compute_missing(start.there); });
       if (ranks_.count() == 1 && failure != nullptr) std::rethrow_exception(failure);
-      ranks_.everywhere(true);  // the others have computed what a rank that failed has left
+      ranks_.everywhere(true);  // waits: the others compute what a failed rank has left
       if (ranks_.rank() == 0 && !lock_) {
         if (is_stopped()) return stopped_helping();
         std::this_thread::sleep_for(moment);
@@ -365,7 +365,7 @@ class Run {
   }
 
  private:
-  // The exception of a step on this rank, or null. Where there are several ranks, this one tells it
+  // The exception of a step on this rank, or null. Where there are several ranks, its text is told
   // at once.
   template <class Step>
   std::exception_ptr failure_of(Step&& step) const {
@@ -466,7 +466,7 @@ class Run {
 
   void start_helping(Start& start) {
     check_owner();
-    // The one part of a short sweep is its owner's. Help begins once the owner's note is there.
+    // The owner computes the one part of a short sweep. Help begins once the owner's note is there.
     start.there.assign(parts_.size(), parts_.size() == 1 || !noted_at(settings_.result));
   }
 
@@ -529,7 +529,7 @@ class Run {
       if (worker.valid()) worker.wait();
       // Another process has ended the sweep, and has removed what this one was about to write.
       if (is_over() && starter().why_not_it().empty()) return;
-      if (lock_) check_lock();  // tells more than the write that failed
+      if (lock_) check_lock();  // says more than the error of the failed write
       throw;
     }
     if (!lock_ && is_lost)
@@ -552,7 +552,7 @@ class Run {
   PartSet gathered() {
     std::vector<Part> parts;
     if (is_all_in_memory()) parts.emplace_back(header_, std::move(in_memory_));
-    // After a stop, looking for kept parts may go on for a moment.
+    // After a stop, the kept parts are looked for half a second longer.
     const auto patient = [this, end = Clock::now() + std::chrono::milliseconds(500)] {
       return is_stopped() && Clock::now() > end;
     };
@@ -608,7 +608,7 @@ class Run {
     return cleaned();
   }
 
-  // Leaves the note if --force lets the run replace a file: there may be no part that tells this.
+  // Keeps the note of the file that --force lets this run replace: there may be no part to name it.
   void leave_note() {
     if (!header_.replaces.empty()) lock_->leave();
   }

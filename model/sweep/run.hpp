@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep from its plan to its result: threads, ranks, helpers, going on after a stop.
+// Runs a sweep from its plan to its result on threads, ranks and helpers; resumes stopped runs.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace tribo::sweep {
 
-// The i-th of n shards, 1 ≤ i ≤ n: every n-th chunk, so that all get some slow chunks.
+// Shard i (`part`) of n (`parts`), 1 ≤ i ≤ n: every n-th chunk, so that each gets some slow ones.
 struct Shard {
   std::uint64_t part = 1, parts = 1;
   bool has(std::uint64_t chunk) const { return chunk % parts == part - 1; }
@@ -40,11 +40,11 @@ struct RunSettings {
   bool mixed_fma = false;  // go on with parts of another arithmetic
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
-  // Says at once, on the rank that fails, why it fails, for the other ranks may go on for long.
+  // Told the reason at once on a rank that fails, because the other ranks may go on for long.
   std::function<void(std::string_view)> failed;
-  std::function<bool()> stopped;  // to end early, with what is computed kept
-  // Called on rank 0 once the result has its name, and before another process can replace it; gets
-  // the open result where this process has written it.
+  std::function<bool()> stopped;  // true: end early, and keep what is computed
+  // Called on rank 0 once the result has its name, before another process can replace it. Its
+  // argument is the open result, if this process has written it.
   std::function<void(std::optional<Descriptor>)> finished;
 };
 
@@ -55,14 +55,14 @@ struct OtherRankFailed : std::runtime_error {
 
 enum class RunEnd : std::uint8_t { done, stopped };
 
-// Every rank calls it with the same plan and settings; rank 0 holds the output's lock and writes
-// the result, or, with `join`, helps the process that does. Throws RunRefused, OtherRankFailed, and
-// std::runtime_error where it fails; computed parts stay then. Where a rank fails, the others
-// compute its parts too, and the result is written if all are there.
+// Every rank calls it with the same plan and settings. Rank 0 takes the output's lock and writes
+// the result. With `join`, if another process has the lock, it helps that process. Throws
+// RunRefused, OtherRankFailed or std::runtime_error where it fails; computed parts are kept. Where
+// a rank fails, the others compute its parts too, and the result is written if all are there.
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks);
 
-// Puts shards together: the result has the bits of an undivided run. Throws RunRefused where chunks
-// are missing, or shards do not fit together.
+// Puts shards together to a result with the same bits as that of an undivided run. Throws
+// RunRefused where chunks are missing, or shards do not fit together.
 RunEnd merge(const std::vector<std::string>& shards, RunSettings settings);
 
 }  // namespace tribo::sweep

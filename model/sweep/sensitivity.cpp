@@ -15,7 +15,7 @@ struct Values {
   std::vector<double> first_order, total;
 };
 
-// NaN where nothing varies, or where the sums are not good enough.
+// The indices; NaN where nothing varies, or where too few groups are left (not `is_good`).
 Values values_of(const SensitivitySums& sums, bool is_good) {
   Values values{sums.first_order, sums.total};
   const double groups = static_cast<double>(sums.both.count) / 2;
@@ -101,7 +101,7 @@ SensitivitySums SensitivitySums::read(Receiver& from) {
   SensitivitySums sums;
   from(sums.both, sums.left_out);
   const auto variables = from.take<std::uint32_t>();
-  // Sums are read one by one: if the number of variables is false, the bytes end before the memory.
+  // Sums are read one by one: if `variables` is false, the bytes run out before the memory does.
   for (std::uint32_t i = 0; i < variables; ++i) sums.first_order.push_back(from.take<double>());
   for (std::uint32_t i = 0; i < variables; ++i) sums.total.push_back(from.take<double>());
   return sums;

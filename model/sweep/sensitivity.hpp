@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sobol indices: which part of a column's variance each drawn variable brings, alone (first order)
-// and with all others (total).
+// Sobol indices: the part of a column's variance that each drawn variable causes, alone (first
+// order) and together with the others (total).
 //
-// A group is k + 2 cases: A and B, two independent draws, and for each of the k variables A with
-// that variable from B, AB_i. With V the variance over A and B:
+// A group has k + 2 cases: two independent draws A and B, and for each of the k variables a case
+// AB_i, which is A with this variable from B. V is the variance over A and B:
 //   first order  S_i = E[(f(B) − c)(f(AB_i) − f(A))]/V
 //                (Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, eq. 16); c is any
 //                constant, here the value at the nominal case, so that little cancels
-//   total        T_i = E[(f(A) − f(AB_i))²]/(2V)   (Jansen 1999; there eq. 19)
-// A group in which any value is undefined is left out. Where more than a few groups are left out,
-// the others are no random sample of the draws, and indices from them would describe other inputs:
-// then no indices are given.
+//   total        T_i = E[(f(A) − f(AB_i))²]/(2V)   (Jansen 1999; eq. 19 of Saltelli et al.)
+// A group in which any value is undefined is left out. If more than 1 % of the groups are left out,
+// no indices are given: the other groups are no random sample of the draws, and their indices would
+// describe other inputs.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@
 
 namespace tribo::sweep {
 
-// Groups are dealt into this many blocks in a row; an interval comes from leaving out each in turn.
+// Groups in a row make this many blocks. The jackknife leaves out one block after the other.
 inline constexpr std::size_t jackknife_blocks = 32;
 std::size_t block_of(std::uint64_t group, std::uint64_t groups);
 
@@ -45,14 +45,14 @@ struct SensitivitySums {
 // The sums of one column in each block.
 using SensitivityBlocks = std::array<SensitivitySums, jackknife_blocks>;
 
-// Are so many of all groups enough for indices?
+// Are `groups` groups without undefined values, of `all` groups, enough for indices?
 inline bool has_enough_groups(std::uint64_t groups, std::uint64_t all) {
   constexpr double least_part = 0.99;
   return groups > 0 && static_cast<double>(groups) >= least_part * static_cast<double>(all);
 }
 
-// An index with the interval of 1.96 standard errors to both sides, by the jackknife over blocks;
-// NaN where nothing varies, or where too few groups have a value.
+// Indices with intervals of 1.96 standard errors to both sides, by the jackknife over blocks; NaN
+// where nothing varies, or where too few groups are left.
 struct SobolIndices {
   std::vector<Bounded> first_order, total;  // of each variable
   std::uint64_t groups = 0;                 // in which all values are defined

@@ -11,12 +11,12 @@
 namespace tribo::sweep {
 namespace {
 
-// From this variance on, the approximation is off by less than 1/50 of a rank.
+// From this variance of K on, the expansion in ranks_of() is off by less than 1/50 of a rank.
 constexpr double exact_below_variance = 400;
 constexpr double two_sided_95 = 1.959963984540054;
 
-// The least k with P(K ≤ k) ≥ 2.5 %, and with ≥ 97.5 %, where K counts those of n independent
-// values that are below the p-quantile.
+// low and high: the least k with P(K ≤ k) ≥ 2.5 %, and with P(K ≤ k) ≥ 97.5 %. K is the number of n
+// independent values that are below the p-quantile.
 struct QuantileRanks {
   double low, high;
 };
@@ -34,7 +34,7 @@ QuantileRanks ranks_of(double n, double p) {
   return {std::ceil(centre - reach), std::ceil(centre + reach)};
 }
 
-// Many columns of a result have as many values.
+// Keeps the ranks of the last n, because many columns of a result have the same number of values.
 QuantileRanks known_ranks_of(double n, double p) {
   thread_local double count = -1;
   thread_local std::map<double, QuantileRanks> by_level;
@@ -45,8 +45,8 @@ QuantileRanks known_ranks_of(double n, double p) {
   return known->second;
 }
 
-// Calls use(lane, value) for each value, with so many lanes side by side that an addition need not
-// wait for the one before it.
+// Calls use(lane, value) for each value. The lanes are so many that an addition need not wait for
+// the one before it.
 constexpr std::size_t lanes = 8;
 template <class Use>
 void in_lanes(std::span<const double> values, const Use& use) {
@@ -135,8 +135,8 @@ Bounded quantile_of(const ValueSummary& summary, double p) {
     return sketch.value_at_rank(
         std::min(static_cast<std::uint64_t>(std::max(rank, 0.0)), count - 1));
   };
-  // The values in order are x₁ ≤ x₂ …: x_l is above the quantile if K < l, and x_h is not if K ≥ h;
-  // so l = low and h = high + 1.
+  // The values in order are x₁ ≤ x₂ …. The interval [x_l, x_h] is above the quantile if K < l, and
+  // below it if K ≥ h. Each has at most 2.5 % probability for l = low and h = high + 1.
   const QuantileRanks ranks = known_ranks_of(n, p);
   Bounded quantile{within(at(std::ceil(n * p) - 1)), -infinity, infinity};
   if (ranks.low >= 1) {

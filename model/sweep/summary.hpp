@@ -14,8 +14,8 @@
 
 namespace tribo::sweep {
 
-// Count, mean and sum of squared distances from it, by the corrected two-pass algorithm and the
-// update of parts of Chan, Golub and LeVeque (1983), neither of which cancels.
+// Count, mean, and sum of squared distances from the mean. The corrected two-pass algorithm and the
+// update of parts of Chan, Golub and LeVeque (1983) avoid cancellation.
 struct Moments {
   std::uint64_t count = 0;
   double mean = 0;
@@ -58,13 +58,13 @@ struct ValueSummary {
 };
 
 // The p-quantile, with an interval that holds the distribution's own p-quantile in 95 of 100 sweeps
-// of independent draws: by the binomial distribution of ranks, wider by the error of the sketch. An
-// end is infinite where too few values bound that side; without a value all three are NaN.
+// of independent draws. It is that of the binomial distribution of ranks, wider by the sketch's
+// error. An end is infinite where too few values bound that side; without a value all are NaN.
 Bounded quantile_of(const ValueSummary& summary, double p);
 
-// At most `most` bins from the least value to the greatest, without gaps, each made of the same
-// number of neighbouring bins of the sketch, so that the counts are exact. In the logarithm the
-// bins are nearly of one width.
+// At most `most` bins, without gaps, from the least value to the greatest. Each joins the same
+// number of neighbouring bins of the sketch, so that the counts are exact. On a logarithmic axis
+// the bins have nearly one width.
 std::vector<QuantileSketch::Bin> histogram_of(const QuantileSketch& sketch, std::size_t most);
 
 }  // namespace tribo::sweep

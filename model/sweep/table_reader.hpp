@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of a small table of a sweep file, by name, each taken once; one line for each that is
-// wrong, unknown or missing.
+// Reads the fields of a small table of a sweep file by name, each once. It reports, in one line
+// each, fields that are wrong, unknown or missing.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ const scene_detail::Entry* entry_of(std::span<const scene_detail::Entry> entries
 
 class TableReader {
  public:
-  // `path` names the table in messages; entries, names and problems must outlive the reader.
+  // `path` names the table in messages. `entries` and `problems` must outlive the reader.
   TableReader(std::string path, std::span<const scene_detail::Entry> entries,
               std::span<const std::string_view> names, scene_detail::Problems& problems);
 
@@ -50,7 +50,7 @@ class TableReader {
 
  private:
   const scene_detail::Entry* find(std::string_view name) const { return entry_of(entries_, name); }
-  // The field where it is a value of this kind.
+  // The value of a field; null: it is absent, or reported because it is of another kind.
   const scene_detail::Value* value_of(std::string_view name, scene_detail::ValueKind kind,
                                       std::string_view allowed);
   std::optional<std::size_t> place(const scene_detail::Value& value, const std::string& name,

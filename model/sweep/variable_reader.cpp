@@ -41,8 +41,8 @@ std::optional<double> decimal_number(const std::string& text) {
   return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
-// The text "2.0e-8" gives the value 2e-8, and half a unit of its last digit, 0.5e-9. Both numbers
-// of "62 km/h" and "75 °C" are converted to SI. The half unit is that of the digit that was
+// The text "2.0e-8" gives the value 2e-8, and half a unit of its last digit, 0.5e-9. A text with a
+// unit, such as "62 km/h" or "75 °C", gives both in SI. The half unit is that of the digit that was
 // written, not of a digit that the conversion makes.
 std::optional<Printed> read_printed(const std::string& text, std::string_view unit) {
   const auto half = scene_detail::half_last_digit(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a field varies, from the value that stands in its place in a sweep file.
+// Reads how a field varies from the value that a sweep file has for it.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace tribo::sweep {
 
-// Does an entry of a scene's field vary? A table or list does, but not for `outputs`. For `speed`
-// the caller has to check, too, that it is a distribution or a printed number.
+// Does the entry of a scene's field vary? Tables and lists do, but not `outputs`, nor a list that
+// has one number for each face. For `speed` the caller has to check, too, that it is drawn.
 bool varies(const scene_detail::Entry& entry);
 
-// The variable, without `nominal`'s range checked; nothing where an error was reported.
+// The variable, whose values may be out of the field's range; nullopt: an error was reported.
 std::optional<Variable> read_variable(const scene_detail::Entry& entry, const FieldInfo& field,
                                       scene_detail::Problems& problems);
 
-// The value of the field in a scene with one value of the variable.
+// The value of the field in a scene where the variable has the value `value`.
 scene_detail::Value value_for(const Variable& variable, double value);
 
 }  // namespace tribo::sweep

@@ -10,8 +10,8 @@
 namespace tribo::reference {
 namespace {
 
-// Inputs: F, w, E* and R. First the root of the cubic in a^3; then the radius a at which the force,
-// which by the balance of energy is 4E*a^3/(3R) - sqrt(8 pi w E* a^3), is F.
+// Inputs: F, w, E* and R. The first way takes the formula of a^3. The second way takes a root of
+// F = 4E*a^3/(3R) - sqrt(8 pi w E* a^3), which follows from the balance of energy.
 Ball jkr_radius(const Balls& x) {
   const Ball adhesive = 3 * ball_pi() * x[1] * x[3];
   const Ball bracket = x[0] + adhesive + sqrt(2 * adhesive * x[0] + adhesive * adhesive);
@@ -21,7 +21,7 @@ Ball jkr_radius_by_force(const Balls& x) {
   const auto force = [&](const Ball& root) {  // root = sqrt(a^3)
     return 4 * x[2] * root * root / (3 * x[3]) - sqrt(8 * ball_pi() * x[1] * x[2]) * root - x[0];
   };
-  // The force is least at the pull-off, and rises beyond.
+  // The force is least at the pull-off, and rises with the radius beyond it.
   const Ball least = sqrt(8 * ball_pi() * x[1] * x[2]) * 3 * x[3] / (8 * x[2]);
   const Ball root = zero_between(force, least, least * pow(Ball(10), Ball(40)));
   return exp(fraction(2, 3) * log(root));
@@ -94,7 +94,7 @@ Table pull_off_forces() {
           usual ? sampler.log_uniform(1e-9, 10) : sampler.log_uniform(1e-90, 1e90);
       add(is_jkr, {work, radius}, usual ? "ordinary" : "far");
     }
-  // There and back, so that the second theory begins where the first one ends.
+  // The second theory takes the steps backwards, so that it begins where the first one ends.
   const Numbers one{0.05, 0.01}, other{0.08, 0.03};
   for (const Numbers& x : steps(one, other)) add(true, x, "ordinary");
   for (const Numbers& x : steps(other, one)) add(false, x, "ordinary");
@@ -103,7 +103,7 @@ Table pull_off_forces() {
   return table;
 }
 
-// Inputs: p0, a, z and nu. By the arc of the tangent of z/a, and by an arc of a cosine.
+// Inputs: p0, a, z and nu. The first way takes an arctangent, the second way an arccosine.
 Ball shear(const Balls& x) {
   const Ball zeta = x[2] / x[1], q = 1 / (1 + zeta * zeta);
   const Ball arc = zeta * (ball_pi() / 2 - atan(zeta));

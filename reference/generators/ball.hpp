@@ -66,7 +66,7 @@ class Ball {
   friend bool overlaps(const Ball& a, const Ball& b) { return arb_overlaps(a.x_, b.x_) != 0; }
   friend bool is_finite(const Ball& a) { return arb_is_finite(a.x_) != 0; }
 
-  // The midpoint with radius 0: a chosen number, no enclosure.
+  // The midpoint with radius 0. It encloses nothing but itself.
   Ball midpoint() const {
     Ball result;
     arb_get_mid_arb(result.x_, x_);
@@ -74,7 +74,7 @@ class Ball {
   }
   // The nearest double to the midpoint.
   double nearest() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
-  // A double that no point of the ball is above.
+  // A double that is an upper bound of the ball.
   double upper_bound() const {
     arf_t bound;
     arf_init(bound);

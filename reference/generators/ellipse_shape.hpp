@@ -42,8 +42,8 @@ inline Ball carlson_rd(const Ball& y, const Ball& z) {
   return result;
 }
 
-// k, and the integrals B of cos²/√(1 − q sin²) and D of sin²/√(1 − q sin²), by Carlson's R_D. They
-// give α = k²B/D, in which nothing cancels.
+// k, and two complete integrals by Carlson's R_D: B of cos²/√(1 − q sin²) and D of
+// sin²/√(1 − q sin²), with q = 1 − 1/k². Nothing cancels in α = k²B/D.
 struct Associated {
   Ball k, b, d;
 };
@@ -52,8 +52,8 @@ inline Associated associated(const Ball& k) {
   return {k, complement * carlson_rd(1, complement) / 3, carlson_rd(complement, 1) / 3};
 }
 
-// The ellipse at α ≥ 1, the greater radius over the smaller one: its axes' ratio k ≥ 1, and the
-// complete elliptic integrals of parameter q = 1 − 1/k².
+// The ellipse at α ≥ 1, where α is the greater radius of the gap over the smaller one. k ≥ 1 is the
+// ratio of its axes. K and E are the complete elliptic integrals of parameter q = 1 − 1/k².
 struct EllipseShape {
   Ball k, first, second;  // k, K, E
 };
@@ -71,8 +71,8 @@ inline EllipseShape shape_by_bisection(const Ball& alpha) {
   return {k, first_integral(parameter(k)), second_integral(parameter(k))};
 }
 
-// Solves ln(k²B/D) = ln α by Newton's method in t = ln k. Opposite certain signs at both ends of
-// the result prove it; throws std::runtime_error where they cannot be had.
+// Solves ln(k²B/D) = ln α by Newton's method in t = ln k. The certain signs at the two ends of the
+// result are opposite, which proves it. Throws std::runtime_error where there is no such proof.
 inline Associated shape_by_newton(const Ball& alpha) {
   const Ball target = log(alpha);
   const std::optional<Ball> t = zero_by_newton(

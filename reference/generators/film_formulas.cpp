@@ -27,7 +27,7 @@ Ball moes_film(const Balls& x) {
   const Ball piezoviscous = pow(pow(rp, -fraction(7, 2)) + pow(ep, -fraction(7, 2)), -2 * s / 7);
   return radius * sqrt(2 * u) * pow(isoviscous + piezoviscous, 1 / s);
 }
-// The same by logarithms of the inputs, the last equation by bisection on h.
+// The same by logarithms of the inputs. Bisection solves the last equation for H.
 Ball moes_film_by_logarithms(const Balls& x) {
   const Ball ln_2u = log(x[0]) + log(x[1]) - log(x[4]) - log(x[5]);
   const Ball ln_m = log(x[3]) - log(Ball(2)) - log(x[4]) - log(x[5]) - ln_2u / 2;
@@ -47,8 +47,8 @@ Ball moes_film_by_logarithms(const Balls& x) {
   return film * x[5] * exp(ln_2u / 2);
 }
 
-// h from the film number H, which depends on M, L and D. A reading has 0 or 1 for the exponent and
-// for the first bracket: each of these forms stands in a public transcription of the formula.
+// h from the film number H, which depends on M, L and D. Public transcriptions of the formula
+// differ in the exponent within s and in the first bracket. A reading chooses form 0 or 1 of each.
 struct MoesReading {
   std::size_t exponent, bracket;
 };
@@ -77,7 +77,7 @@ Ball ellipse_film(MoesReading reading, const Balls& x) {
   const Ball second = pow(pow(rp, Ball(-8)) + pow(ep, Ball(-8)), -s / 8);
   return radius * sqrt(two_u) * pow(first + second, 1 / s);
 }
-// The same by logarithms of the inputs, the last equation by bisection on h.
+// The same by logarithms of the inputs. Bisection solves the last equation for H.
 Ball ellipse_film_by_logarithms(MoesReading reading, const Balls& x) {
   const Ball ln_2u = log(x[0]) + log(x[1]) - log(x[4]) - log(x[5]), ln_d = log(x[5]) - log(x[6]);
   const Ball ln_m = log(x[3]) - log(Ball(2)) - log(x[4]) - 2 * log(x[5]) - 3 * ln_2u / 4;
@@ -126,7 +126,7 @@ Ball regime_film(std::size_t regime, const Balls& x) {
   return fraction(342, 100) * pow(x[0], fraction(49, 100)) * pow(x[1], fraction(17, 100)) *
          bracket(6800, x[3]);
 }
-// The same by whole powers, with an arc of a cosine.
+// The same by bisection on whole powers, and with an arccosine.
 Ball regime_film_by_roots(std::size_t regime, const Balls& x) {
   const auto bracket = [](int n, const Ball& of) { return -expm1(-of * n / 10000); };
   if (regime == 0) {
@@ -203,10 +203,10 @@ Table moes_lines() {
                                                                              {3, 1e-3, 1e8},
                                                                              {4, 1e5, 1e12},
                                                                              {5, 1e-6, 10}});
-  ends[6][5] = 1e-5;  // the least load on a thin roller, and the least modulus and radius likewise
-  ends[8][3] = ends[10][3] = 100;
+  ends[6][5] = 1e-5;               // the least load is on a thin roller
+  ends[8][3] = ends[10][3] = 100;  // the least modulus and the least radius have small loads
   for (Numbers& x : ends) table.add({}, x, moes_film, moes_film_by_logarithms, "end");
-  // M at its ends, and L at its greatest; where L is least, the film does not show it.
+  // M at both ends, and L at its upper end. At its lower end L has no effect on the film.
   struct Groups {
     double speed, radius, m, l;
   };
@@ -253,12 +253,12 @@ Table ellipse_films() {
     };
     const double speed = pick(1e-4, 30, 1e-6, 100), viscosity = pick(1e-3, 1, 1e-4, 100);
     const double alpha = pick(5e-9, 4e-8, 1e-9, 1e-7);
-    // One case in three has nearly rigid bodies, one soft ones.
+    // One case in three has nearly rigid bodies, and another one in three has soft bodies.
     const double load = i % 3 == 1 ? pick(1e-2, 1, 1e-3, 10) : pick(1, 1e4, 1e-3, 1e6);
     const double modulus = i % 3 == 2 ? pick(1e6, 1e9, 1e5, 1e9) : pick(1e10, 5e11, 1e9, 1e12);
     const double radius = pick(1e-3, 0.3, 1e-4, 1);
     const double across = i % 6 == 0 ? radius : radius * pick(0.1, 100, 1e-3, 1e3);
-    // Half of the cases are of the default.
+    // Every second case has the default reading.
     add({speed, viscosity, alpha, load, modulus, radius, across}, readings[i % 2 ? i / 2 % 4 : 0],
         usual ? "ordinary" : "far");
   }
@@ -273,15 +273,15 @@ Table ellipse_films() {
                                             {4, 1e5, 1e12},
                                             {5, 1e-6, 1e3},
                                             {6, 1e-6, 1e3}});
-  // Flat ones across from flat ones, so that R_x/R_y is in its range.
+  // Where one radius is great, both are, so that R_x/R_y is in its range.
   for (Numbers& x : ends)
     if (x[5] > 500 || x[6] > 500)
       x[3] = 1e4, x[5] = std::max(x[5], 500.), x[6] = std::max(x[6], 500.);
-  // From one reading to the next one word changes.
+  // Successive readings differ in one word.
   constexpr std::array<MoesReading, 4> by_steps{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   for (const Numbers& x : ends)
     for (const MoesReading& reading : by_steps) add(x, reading, "end");
-  // M, L and D at their ends; a film shows the least L where D is great.
+  // M, L and D at their ends. The least L has an effect on the film only where D is great.
   struct Groups {
     double speed, radius, modulus, m, l, d;
   };
@@ -325,12 +325,12 @@ Table regime_films() {
       const double k = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 20);
       add(regime, {viscosity, elasticity, ratio, k}, usual ? "ordinary" : "far");
     }
-  // There and back, so that the next regime begins where this one ends.
+  // Every second regime takes the steps backwards, so that each begins where the last one ends.
   const Numbers one{2e4, 300, 3, 2}, other{9e5, 4000, 12, 5};
   for (std::size_t regime = 0; regime < regimes.size(); ++regime)
     for (const Numbers& x : regime % 2 == 0 ? steps(one, other) : steps(other, one))
       add(regime, x, "ordinary");
-  // Each regime at the ends of what it looks at.
+  // Each regime at the ends of the inputs that it depends on.
   const Reach viscous{0, 1e-3, 1e12}, elastic{1, 1e-3, 1e12}, ratio{2, 0.05, 100}, k{3, 0.1, 20};
   const std::array<std::vector<Reach>, regimes.size()> reaches{
       {{ratio}, {viscous, k}, {viscous, ratio}, {elastic, k}, {viscous, elastic, k}}};
@@ -361,7 +361,7 @@ Table thermal_reductions() {
     const double heating = beta * viscosity * speed * speed / conductivity;
     const double limit = 2 * modulus / (13.2 * std::pow(heating, 0.42));
     if (usual && pressure > 0.9 * limit) continue;
-    if (!usual) pressure = limit * (1 - sampler.log_uniform(1e-9, 0.1));  // next to refused ones
+    if (!usual) pressure = limit * (1 - sampler.log_uniform(1e-9, 0.1));  // just allowed
     table.add({}, {pressure, modulus, sliding, beta, viscosity, speed, conductivity}, thermal,
               thermal_by_roots, usual ? "ordinary" : "far");
   }
@@ -375,9 +375,9 @@ Table thermal_reductions() {
                                                                                   {4, 1e-4, 100},
                                                                                   {5, 1e-6, 100},
                                                                                   {6, 0.01, 10}});
-  ends[2] = {1e6, 1e5, 0.1, 0.03, 0.02, 0.05, 0.12};            // the softest body bears no more
+  ends[2] = {1e6, 1e5, 0.1, 0.03, 0.02, 0.05, 0.12};            // else the numerator is below 0
   ends.push_back({6e8, 1.1e11, 0.1, 0.03, 0.04, 99.9, 0.12});   // L next to 100
-  ends.push_back({7.3e8, 1.1e11, 10, 0.03, 0.04, 99.9, 0.12});  // φ next to 0.01
+  ends.push_back({7.3e8, 1.1e11, 10, 0.03, 0.04, 99.9, 0.12});  // the factor next to 0.01
   for (const Numbers& x : ends) table.add({}, x, thermal, thermal_by_roots, "end");
   return table;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films of flooded, smooth contacts by the laws of film_laws.hpp, each of which is a row of
-// numbers.
+// Films of flooded, smooth contacts by the laws of film_laws.hpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +19,7 @@ struct Contact {
   double speed, viscosity, alpha, load, modulus, radius, k;
 };
 
-// U, G and W of a contact, with E' = 2E*. A line's F/L takes the place of a point's F/R.
+// U, G and W of a contact, with E' = 2E*. A line has F/L where a point has F/R.
 struct Groups {
   Ball u, g, w;
   Groups(const Law& law, const Contact& x) {
@@ -39,7 +38,7 @@ Row row_of(const Law& law, const Contact& x, const char* region) {
       pow(groups.u, Ball(law.a)) * pow(groups.g, Ball(law.b)) / pow(groups.w, Ball(-law.c));
   const Ball film = zero_between([&](const Ball& h) { return pow(h / scale, Ball(law.q)) - power; },
                                  Ball(1e-25), Ball(1e8));
-  // The condition in u, eta0, alpha, F, E*, R and k.
+  // The sum of |d ln h/d ln input| over u, eta0, alpha, F, E*, R and k.
   const int by_radius = law.q - law.a - (law.is_of_lines ? 1 : 2) * law.c;
   const Ball condition =
       fraction(2 * law.a + law.b - law.c + std::abs(law.b - law.a - law.c) + std::abs(by_radius),
@@ -59,8 +58,8 @@ Row row_of(const Law& law, const Contact& x, const char* region) {
 }
 
 // A contact at each end of each input and of U, G and W. The other inputs are as usual where
-// possible; but where the load, the modulus or the radius is at an end, the load or the radius goes
-// with it, so that the pressure stays one that bodies can bear.
+// possible. Where the load, the modulus or the radius is at an end, the load or the radius is
+// changed, too, so that bodies can bear the pressure.
 std::vector<Contact> contacts_at_ends(const Law& law, const Contact& usual) {
   const double power = law.is_of_lines ? 1 : 2;
   const auto load_number = [&](const Contact& x) {
@@ -78,7 +77,7 @@ std::vector<Contact> contacts_at_ends(const Law& law, const Contact& usual) {
     if (input == &Contact::load)
       all.back().radius =
           std::clamp(usual.radius * std::pow(end / usual.load, 1 / power), 1e-4, 1.0);
-    // U stays in its reach, too.
+    // These speeds keep U in its reach.
     if (input == &Contact::viscosity && end > 1) all.back().speed = 0.01;
     if (input == &Contact::radius && end < 1e-4) all.back().speed = 1e-3;
     if (input == &Contact::modulus || input == &Contact::radius) all.back() = with_load(all.back());
@@ -118,7 +117,7 @@ std::vector<Contact> contacts_at_ends(const Law& law, const Contact& usual) {
     Contact x = usual;
     x.load = load;
     x.radius = std::pow(load / (2 * x.modulus * end), 1 / power);
-    if (x.radius < 1e-6) {  // a line: more load
+    if (x.radius < 1e-6) {  // a line at the greatest W: more load
       x.radius = 2e-6;
       x.load = end * 2 * x.modulus * x.radius;
     }

@@ -28,15 +28,15 @@ std::vector<Argument> arguments() {
     for (const double sign : {-1.0, 1.0})
       for (const double towards : {0.0, 100.0})
         all.push_back({std::nextafter(sign * edge, towards), "branch"});
-  // Places where other methods failed: d² not split, quadrature cut short, subnormal results.
+  // Places where other methods failed: rounded d², too short quadrature, subnormal results.
   for (const double d : {32.27553, 0.775, 36.6, 37.3, 37.5, 38.0, 38.4, 0x1.02336f3a2a1c6p+5, 37.4,
                          37.6, 34.524, 8.49, 35.999999})
     all.push_back({d, "worst"});
   return all;
 }
 
-// |d F′/F| = n|d| F_{n−1}/F_n, of orders down to −1/2 by the recurrence F_{n−1} = (F_{n+1} +
-// dF_n)/n, which cancels only where the condition is small; the density over F_0 for n = 0.
+// |d F′/F|. For n > 0 it is n|d| F_{n−1}/F_n with nF_{n−1} = F_{n+1} + dF_n; this sum cancels only
+// where the condition is small. For n = 0 it is |d| times the normal density over F_0.
 Ball condition(int twice_n, const Ball& d, const Ball& value) {
   if (twice_n == 0) return abs(d) * exp(-d * d / 2) / sqrt(2 * ball_pi()) / value;
   return abs(d) * (moment_by_hypergeometric(twice_n + 2, d) + d * value) / value;

@@ -33,7 +33,7 @@ std::string header_text(const Header& h, const std::string& rows) {
       h.second_method, dated(rows), h.inputs);
 }
 
-// Groups of rows that share work (an operating point's outputs) stay on one thread: blocks of 9.
+// Blocks of 9 rows stay on one thread, because the 9 outputs of an operating point share work.
 std::vector<std::string> make_rows(const Table& table) {
   constexpr std::size_t block = 9;
   const auto make = [&](std::size_t i) {

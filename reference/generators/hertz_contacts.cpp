@@ -13,9 +13,9 @@
 namespace tribo::reference {
 namespace {
 
-// Load, modulus and radius, and W, at the ends of their reach. W goes with a power of the radius.
-// So that the contact stays small, the load goes with the modulus and with this power, or the
-// radius with the load.
+// Contacts with the load, the modulus or the radius at an end of its reach. To keep the contact
+// small, the radius is set such that W, the load over 2E* R^power, is as usual; where the radius is
+// at an end, the load is set so. Both stay within limits.
 std::vector<Numbers> contacts_at_ends(const Numbers& usual, double power, double greatest_load) {
   const double number = usual[0] / (2 * usual[1] * std::pow(usual[2], power));  // W
   std::vector<Numbers> all;
@@ -128,7 +128,7 @@ EllipseBalls in_order(bool is_exchanged, const Ball& minor, const Ball& major, c
           approach};
 }
 
-// |d ln value/d ln input| added up over F, E*, R_x and R_y, with d/d ln α by a step of 2^-60.
+// The sums of |d ln value/d ln input| over F, E*, R_x and R_y, with d/d ln α by a step of 2^-60.
 EllipseBalls ellipse_conditions(bool is_exchanged, const Ball& alpha) {
   const Ball h = pow(Ball(2), Ball(-60));
   const auto at = [](const Ball& ratio) { return shape_by_newton(ratio); };
@@ -137,7 +137,7 @@ EllipseBalls ellipse_conditions(bool is_exchanged, const Ball& alpha) {
   const Ball k = slope([](const Associated& s) { return s.k; });
   const Ball first = slope([](const Associated& s) { return s.b + s.d; });
   const Ball minor = slope([](const Associated& s) { return s.b / s.k; }) / 3;
-  // Sums the exponents of F and E*, of both radii together, and of α at a constant smaller radius.
+  // Sums |exponents|. `radii` is that of both radii together, `ratio` that of the greater one.
   const auto sum = [](const Ball& force, const Ball& modulus, const Ball& radii,
                       const Ball& ratio) {
     const Ball all = force + modulus + abs(ratio) + abs(radii - ratio);

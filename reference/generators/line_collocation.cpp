@@ -422,8 +422,8 @@ struct Level {
 };
 
 // Extrapolates the last two levels linearly to φ = 0. The error is the sum of all further changes
-// of this value, if they shrink as √φ. That is assumed because near the spike they shrink more
-// slowly than φ².
+// of this value, if they shrink as √φ. √φ is assumed because they shrink more slowly than φ² near
+// the spike.
 CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Values::*member) {
   const auto extrapolated = [&](std::size_t i) {
     const Level &coarse = levels[i - 1], &fine = levels[i];

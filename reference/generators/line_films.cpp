@@ -47,7 +47,7 @@ std::vector<Contact> contacts() {
 // The greatest difference between the films of both methods, divided by the sum of both errors;
 // empty where the second method did not solve the contact.
 std::string part_of_errors(const tribo::ehl::LineContact& contact, const SolvedFilm& films) {
-  // The start is a grid that does not show the spike too sharply.
+  // The start is a film on a coarser grid, on which the spike is less sharp.
   const tribo::ehl::LineFilm f = tribo::ehl::solve_line_film(contact).film;
   const std::size_t count = f.x.size();
   const tribo::reference::CollocatedFilm other = tribo::reference::collocate_line_film(
@@ -150,8 +150,8 @@ int make_table(const std::filesystem::path& file) {
   return 0;
 }
 
-// Contacts for the maps on the page, beside those of the table: nodes, and contacts between the
-// nodes that a map is held to.
+// Contacts for the maps on the page in addition to those of the table: further nodes of the maps,
+// and contacts between the nodes, at which the maps are checked.
 struct MapContacts {
   std::vector<Contact> nodes, checks;
 };
@@ -183,11 +183,11 @@ MapContacts between_contacts() {
   return found;
 }
 
-// The three films of a contact, after its numbers, and its role.
+// A row: the numbers M and L of a contact, `more`, its three films and its role.
 std::string map_row(const Contact& c, const tribo::ehl::LineContact& contact,
                     const std::string& more, const char* role) {
-  // Where the front of the pressure passes the middle, the observed order is irregular, and the
-  // error larger.
+  // More cells than usual: where the front of the pressure passes the middle of the contact, the
+  // observed order is irregular and the error is larger.
   const SolvedFilm films = tribo::ehl::solve_line_film(contact, {.greatest_cells = 16384});
   if (films.outcome != tribo::ehl::Outcome::solved)
     throw std::runtime_error(

@@ -29,7 +29,7 @@ Ball roelands_by_pole(const Balls& x) {
   return pow(over_pole, power) * exp(-fraction(967, 100));
 }
 
-// Inputs: T1, nu1, T2, nu2 and T. By natural logarithms, and by A and B of decimal ones.
+// Inputs: T1, nu1, T2, nu2 and T. The second way takes A and B with decimal logarithms.
 Ball astm_d341(const Balls& x) {
   const auto z = [](const Ball& viscosity) {
     return log(log(1000000 * viscosity + fraction(7, 10)));
@@ -50,7 +50,7 @@ Ball astm_d341_in_decimals(const Balls& x) {
 }
 
 // Table X2.1 of ASTM D2270: L = aY^2 + bY + c and H = dY^2 + eY + f up to Y = `end` in m2/s, the
-// end included. Each in 10^-5.
+// end included. The coefficients are in 10^-5.
 struct IndexOil {
   std::array<int, 3> zero, hundred;  // a, b, c of L; d, e, f of H
   double end;
@@ -87,7 +87,7 @@ Ball oil_at_40_from_ten(const std::array<int, 3>& k, const Ball& y) {
   const Ball value = Ball(k[0]) * 100 + Ball(k[1]) * 10 + k[2], slope = Ball(k[0]) * 20 + k[1];
   return fraction(1, 100000) * (value + step * (slope + step * k[0]));
 }
-// Inputs: nu at 40 C and at 100 C. By decimal logarithms, and by a root of H/U.
+// Inputs: nu at 40 C and at 100 C. The first way takes logarithms, the second one a root of H/U.
 Ball viscosity_index(const IndexOil& oil, const Balls& x) {
   const Ball u = 1000000 * x[0], y = 1000000 * x[1];
   const Ball zero = oil_at_40(oil.zero, y), hundred = oil_at_40(oil.hundred, y);
@@ -148,7 +148,7 @@ Table densities() {
     add(p, usual ? "ordinary" : "far");
   }
   add(4e9, "end");
-  std::swap(table.rows[0], table.rows[1]);  // a question with a pressure comes first
+  std::swap(table.rows[0], table.rows[1]);  // the first row has a pressure above 0
   return table;
 }
 
@@ -180,7 +180,8 @@ Table pressure_viscosities(bool is_barus) {
     add({viscosity, alpha, p}, usual ? "ordinary" : "far");
   }
   for (const Numbers& x : steps({0.02, 2e-8, 3e8}, {0.09, 1.2e-8, 7e8})) add(x, "ordinary");
-  // The greatest exponent is 70: of the thinnest oil Roelands' law reaches it at a low pressure.
+  // The exponent is at most 70. By Roelands' law the thinnest oil and the greatest alpha reach it
+  // at low pressures.
   std::vector<Numbers> ends = at_ends({0.02, 1e-8, 3e8}, {{0, 1e-4, 100}, {1, 1e-9, 1e-7}});
   if (!is_barus) {
     ends[0] = {1e-4, 1e-8, 1e8};
@@ -189,7 +190,7 @@ Table pressure_viscosities(bool is_barus) {
   ends.push_back({0.02, 1e-8, 4e9});
   ends.push_back(is_barus ? Numbers{0.02, 2e-8, next_to_end * 3.5e9} : Numbers{1, 4.304e-8, 2e9});
   for (const Numbers& x : ends) add(x, "end");
-  std::swap(table.rows[0], table.rows[1]);  // a question with a pressure comes first
+  std::swap(table.rows[0], table.rows[1]);  // the first row has a pressure above 0
   return table;
 }
 
@@ -205,7 +206,7 @@ Table temperature_viscosities() {
        "natural logarithms", "A and B in decimal logarithms",
        "first_temperature,first_viscosity,second_temperature,second_viscosity,temperature"},
       "lt"};
-  // Below some 4 mm2/s the standard's further term is seen: such rows are far.
+  // Below some 4 mm2/s a further term of the standard matters: such rows are far.
   const auto add = [&table](const Numbers& numbers, const char* region) {
     table.add([=] {
       const Balls x(numbers.begin(), numbers.end());
@@ -255,7 +256,7 @@ Ball carreau_yasuda(const Balls& x) {
   const Ball stretched = 1 + pow(x[2] * x[3], x[4]);
   return x[1] + (x[0] - x[1]) * pow(stretched, (x[5] - 1) / x[4]);
 }
-// By logarithms, and as eta0 less what is lost.
+// The same by logarithms, as eta0 less what shear thinning takes away.
 Ball carreau_yasuda_by_loss(const Balls& x) {
   if (x[3] == 0) return x[0];
   const Ball stretched = log1p(exp(x[4] * (log(x[2]) + log(x[3]))));
@@ -339,7 +340,7 @@ Table viscosity_indices() {
                          : hundred(y) * sampler.uniform(usual ? 0.5 : 0.2, 1);
     if (u > 1.05 * y) add(u, y, usual ? "ordinary" : "far");
   }
-  // The ends of the ranges: a little below, there, and a little above; below and above index 100.
+  // Y a little below, at and a little above the ends of the ranges; index below and above 100.
   add(7e-6, 2e-6, "ordinary");
   add(5e-6, 2e-6, "ordinary");
   add(7e-6, 2.000000002e-6, "ordinary");

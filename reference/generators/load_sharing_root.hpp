@@ -37,7 +37,7 @@ struct RoughContact {
   }
 };
 
-// −1, 1: the certain sign of the residual (−1 where A ≥ 1); 0: undecided.
+// The certain sign of the residual, −1 or 1 (−1 also where A ≥ 1). 0 if it is undecided.
 inline int sign_at(const RoughContact& contact, const Ball& lambda0, const Ball& lambda) {
   const Ball share = contact.share(lambda);
   if (share >= 1) return -1;
@@ -67,12 +67,12 @@ inline Ball root_by_bisection(const RoughContact& contact, const Ball& lambda0) 
                 (lambda0 * fraction(1, 2)).midpoint(), upper_bound(contact, lambda0));
 }
 
-// Newton's method on the midpoints of A + w − 1 with w = (λ₀/λ)^{1/e}, from λ₀, or from the floor
-// where A(λ₀) ≥ 1; then the proof. Throws std::runtime_error where there is no proof. Where the
-// floor is the root to working precision, the steps end there.
+// Newton's method on midpoints finds the zero of A + w − 1 with w = (λ₀/λ)^{1/e}, from λ₀, or from
+// the floor where A(λ₀) ≥ 1. Where the floor is the root to working precision, the steps end there.
+// A proof by signs follows; throws std::runtime_error where there is none.
 inline Ball root_by_newton(const RoughContact& contact, const Ball& lambda0) {
   Ball lambda = lambda0.midpoint();
-  if (contact.share(lambda) >= 1)  // below the floor: start from a coarse bracket of the floor
+  if (contact.share(lambda) >= 1)  // below the floor: start from the floor
     lambda = bisect([&](const Ball& x) { return contact.share(x) >= 1 ? -1 : 1; }, lambda,
                     upper_bound(contact, lambda0))
                  .midpoint();

@@ -42,7 +42,7 @@ std::vector<Problem> problems() {
   for (const auto& b : broken)
     for (const Rough model : {Rough::tripp, Rough::williamson})
       all.push_back({model, b[0], b[1], b[2], "worst"});
-  // There and back, so that the second model begins where the first one ends.
+  // The second model takes the steps backwards, so that it begins where the first one ends.
   for (const Numbers& x : steps({0.3, 1.1, 0.8}, {0.7, 0.6, 1.3}))
     all.push_back({Rough::tripp, x[0], x[1], x[2], "regular"});
   for (const Numbers& x : steps({0.7, 0.6, 1.3}, {0.3, 1.1, 0.8}))

@@ -28,15 +28,15 @@ class LogElement {
   // Weights of the values in the integral of f.
   Weights integral() const { return 2 * to_legendre_.row(0).transpose(); }
 
-  // Weights of the values in ∫ f(t) ln|z − t| dt, to 2e-12: near the element by Legendre's
-  // functions of the second kind, which is exact but for rounding; from |z| = 2.5 on by Gauss's 12
-  // points, from 10 on by 8 points.
+  // Weights of the values in ∫ f(t) ln|z − t| dt, to 2e-12. Near the element Legendre's functions
+  // of the second kind give them exactly but for rounding; from |z| = 2.5 on Gauss's rule takes 12
+  // points, from |z| = 10 on 8 points.
   Weights log_weights(double z) const;
 
  private:
   Eigen::VectorXd nodes_;
   Eigen::MatrixXd slopes_, to_legendre_;
-  // Row k of the weights: of the value at node k, at each of Gauss's points.
+  // `weights` has a row for the value at each node and a column for each of Gauss's points.
   template <int count>
   struct Gauss {
     Eigen::Array<double, count, 1> points;

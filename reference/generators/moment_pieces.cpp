@@ -4,16 +4,17 @@
 //
 //   S_n(d) = e^{d²/2} F_n(d) for d ≥ 0,  F_n(d) for d < 0,  |d| < 45,
 //
-// in pieces of |d| + 3 with equal widths in each binade, on each piece the interpolant at the
-// Chebyshev nodes, as a polynomial in t = |d| − centre. Its constant coefficient is held as a sum
-// of two doubles.
+// in pieces of |d| + 3 with equal widths in each binade. Each piece has the interpolant at its
+// Chebyshev nodes, as a polynomial in t = |d| − centre. The constant coefficient is a sum of two
+// doubles.
 //
-// Error of the interpolant of degree N: 4 M ρ^−N/(ρ−1), M the greatest |f| on the Bernstein ellipse
-// of parameter ρ around the piece. F_n and S_n are entire, and with z = x + iy their integrals give
-// |S_n(z)| ≤ S_n(x) and |F_n(z)| ≤ e^{y²/2} F_n(x), both falling in x: M is known from the
-// ellipse's left end and its height. Far below 0 a path down to the real axis and then along it is
-// better: |F_n(x+iy)| ≤ |y|^{n+1} e^{(y²−x²)/2}/√2π + (E(|N| + |x| + |y|)⁴)^{n/4}, N normal. The
-// error by the rounding of the coefficients is added.
+// The interpolant of degree N has an error of at most 4 M ρ^−N/(ρ−1), where M is the greatest |f|
+// on the Bernstein ellipse of parameter ρ around the piece. F_n and S_n are entire. With z = x + iy
+// their integrals give |S_n(z)| ≤ S_n(x) and |F_n(z)| ≤ e^{y²/2} F_n(x). Both bounds fall with x,
+// so that the ellipse's left end and its height bound M. Far below 0 a path down to the real axis
+// and then along it gives a better bound: with a standard normal variable X, |F_n(x+iy)| ≤
+// |y|^{n+1} e^{(y²−x²)/2}/√2π + (E(|X| + |x| + |y|)⁴)^{n/4}. The error by the rounding of the
+// coefficients is added.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -93,7 +94,7 @@ Ball greatest_below_zero(int twice_n, double near, double far, double height) {
       exp(y * y / 2) * tribo::reference::moment_by_hypergeometric(twice_n, Ball(-far));
   if (!(near > 0)) return upright;
   const Ball n = tribo::reference::fraction(twice_n, 2);
-  const Ball mean = sqrt(Ball(2) / tribo::reference::ball_pi());  // E|N|; E|N|³ is twice that
+  const Ball mean = sqrt(Ball(2) / tribo::reference::ball_pi());  // E|X|; E|X|³ is twice that
   const Ball l = Ball(far) + y;
   const Ball fourth =
       l * l * l * l + 4 * mean * l * l * l + 6 * l * l + 4 * (2 * mean) * l + Ball(3);
@@ -103,7 +104,7 @@ Ball greatest_below_zero(int twice_n, double near, double far, double height) {
   return around < upright ? around : upright;
 }
 
-// A bound of |f| on the Bernstein ellipse, from arcs of it below zero.
+// A bound of |f| on the Bernstein ellipse. Below zero it is the greatest of the bounds on its arcs.
 Ball greatest_on_ellipse(int twice_n, bool below_zero, const Piece& piece, double rho) {
   const double reach = piece.half_width * (rho + 1 / rho) / 2;
   const double height = piece.half_width * (rho - 1 / rho) / 2;

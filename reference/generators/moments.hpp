@@ -13,10 +13,10 @@
 
 namespace tribo::reference {
 
-// The moment over a ball from its value at the midpoint: F(d ± ρ) = F(d) e^{±hρ} with h = −F′/F ≤
-// max(d, 0) + n + 2. (h′ = h² − dh − n; had h − d reached n + 2, it would grow for ever, but h → d.
-// Below 0 h is less than at 0: F is log-concave.) With a ball as its argument the series would
-// cancel.
+// The moment over a ball from its value at the midpoint, because a series whose argument is a ball
+// would cancel: F(d ± ρ) = F(d) e^{±hρ} with h = −F′/F ≤ max(d, 0) + n + 2. Proof:
+// h′ = h² − dh − n; if h − d reached n + 2, it would grow for ever, but h → d. Below 0, h is less
+// than at 0, because F is log-concave.
 inline Ball widened(Ball value, int twice_n, const Ball& ball) {
   Ball radius;
   arb_get_rad_arb(radius.get(), ball.get());
@@ -35,10 +35,10 @@ inline Ball nothing() {
   return result;
 }
 
-// e^{d²/2} F_n(d), d without a radius, n = twice_n/2, by confluent hypergeometric functions: the
-// Hermite function to d = 25, F_n(d) = Γ(n+1)/√(2π) 2^{(n+1)/2} e^{−d²/2} H_{−n−1}(d/√2), whose two
-// series cancel by e^{d²}, and F_n(d) = Γ(n+1)/√(2π) 2^{−(n+1)/2} e^{−d²/2} U((n+1)/2, 1/2, d²/2)
-// beyond, by its asymptotic series.
+// e^{d²/2} F_n(d), d without a radius, n = twice_n/2, by confluent hypergeometric functions. Up to
+// d = 25, F_n(d) = Γ(n+1)/√(2π) 2^{(n+1)/2} e^{−d²/2} H_{−n−1}(d/√2) with the Hermite function,
+// whose two series cancel by e^{d²}. Beyond, F_n(d) = Γ(n+1)/√(2π) 2^{−(n+1)/2} e^{−d²/2}
+// U((n+1)/2, 1/2, d²/2) with the asymptotic series of U.
 inline Ball scaled_moment_by_hypergeometric(int twice_n, const Ball& d) {
   const Ball n = fraction(twice_n, 2);
   const Ball half = (n + 1) / 2;
@@ -94,9 +94,9 @@ inline int integrand(acb_ptr result, const acb_t x, void* parameters, slong, slo
 
 }  // namespace detail
 
-// By rigorous quadrature after s − d = x², over panels to x² = t where (t+d)²/2 is past 600 or the
-// integrand has fallen by e^−600 from its start; and ∫_t^∞ v^n e^{−(v+d)²/2} dv is at most
-// t^n e^{−(t+d)²/2}/((t+d) − n/t).
+// The moment by rigorous quadrature with s − d = x², over panels up to x² = t. There (t+d)²/2 is
+// above 600, or the integrand has fallen by e^−600 from its start. The error includes the rest:
+// ∫_t^∞ v^n e^{−(v+d)²/2} dv is at most t^n e^{−(t+d)²/2}/((t+d) − n/t).
 inline Ball moment_by_quadrature(int twice_n, const Ball& ball) {
   const Ball d = ball.midpoint();
   if (d > 10000) return nothing();
@@ -105,7 +105,7 @@ inline Ball moment_by_quadrature(int twice_n, const Ball& ball) {
   const int panels = 24 + static_cast<int>(8 * std::sqrt(reach));
   const Ball end = sqrt(Ball(reach));
   detail::Integrand parameters{twice_n + 1, &d};
-  // The loss allowed in a panel is 2^−200 of the whole, or of the panel.
+  // The error allowed in a panel is 2^−200 of the whole, or of the panel.
   mag_t tolerance;
   mag_init(tolerance);
   const Ball size = moment_by_hypergeometric(twice_n, d) * pow(Ball(2), Ball(-200));

@@ -67,9 +67,9 @@ inline EllipseAxes axes_by_bisection(const Ball& alpha) {
   return {shape.k, shape.second};
 }
 
-// A way to roots, moments, film ratios and ellipses: the two ways differ in all of these. (Inside
-// the roots both take the hypergeometric moments; the quadrature would need hours there, and the
-// table of moments holds the two against each other.)
+// How roots, moments, film ratios and ellipses are computed. The two ways differ in all of these,
+// but both use the hypergeometric moments while they search for a root, because quadrature would
+// take hours there. The table of moments compares the two kinds of moments.
 struct Way {
   Moment moment;
   Ball (*root)(const RoughContact&, const Ball&);
@@ -82,8 +82,8 @@ inline const Way second_way{moment_by_quadrature, root_by_bisection, film_ratio_
                             axes_by_bisection};
 
 // film_flooded, film, separation, film_parameter, asperity share, fluid share, real area ratio,
-// summit count, friction. Without a film and a floor nothing balances the load: both shares and
-// friction are not finite there.
+// summit count, friction. Without a film and a floor nothing balances the load; both shares and
+// friction are then not finite.
 using Outputs = std::array<Ball, 9>;
 
 inline Ball fluid_stress(const Inputs& in, const Ball& fluid_pressure, const Ball& separation) {

@@ -18,12 +18,13 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
-constexpr double even = 1.25, stretched = 0.35;  // of the meshes, over the semi-axes
-constexpr double rounding = 1e-5;                // of P(1 + gap²), around the penalty's corner
-constexpr double most_change = 0.1;              // of P, in a step
+constexpr double even = 1.25, stretched = 0.35;  // of graded(), over the semi-axes
+constexpr double rounding = 1e-5;                // of the penalty's corner at 0, in P(1 + gap²)
+constexpr double most_change = 0.1;              // of P at a node, in a step
 using Nodes = std::vector<double>;               // rising
 
-// Slopes at nodes, second order.
+// Weights of the values at a node and both neighbours, at distances l and r, in the node's slope.
+// They are of second order.
 std::array<double, 3> slope_weights(double l, double r) {
   return {-r / (l * (l + r)), (r - l) / (l * r), l / (r * (l + r))};
 }
@@ -105,7 +106,7 @@ class Equations {
 Equations::Linear Equations::linear_at(const State& state, const VectorXd& film) const {
   const Index count = mesh_.size(), nx = mesh_.nx();
   const auto& fluid = contact_.fluid;
-  VectorXd conductance(count), thick(count);  // thick: by how much P makes the logarithm fall
+  VectorXd conductance(count), thick(count);  // thick: d ln η̄/dP
   for (Index n = 0; n < count; ++n) {
     const double p = std::fmax(state.pressure[n], 0), h = film[n];
     conductance[n] = h * h * h * std::exp(-fluid.log_viscosity(p)) / numbers_.wedge;
@@ -178,8 +179,7 @@ Equations::Linear Equations::linear_at(const State& state, const VectorXd& film)
   linear.by_pressure -= scaled(sx, thick.cwiseProduct(qx)) + scaled(sy, thick.cwiseProduct(qy));
   linear.by_film +=
       c + scaled(sx, 3 * qx.cwiseQuotient(film)) + scaled(sy, 3 * qy.cwiseQuotient(film));
-  // Penalty and ends.
-  // Rows of far gaps are greater by orders without `keep`.
+  // The penalty and the ends. Without `keep`, rows of far gaps would be greater by orders.
   VectorXd keep(count), own = VectorXd::Zero(count);
   for (Index j = 0; j < mesh_.ny(); ++j)
     for (Index i = 0; i < nx; ++i) {
@@ -254,7 +254,7 @@ VectorXd Equations::gmres(const Linear& linear, const VectorXd& side, double tol
 
 bool Equations::solve(State& state, double tolerance, int& steps) {
   const Index count = mesh_.size();
-  // The upwinding follows from the start, so that the equations are those of Newton's method.
+  // The upwinding is that of the start, so that the equations stay the same in all steps.
   const VectorXd first = film(state);
   log_conductance_ = VectorXd::Zero(count);
   for (Index n = 0; n < count; ++n)
@@ -269,7 +269,7 @@ bool Equations::solve(State& state, double tolerance, int& steps) {
     const VectorXd change = gmres(linear, side, 1e-4);
     if (!change.allFinite()) return false;
     const double most = change.head(count).cwiseAbs().maxCoeff(), least = film_now.minCoeff();
-    // The spike's few nodes go slowly, the others as they want to.
+    // The change is limited at each node by itself, because only a few nodes at the spike need it.
     double part = 1;
     State next;
     for (;; part /= 2) {
@@ -309,7 +309,7 @@ ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
       for (Index i = 1; i + 1 < mesh.nx(); ++i) {
         const double x = mesh.x[at(i)], y = mesh.y[at(j)];
         double& p = next.pressure[mesh.node(i, j)];
-        // Nodes that start without pressure so far away would not leave the penalty's corner.
+        // Without a pressure at the start, far nodes would not leave the penalty's corner.
         const double far = 0.01 / (1 + std::pow(x * x + y * y, 1.5));
         if (found.empty()) {
           p = std::sqrt(std::fmax(0, 1 - x * x - y * y / (k * k))) + far;
@@ -355,12 +355,12 @@ ElementFilm solve_point_film_by_elements(const ehl::PointContact& contact,
     state = next;
     before = mesh;
     const VectorXd film = equations.film(state);
-    // The least film by a parabola through the least node and its neighbours along both.
+    // The least film by parabolas along X and Y through the node of the least film.
     Index least = 0;
     film.minCoeff(&least);
     const Index i = least % mesh.nx(), j = least / mesh.nx();
     double minimum = film[least];
-    const auto lower = [&](double l, double r, double a, double c) {  // of f − f(0)
+    const auto lower = [&](double l, double r, double a, double c) {  // a, c: f − f(0)
       const double bend = (c / r + a / l) / (l + r) * 2, slope = (c * l / r - a * r / l) / (l + r);
       return slope * slope / (2 * bend);
     };

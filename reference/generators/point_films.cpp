@@ -28,8 +28,8 @@ constexpr const char* columns =
     "radius_ratio,supply,load_number,material_number,central,central_error,minimum,minimum_error,"
     "at_greatest_pressure,at_greatest_pressure_error,nodes,seconds,";
 constexpr std::size_t keys = 4, numbers = 10;  // columns that name a row, and that are made again
-constexpr std::size_t before_note = 12;        // columns of a row without the second method's
-constexpr double cheap_seconds = 6;            // of a row that a sample may take
+constexpr std::size_t before_note = 12;        // columns before the second method's
+constexpr double cheap_seconds = 6;            // a sample takes no slower rows
 
 struct Contact {
   double radius_ratio, load_number, material_number;
@@ -111,14 +111,14 @@ SolvedPoint solved(const tribo::ehl::PointContact& contact) {
   if (contact.load_number > 1000 && contact.is_starved()) options.tolerance = 8e-3;
   SolvedPoint films = solve_point_film(contact, options);
   if (films.outcome == tribo::ehl::Outcome::solved && !films.reason.empty()) {
-    // One more grid, which takes some minutes, where the tolerance was just missed.
+    // The tolerance was just missed: one more grid is allowed, which takes some minutes.
     options.greatest_nodes += options.greatest_nodes / 5;
     films = solve_point_film(contact, options);
   }
   return films;
 }
 
-// The flooded central film H that a starved row is measured by. Neighbours in a table share it.
+// The flooded central film H, the unit of a row's supply. It is kept, because neighbours share it.
 double flooded_film(const Contact& c) {
   static Contact last{};
   static double film = 0;
@@ -186,7 +186,7 @@ std::string header(const std::string& rows, const std::string& missing, Table ta
          tribo::reference::dated(rows);
 }
 
-// The place behind the first `count` fields of a row, at a comma.
+// The place of the comma behind the first `count` fields of a row.
 std::size_t end_of(const std::string& row, std::size_t count) {
   std::size_t end = 0;
   for (std::size_t i = 0; i < count; ++i) end = row.find(',', end + (i > 0 ? 1 : 0));
@@ -267,7 +267,7 @@ int check_sample(const std::filesystem::path& file, Table table, std::uint64_t s
       std::cout << fmt::format("{}: the generator does not make the row {}\n", file.string(), one);
       return 1;
     }
-    // After the numbers and the nodes.
+    // The seconds come after the numbers and the nodes.
     if (!(tribo::reference::numbers_of(one, numbers + 2).back() <= cheap_seconds)) continue;
     cheap.push_back(one);
     contacts_of_cheap.push_back(*c);

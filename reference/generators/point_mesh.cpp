@@ -11,8 +11,8 @@ namespace {
 // The hat function of a node, which stands at the second of three places.
 struct Hat {
   std::array<double, 3> place, bend;    // bend: how much its slope rises at each place
-  std::array<double, 2> point, weight;  // Gauss' rule of two points, the hat being the weight
-  double size;                          // the greater distance between neighbours
+  std::array<double, 2> point, weight;  // Gauss' rule of two points with the hat as weight
+  double size;                          // the greater distance to a neighbour
 };
 Hat hat(double before, double here, double after) {
   const double l = here - before, r = after - here;
@@ -29,7 +29,7 @@ Hat hat(double before, double here, double after) {
   return hat;
 }
 
-// ∂⁴F/∂x²∂y² = 1/r.
+// The fourth integral F of 1/r: ∂⁴F/∂x²∂y² = 1/r.
 double potential(double x, double y) {
   x = std::fabs(x);
   y = std::fabs(y);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rectangular elements over the half plane Y ≥ 0, whose sides become longer away from the contact,
-// and the film that a pressure on them adds. P is bilinear on each element. Near a node ∬ P/r of
-// its function is exact, from the fourth integral of 1/r. Farther away than about seven of the
-// longest side beside the node it is computed by Gauss' rule of two points along each axis, with an
-// error below 2e-5.
+// and the film that a pressure on them adds. P is bilinear on each element. N is the function of a
+// node, and ∬ N/r is exact near this node, from the fourth integral of 1/r. Farther away than about
+// seven times the longest side beside the node, Gauss' rule of two points along each axis computes
+// it with an error below 2e-5.
 #pragma once
 
 #include <Eigen/Dense>

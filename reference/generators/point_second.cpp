@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes reference/ehl/point_films_second_method.csv: contacts of point_films.csv solved by finite
-// elements (point_elements.hpp), in some four minutes of one core. Rows that the file has are kept;
-// a contact that is not solved is told and left out.
+// elements (point_elements.hpp), in some four minutes of one core. Rows that the file has are kept.
+// A contact that is not solved is left out, and named on stderr.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Lines and points on a film solved a second way. The generators of their tables and the tests link them.
+# Libraries that solve lines and points on a film in a second way. Generators of tables and tests link them.
 include_guard(GLOBAL)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 add_library(tribocheck_line_collocation STATIC
@@ -9,7 +9,7 @@ add_library(tribocheck_point_elements STATIC
 foreach(way tribocheck_line_collocation tribocheck_point_elements)
   set_target_properties(${way} PROPERTIES UNITY_BUILD OFF)
   target_include_directories(${way} PUBLIC ${PROJECT_SOURCE_DIR}/reference ${PROJECT_SOURCE_DIR}/model)
-  # These libraries use the model's liquid, contact's numbers and estimate, which are headers alone.
+  # They use only headers of model/ehl: the liquid, the numbers of a contact and the estimate.
   target_link_libraries(${way} PUBLIC Eigen3::Eigen tribocheck::model)
   if(TRIBOCHECK_SANITIZE)
     target_compile_options(${way} PRIVATE -O2)

@@ -18,8 +18,8 @@ Ball ratio_condition(Inlet inlet, const Ball& r, const Ball& gamma, const Ball& 
   return sum < 1 ? Ball(1) : sum.midpoint();
 }
 
-// Where d ln(r y)/d ln y = 0: y dG/dy = G, G = 1/r. By bisection on central differences the sign is
-// certain but within 2^-150 of the root; the two ways differ in their step.
+// The zero y of d ln(r y)/d ln y, where y dG/dy = G = 1/r, by bisection on central differences.
+// Their sign is certain except within 2^-150 of the zero. The two ways differ in their step.
 Ball maximum_film_ratio(Inlet inlet, int step_bits) {
   const Ball h = pow(Ball(2), Ball(-step_bits));
   const auto excess = [&](const Ball& y) {
@@ -60,7 +60,7 @@ Table starvation_ratios() {
     for (int i = 0; i < 30; ++i) ratios.push_back(sampler.log_uniform(1e-12, 1e12));
     for (const double r : ratios) add(inlet, r, sampler.uniform(0.5, 6));
   }
-  // There and back, so that the next closure begins where this one ends.
+  // Every second closure takes the steps backwards, so that each begins where the last one ends.
   for (std::size_t i = 0; i < std::size(inlets); ++i)
     for (const Numbers& x : i % 2 == 0 ? steps({0.8, 3}, {0.4, 2}) : steps({0.4, 2}, {0.8, 3}))
       add(inlets[i], x[0], x[1]);

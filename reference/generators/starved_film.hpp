@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// y = h*/h_ff behind the four inlets, in ball arithmetic and in two ways.
+// y = h*/h_ff of the four closures of the inlet, in ball arithmetic and in two ways.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline const char* name(Inlet inlet) {
 
 inline Ball crook() { return 4 * sqrt(Ball(2)) / 3; }  // 4√2/3 of eq. 1.10
 
-// ψ of y = (2/π) arctan(2.7ψ)
+// The solution ψ of y = (2/π) arctan(2.7ψ).
 inline Ball inlet_length(const Ball& y) { return tan(ball_pi() * y / 2) / fraction(27, 10); }
 
 // 1/r as a function of y, for the closures that have one; increasing in y.
@@ -66,7 +66,7 @@ inline Ball film_ratio_by_inlet_length(Inlet inlet, const Ball& r, const Ball& g
     if (inlet == Inlet::printed_exponents) term = term / (y * sqrt(sqrt(y)));
     return log(r * (y + term));
   };
-  // r may come from a root, which may be known to no more bits than the last of these.
+  // r may come from a root that is known only to the last of these numbers of bits.
   const std::optional<Ball> t = zero_by_newton(excess, (-log(r)).midpoint(), {240, 210, 170, 145});
   if (!t) throw std::runtime_error("no sign proof for a film ratio");
   return ratio_at(exp(*t));

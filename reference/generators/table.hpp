@@ -18,7 +18,7 @@ namespace tribo::reference {
 
 struct Header {
   std::string quantity, definition, units, domain, first_method, second_method;
-  std::string inputs;  // names of their columns
+  std::string inputs;  // the names of the input columns
 };
 
 struct Row {
@@ -121,7 +121,7 @@ struct Table {
   }
 };
 
-// The tables, a family a file.
+// The tables. Each file of generators has one of these functions.
 std::vector<Table> two_bodies();
 std::vector<Table> gaussian_moments();
 std::vector<Table> load_sharing_roots();

@@ -34,8 +34,8 @@ inline std::string dated(const std::string& rows) {
                      fmt::gmtime(std::time(nullptr)), checksum);
 }
 
-// Writes the file in one step: it is there whole, or as it was before. Where it cannot be written,
-// the program ends with exit code 1 and a line on stderr.
+// Writes the file in one step, so that it is never there in part. If `text` cannot be written, the
+// program ends with exit code 1 and a line on stderr.
 inline void write_whole(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path temporary = file.string() + ".part";
   std::ofstream out(temporary);

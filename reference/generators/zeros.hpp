@@ -11,11 +11,11 @@
 
 namespace tribo::reference {
 
-// −1, 1: certain; 0: undecided, or zero.
+// −1 or 1 if the sign is certain; 0 if it is undecided, or x is 0.
 inline int sign(const Ball& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
-// The zero of an increasing function with certain signs, in [low, high] > 0: bisection, geometric
-// while the ends are far apart, until the sign is undecided or 230 bits are reached.
+// The zero of an increasing function in [low, high] > 0 by bisection with certain signs. It divides
+// at geometric means while the ends are far apart, and stops at an undecided sign or at 230 bits.
 inline Ball bisect(const std::function<int(const Ball&)>& certain_sign, Ball low, Ball high) {
   for (int i = 0; i < 4000; ++i) {
     const Ball middle = (high > 2 * low ? sqrt(low * high) : (low + high) / 2).midpoint();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// libtribocheck.so: the functions of tribocheck.h but for those about scenes, which scenes.cpp has.
+// libtribocheck.so: the functions of tribocheck.h except those about scenes (scenes.cpp).
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 static_assert(catalogue::point_done == TRIBOCHECK_DONE);
 static_assert(catalogue::point_refused == TRIBOCHECK_FAILED);
 
-// Null where no function has this name, which may be null.
+// The function of this name. Null if there is none, or if `name` is null.
 const catalogue::Function* function_or_null(const char* name) {
   return name == nullptr ? nullptr : catalogue::function_named(name);
 }
@@ -49,7 +49,7 @@ const catalogue::Function& function_called(const char* name) {
 fs::path reference_folder() {
   Dl_info library{};
   if (::dladdr(reinterpret_cast<const void*>(&tribocheck_version), &library) != 0)
-    // Debian's loader finds it under /lib, a link to /usr/lib.
+    // Debian's loader names the library under /lib, which is a link to /usr/lib.
     for (fs::path folder = fs::weakly_canonical(library.dli_fname).parent_path();;
          folder = folder.parent_path()) {
       for (const char* const name : {"reference", "share/tribocheck"})
@@ -84,7 +84,7 @@ struct Request {
   std::string subject, format, mistakes;
 };
 
-// Read once from each file, as that takes longer than all else of a verdict.
+// The mistakes in a file. It is read once, as this takes longer than the rest of a verdict.
 std::vector<Mistake> mistakes_of(const std::string& path) {
   static std::mutex mutex;
   static std::map<std::string, std::vector<Mistake>> kept;

@@ -56,7 +56,7 @@ std::string one_text(const protocol::Text& text) {
   return without_controls({text.data(), text.size()});
 }
 
-// The document about a scene. A scene that has enough for solved films alone asks for no output.
+// The JSON about a scene. No output is "asked" if the scene has inputs for solved films only.
 std::string about(const char* text) {
   SceneUse use = SceneUse::onset;
   SceneReading reading = parse_scene(text, source, use);
@@ -85,7 +85,7 @@ std::string about(const char* text) {
       {"notes", notes}}.dump());
 }
 
-// Columns of the caller, by name: "speed", or an output.
+// The caller's arrays for results. The name of each is "speed" or that of an output.
 class Columns {
  public:
   Columns(std::size_t count, const char* const* names, double* const* results)
@@ -101,8 +101,8 @@ class Columns {
   // only the speed is asked for.
   std::span<const std::string_view> names() const { return names_; }
 
-  // Puts the first points of a batch, which are at these speeds, into the columns from place
-  // `first` on.
+  // Copies the first points of a batch into the columns, from index `first` on. `speeds` are the
+  // speeds of these points.
   void put(std::size_t first, std::span<const double> speeds, const OperatingPoints& points,
            const SmoothContact* smooth) {
     for (std::size_t k = 0; k < results_.size(); ++k) {
@@ -120,7 +120,7 @@ class Columns {
   std::span<double* const> results_;
 };
 
-// Calls fill(first, speeds) for the speeds of each block, and fills the columns.
+// Solves block by block. fill(first, speeds) sets the speeds of a block that begins at `first`.
 template <class Fill>
 void solve(Scene& scene, std::size_t count, Columns& columns, const Fill& fill) {
   if (columns.names().empty()) scene.outputs = {};

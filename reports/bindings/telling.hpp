@@ -23,8 +23,8 @@
 
 namespace tribo::bindings {
 
-// The caller's memory for a text: `size` bytes at `text`, and the place for the whole length, which
-// may be null.
+// The caller's memory for a text: `size` bytes at `text`. The whole length of the text goes to
+// `length`, which may be null.
 struct Told {
   char* text;
   std::size_t size;

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The field's matrix: verdicts on many solvers side by side.
 
-`tribocheck field` starts this script. It reads a folder of verdicts, NAME.json as `tribocheck verify --subject … --format json`
-writes it and NAME.toml beside it, and writes the matrix as a page, and in a folder of the page's name a page and a badge for
-each solver and the matrix as JSON. Exit code 1: a file cannot be written; 2: bad input.
+`tribocheck field` starts this script. It reads a folder of verdicts: each is NAME.json, as `tribocheck verify --subject …
+--format json` writes it, with NAME.toml beside it. It writes the matrix as a page. A folder of the page's name gets a page and
+a badge for each solver, and the matrix as JSON. Exit code 1: a file cannot be written; 2: bad input.
 """
 import argparse
 import collections
@@ -67,7 +67,7 @@ class Verdict(typing.NamedTuple):
         return collections.Counter(self.cells.values())
 
     def repeat(self, case):
-        """The line that asks this case again."""
+        """The command line that asks the solver this case again."""
         way = "--plugin" if self.said["subject"].endswith(".so") else "--subject"
         asked = self.about.get("asked") or f"tribocheck verify {way} {shlex.quote(self.said['subject'])}"
         tolerance = "" if "--tolerance" in asked else f" --tolerance {shlex.quote(self.said['tolerance'])}"
@@ -159,8 +159,8 @@ def changes(before, after):
 
 
 def differences(solvers, first, last):
-    """The changes between two days, as rows of texts, solver, quantity, verdict then, verdict now; and the solvers that have no
-    verdict of the first day or before it."""
+    """The changes between two days, as rows of texts (solver, quantity, verdict then, verdict now), and the names of the solvers
+    without a verdict on or before the first day."""
     rows, new = [], []
     for verdicts in solvers:
         then, now = ([one for one in verdicts if one.about["date"] <= day][-1:] for day in (first, last))

@@ -89,7 +89,7 @@ constexpr std::string_view certified_rows =
 #include "certified_rows.inc"
     ;
 
-// The text before the next separator, which is taken off with it.
+// Removes from `text` the part before the next separator, and the separator. Returns that part.
 std::string_view cut(std::string_view& text, char separator) {
   const std::size_t end = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, end);
@@ -234,10 +234,10 @@ TRIBOCHECK_CALL(live_outputs) const char* live_outputs() {
   return answer.c_str();
 }
 
-// `count` points at even steps of the logarithm of the speed, from `low` to `high` in m/s, which
-// are hit to the bit. A row is the speed and then all outputs; a word is given by its place in the
-// list of words. NaN: the output is undefined, or the scene lacks the inputs of friction. Null
-// where no scene is held.
+// `count` points at even steps of the logarithm of the speed in m/s. The first speed is exactly
+// `low`, the last exactly `high`. A row is the speed and then all outputs; a word is given by its
+// place in the list of words. NaN: the output is undefined, or the scene lacks the inputs of
+// friction. Null where no scene is held.
 TRIBOCHECK_CALL(live_points) const double* live_points(double low, double high, std::size_t count) {
   answer_numbers.clear();
   if (!held) return nullptr;
@@ -276,7 +276,7 @@ TRIBOCHECK_CALL(live_undefined) const char* live_undefined(double speed) {
   return answer.c_str();
 }
 
-// The onsets of starvation: criterion, meaning, speed, film, λ, and where there is none why.
+// The onsets of starvation: criterion, meaning, speed, film, λ, and the reason if there is none.
 TRIBOCHECK_CALL(live_onsets) const char* live_onsets() {
   answer.clear();
   if (!held) return answer.c_str();

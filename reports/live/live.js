@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's live part: a contact as a form, computed by the model itself in WebAssembly (live.cpp). The page is complete
-// without it; where a script or WebAssembly cannot run, one sentence says that it is missing.
+// The live part of the page: a form for a contact, which the model itself computes in WebAssembly (live.cpp). The page is
+// complete without it. If scripts or WebAssembly cannot run, one sentence says that the live part is missing.
 "use strict";
 
 (() => {
@@ -28,7 +28,7 @@ async function unpacked(bytes) {
 
 // The calls that live.cpp exports, with texts as strings and lines as lists of cells.
 class Model {
-  // The functions of the system that the C library could call say that there is no such file.
+  // Each system call that the C library could make returns 8, the error "bad file descriptor" of WASI.
   static async from(bytes) {
     const {module, instance} = await WebAssembly.instantiate(bytes, new Proxy({}, {get: () => new Proxy({}, {get: () => () => 8})}));
     if (!module) throw new Error("no WebAssembly");
@@ -70,7 +70,7 @@ class Model {
     this.put([name, result, ...Object.entries(given).map(([path, number]) => `${path}=${number}`)].join(","));
     return this.calls.live_value();
   }
-  // The columns `speed` and those of all outputs, at `count` speeds; NaN: undefined.
+  // The columns of `speed` and of all outputs, at `count` speeds; NaN: undefined.
   points(low, high, count) {
     const width = this.outputs.length + 1, all = this.numbers(width * count, "live_points", low, high, count);
     const columns = {};
@@ -83,7 +83,7 @@ class Model {
 
 // --- Numbers and their units
 
-// The decimal times a power of ten: its digits stay as they are.
+// A decimal as text, times a power of ten: its digits stay as they are. Null: the text is no decimal.
 function shifted(text, power) {
   const parts = /^([+-]?)(\d*)\.?(\d*)(?:e([+-]?\d+))?$/i.exec(text.trim());
   if (!parts || parts[2] + parts[3] === "") return null;
@@ -112,17 +112,17 @@ function usual(number, unit) {
 
 // --- The form: a table of path, label, unit, power of ten of the unit, and for which shapes
 
-// reports/live/form.json: SUPPLIES by kind, what may be known in two WAYS with the fields of each, the FORM's groups of rows, the PLACES
-// in a scene of arguments of functions, MISTAKES with numbers of a scene, and familiar FACTORS. The page has it
-// among its data; for others it stands as a global.
+// reports/live/form.json has SUPPLIES by kind, the two WAYS in which some inputs can be given, with the fields of each, the
+// groups of rows of the FORM, PLACES (the field of a scene for an argument of a function), MISTAKES with numbers of a scene, and
+// familiar FACTORS. The page has it among its data; outside a page it is a global.
 const {SUPPLIES, WAYS, FORM, PLACES, MISTAKES, FACTORS} = globalThis.tribocheckForm ?? JSON.parse(document.getElementById("live-data").textContent).form;
 const ROWS = FORM.flatMap(([, rows]) => rows);
 const ROW = new Map(ROWS.map((row) => [row[0], row]));
 const SLIDERS = ["load", "at", "lubricant.viscosity", "surface.summit_height_sd", "surface.m0", "supply"];
-const SLIDER_RANGE = 30;  // times and parts of the number that a scene starts with
+const SLIDER_RANGE = 30;  // a slider goes from 1/30 to 30 times the number that it starts with
 const POINTS = 200;
 
-// Fields that another one leaves without a use are not shown, and do not go into the scene.
+// Whether another field makes this one useless. Such fields are not shown, and do not go into the scene.
 function isIdle(state, path) {
   for (const [name, ways] of Object.entries(WAYS))
     for (const [way, paths] of Object.entries(ways)) if (paths.includes(path) && way !== state.values[name]) return true;
@@ -133,7 +133,7 @@ function isIdle(state, path) {
   return false;
 }
 
-// The square in m² of a length, as m₀ of a roughness Rq; any other text as it is.
+// m₀ in m² from the text of a length with its unit, a roughness Rq: its square. Any other text stays as it is.
 function squared(text) {
   const [, length, unit] = /^\s*([\d.]+)\s*(mm|µm|um|nm)\s*$/.exec(text.replace("μ", "µ")) ?? [];
   return unit ? String(Number(((length * {mm: 1e-3, nm: 1e-9}[unit] || length * 1e-6) ** 2).toPrecision(12))) : text;
@@ -219,7 +219,7 @@ function stateOfFragment(fragment) {
 
 const givenOf = (told, at) => ({speed: at, ...Object.fromEntries(Object.entries(PLACES).filter(([, path]) => path in told).map(([argument, path]) => [argument, Number(told[path])]))});
 
-// The quantities that a number may be of: results of the whole contact at a speed, where its state is given, films of smooth faces and Hertz' contact.
+// The quantities that a typed number can be: outputs of the whole contact (if `state` is given), films of smooth faces, Hertz' results.
 function quantitiesOf(model, at, state = null) {
   const told = valuesOf(model), contact = Object.fromEntries(model.lines("live_contact").map((one) => [one[0], Number(one[3])]));
   const radius = told["bodies.reduced_radius"] ?? told["bodies.radius_x"];
@@ -239,7 +239,7 @@ function quantitiesOf(model, at, state = null) {
   return [...whole, ...functions];
 }
 
-// The arguments of a function with a known mistake made; null: the function or the held scene has not what it takes.
+// The arguments of a function, changed by a known mistake; null: the function or the held scene lacks an input of the mistake.
 function misread(given, input, told) {
   const changed = {...given};
   for (const [argument, {times = 1, is, inverted, of, and, over}] of Object.entries(input))
@@ -289,8 +289,8 @@ function madeOfContact(model, mistakes, {result, state, law}, at) {
   return made;
 }
 
-// The causes of a number, which is known to half of the last digit that is written: "" the number itself, else the texts of mistakes
-// and of other laws; and the nearest one where none gives it. `right` is the model's own number.
+// The causes of a typed number, which is known to ± `doubt`. `texts` is [""] if the number is right, else the mistakes and other laws that
+// give it. `nearest` is the nearest of them if none gives it. `right` is the model's own number.
 function causesOf(model, mistakes, quantity, number, doubt, at) {
   const isNear = (one) => Math.abs(one - number) <= doubt + 1e-9 * Math.abs(number);
   const right = quantity.state ? model.points(at, at, 1)[quantity.result][0] : model.value(quantity.name, quantity.result, quantity.given);
@@ -303,7 +303,7 @@ function causesOf(model, mistakes, quantity, number, doubt, at) {
   return {right, texts, factor, nearest: texts.length === 0 && nearest && away(nearest) < 0.02 && away(nearest) < 0.2 * Math.abs(right / number - 1) ? nearest : null};
 }
 
-// A typed number in SI units, and half of its last digit; null: it is no number with a unit that fits.
+// A typed number in SI units, and half a unit of its last digit; null: the text is no positive number with a unit that fits.
 function typedNumber(text, unit) {
   const scales = {m: {m: 1, mm: 1e-3, "µm": 1e-6, um: 1e-6, nm: 1e-9}, Pa: {Pa: 1, kPa: 1e3, MPa: 1e6, GPa: 1e9}}[unit] ?? {"": 1, "%": 0.01};
   const parts = /^\s*(-?\d*\.?\d*(?:e[+-]?\d+)?)\s*(\S*)\s*$/i.exec(text.replace("μ", "µ"));
@@ -315,7 +315,7 @@ function typedNumber(text, unit) {
   return {number: Number(parts[1]) * scale, doubt: 0.5 * 10 ** (Number(power) - decimals) * scale};
 }
 
-// A speed in m/s as text; what is none stays as it is.
+// The text of a speed, in m/s. A text that is no number with m/s or mm/s is only trimmed.
 function speedText(text) {
   const parts = /^\s*([\d.e+-]+)\s*(m\/s|mm\/s)\s*$/i.exec(text);
   return parts ? shifted(parts[1], parts[2] === "mm/s" ? -3 : 0) ?? text : text.trim();
@@ -352,7 +352,7 @@ function tickText(number) {
 const BOX = {left: 62, right: 22, top: 44, bottom: 42, width: 480, height: 300};
 const DASHES = ["", "7 4", "2 3", "10 3 2 3"];
 
-// A chart as SVG: axes {name, ends, isLog}, lines {name, x, y}, marks at x with a name, the place that is read.
+// A chart as SVG: axes {name, ends, isLog}, lines {name, x, y}, marks at x, and `now`, the x that the numbers are for.
 function chart(id, title, told, x, y, lines, {marks = [], now = null, cells = "", dots = []} = {}) {
   const {left, top, width, height} = BOX, right = width - BOX.right, bottom = height - BOX.bottom;
   const along = ({ends: [low, high], isLog}, from, to) => (value) =>
@@ -415,7 +415,7 @@ class Page {
     this.model = model;
     const {scenes, mistakes} = JSON.parse(document.getElementById("live-data").textContent);
     Object.assign(this, {scenes, mistakes});
-    this.drawn = 0;  // how often all was drawn, for those who measure
+    this.drawn = 0;  // number of updates, for measurements
     this.fill();
     home.querySelector(".live-missing").hidden = true;
     home.addEventListener("input", (event) => this.typed(event.target));
@@ -470,26 +470,26 @@ class Page {
       if (entry.tagName === "SELECT" && entry.value === "") entry.selectedIndex = 0;
     }
     find("done").textContent = state.unknown ? `The link has ${state.unknown.join(", ")}, which this page does not know: the rest of it is shown.` : "";
-    this.middles = {};  // of the sliders: number and text
+    this.middles = {};  // the number and the text in the middle of each slider
     this.update();
     for (const one of home.querySelectorAll("[data-drag]")) this.centre(one);
     this.showFields();
   }
 
-  // The number of a slider in the unit of its field, in whatever unit it is typed; NaN: it is not there.
+  // The number of a slider in the unit of its field, also if it was typed in another unit; NaN: there is none.
   numberOf(path) {
     if (path === "at") return Number(this.state.values.at);
     const [place, power] = path === "supply" ? [`supply.${this.state.kind}`, SUPPLIES[this.state.kind][1]] : [path, ROW.get(path)[3]];
     return valuesOf(this.model)[place] * 10 ** -power;
   }
 
-  // The numbers at both ends of a slider: that of the speed has the curve's.
+  // The numbers at both ends of a slider. The slider of the speed has the ends of the curve.
   endsOf(path) {
     const {values} = this.state, {number} = this.middles[path];
     return path === "at" ? [Number(values["speed.from"]), Number(values["speed.to"])] : [number / SLIDER_RANGE, number * SLIDER_RANGE];
   }
 
-  // Puts a slider where its number is: if that is not between its ends, these are set anew around it.
+  // Moves a slider to its number. Its ends are set anew around the number, unless `isKept` and the number is between them.
   centre(drag, isKept = false) {
     const path = drag.dataset.drag, number = this.numberOf(path);
     if (!(number > 0)) return;
@@ -505,7 +505,7 @@ class Page {
     if (entry.dataset.drag) {
       const [low, high] = this.endsOf(path), number = low * (high / low) ** ((Number(entry.value) + 100) / 200);
       values[path] = entry.value === "0" && path !== "at" ? this.middles[path].text : rounded(Math.min(high, Math.max(low, number)), 3);
-      if (path === "surface.summit_height_sd" && Number(values["surface.rms_roughness"]) > 0)  // a face that is rougher has both
+      if (path === "surface.summit_height_sd" && Number(values["surface.rms_roughness"]) > 0)  // Rq changes by the same factor
         this.put("surface.rms_roughness", rounded(values["surface.rms_roughness"] * values[path] / this.numberOf(path), 4));
       this.put(path, values[path]);
     } else if (path === "shape") {
@@ -531,7 +531,7 @@ class Page {
     this.state.shape = shape;
   }
 
-  // The new way to tell the supply begins with what the old one gives at the speed of the numbers.
+  // The new kind of supply begins with the oil layer that the old kind gives at the speed `at`.
   changeSupply(kind) {
     const {values} = this.state, sd = Number(valuesOf(this.model)["surface.summit_height_sd"]), at = Number(values.at);
     const factors = {inlet_film: 1e-9, inlet_film_ratio: sd, inlet_flow: 1e-6 / at}, layer = this.numberOf("supply") * factors[this.state.kind];
@@ -539,7 +539,7 @@ class Page {
     this.state.kind = kind;
   }
 
-  // The state's contact read, and all that is shown of it drawn anew; where it cannot be read, its faults.
+  // Reads the state's contact and draws everything anew. If the contact cannot be read, its faults are told.
   update() {
     const {state, model} = this;
     state.values.at ??= "";
@@ -589,14 +589,14 @@ class Page {
     }
   }
 
-  // Puts a sentence beside the field, which comes back; null: this contact has no such field.
+  // Puts a sentence beside a field and returns the box of the field; null: this contact has no such field.
   tellBeside(path, sentence) {
     const box = home.querySelector(`.field:not([hidden]) [data-path="${path.startsWith("supply.") ? "supply" : path}"]`)?.closest(".field") ?? null, place = box?.querySelector(".fault");
     if (place) place.textContent += `${place.textContent && " "}${sentence}`;
     return box;
   }
 
-  // Faults and warnings beside their fields, and by the names of these above all.
+  // Tells faults and warnings beside their fields. A line above the form names the fields with faults.
   tell(errors, warnings = []) {
     const rest = [], names = [];
     for (const one of home.querySelectorAll(".field .fault")) one.textContent = "";
@@ -686,7 +686,7 @@ class Page {
       const edge = (low, high, i) => 10 ** (low + (high - low) * i / count);
       let text = "";
       for (let i = 0; i < count; ++i)
-        for (let j = 0, from = 0; j < count; ++j) {  // cells above each other with one regime are one
+        for (let j = 0, from = 0; j < count; ++j) {  // neighbours in a column with the same regime make one rectangle
           if (j + 1 < count && map[3 + i * count + j + 1] === map[3 + i * count + j]) continue;
           const left = atX(edge(x0, x1, i)), top = atY(edge(y0, y1, j + 1));
           text += `<rect x="${left.toFixed(1)}" y="${top.toFixed(1)}" width="${(atX(edge(x0, x1, i + 1)) - left + 0.3).toFixed(1)}" ` +
@@ -780,7 +780,7 @@ class Page {
   }
 }
 
-// --- The start: once the part is near the window, or is asked for by the address
+// --- The start: when the live part comes near the window, or when the address asks for it
 
 let started = null;
 async function startOnce() {

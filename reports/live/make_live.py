@@ -19,14 +19,14 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 HERE = ROOT / "reports/live"
-# Nothing of them reads a file, starts a thread or throws.
+# None of these sources reads a file, starts a thread or throws.
 SOURCES = [*sorted((ROOT / "model/src").glob("*.cpp")), *sorted((ROOT / "model/catalogue").glob("*.cpp")),
            *(path for path in sorted((ROOT / "model/scene").glob("*.cpp"))
              if path.stem not in ("input_text", "reader", "reader_json")),
            ROOT / "verification/protocol/output_values.cpp", *sorted(HERE.glob("*.cpp"))]
 COMPILER = ["clang++-14", "--target=wasm32-wasi", "-fno-exceptions"]
 FLAGS = ["-std=c++20", "-ffp-contract=off", "-ffunction-sections", "-fdata-sections", "-DNDEBUG", "-Wall", "-Wextra",
-         # No processor is asked for its instructions; texts become numbers by include/charconv, and have no locale.
+         # The program does not ask the processor for its instruction sets. include/charconv reads numbers, without a locale.
          "-DHWY_COMPILE_ONLY_SCALAR", "-DTOML_HEADER_ONLY=1", "-DTOML_FLOAT_CHARCONV=1", "-DFMT_HEADER_ONLY", "-DFMT_EXCEPTIONS=0",
          "-DFMT_STATIC_THOUSANDS_SEPARATOR=0x2c"]
 INCLUDES = ["reports/live/include", "build/live", "model/include", "model/src", "model", "verification", "reports"]
@@ -35,7 +35,7 @@ INCLUDES = ["reports/live/include", "build/live", "model/include", "model/src", 
 
 
 def film_tables(text):
-    """With the central films alone; NaN stands in place of least and starved films, which would take two thirds of all bytes."""
+    """The tables of central films only. NaN replaces the least and the starved films, which would take two thirds of all bytes."""
     for table in ("line_minimum", "point_minimum", "inlet"):
         text = re.sub(rf"(double {table}_nodes\[\]\[4\] = {{\n).*?\n}};",
                       r"\1" + "{no_film, no_film, no_film, no_film},\n" * 4 + "};", text, flags=re.DOTALL)
@@ -51,7 +51,7 @@ UNIT = 2.0**-14
 
 
 def packed(numbers):
-    """Signed differences as bytes, seven bits each, the last one above 127; 0: there is no number."""
+    """A code for each signed difference, in bytes of seven bits, the lowest first; the last byte is above 127. Code 0: no number."""
     for number in numbers:
         code = 0 if number is None else 1 + (2 * number if number >= 0 else -2 * number - 1)
         while code > 127:
@@ -61,7 +61,7 @@ def packed(numbers):
 
 
 def differences(numbers, row):
-    """What each number of rows of that length has beyond a plane through its neighbours before; one that lacks lies on the plane."""
+    """Each number of rows of length `row` minus left + above − between, a plane through its earlier neighbours. A missing number is on the plane."""
     known = []
     for i, number in enumerate(numbers):
         left = known[i - 1] if i % row else 0
@@ -84,10 +84,10 @@ def least_films(text):
         yield f"constexpr PackedFilms {table}{{{UNIT}, {head} {table}_bytes}};\n"
 
 
-# --- The certified rows that the page can be held to.
+# --- The certified rows that the page is tested with.
 
-ROWS = 52  # of each function; half of them the worst conditioned
-# Functions without a certified row here are not shown.
+ROWS = 52  # for each function; half of them are the worst conditioned
+# The functions with certified rows in the page, besides operating_point.
 SHOWN = ["hertz_point", "hertz_ellipse", "hertz_line", "load_sharing", "starvation_ratio", "lambda_ratio",
          "hamrock_dowson_central", "hamrock_dowson_minimum", "hamrock_dowson_soft_central", "hamrock_dowson_soft_minimum",
          "dowson_higginson_minimum", "dowson_toyoda_central", "pan_hamrock_minimum", "pan_hamrock_central", "ertel_grubin",
@@ -98,7 +98,7 @@ def read_rows(name):
     lines = [line for line in (ROOT / f"reference/exact/{name}.csv").read_text().splitlines() if line and line[0] != "#"]
     names = lines[0].split(",")
     rows = [dict(zip(names, line.split(","), strict=True)) for line in lines[1:]]
-    return [row for row in rows if row["high"]]  # a row without is that of an undefined result
+    return [row for row in rows if row["high"]]  # a row without `high` is of an undefined result
 
 
 def chosen(rows, count):
@@ -110,7 +110,7 @@ def chosen(rows, count):
 
 
 def chosen_scenes(rows):
-    """The rows of all outputs of scenes, those that are the worst conditioned for an output among them."""
+    """All rows of some scenes: the three worst conditioned for each output, and about ROWS others that have all outputs."""
     outputs, scenes = {}, {}
     for row in rows:
         outputs.setdefault(row["output"], []).append(row)
@@ -140,8 +140,8 @@ def scene_fields(row):
 
 
 def row_lines():
-    """Lines of function, output, id, high and low part of the value, condition, and name=argument …; without arguments:
-    those of the line before."""
+    """Lines of function, output, id, high and low part of the value, condition, and name=argument …; a line without
+    arguments has those of the line before."""
     points = [row for row in read_rows("operating_point") if "solved" not in (row["film"], row["starvation"])]
     tables = {name: chosen(read_rows(name), ROWS) for name in SHOWN} | {"operating_point": chosen_scenes(points)}
     of_result = ("id", "output", "value", "high", "low", "condition", "region")
@@ -168,8 +168,8 @@ def run(arguments):
 
 def compile_one(source, folder):
     target = folder / f"{source.relative_to(ROOT).as_posix().replace('/', '_')}.o"
-    warns = ["-w"] if "toml" in source.name else []  # toml++'s own
-    size = "-O2" if source.parent.name in ("src", "live") else "-Oz"  # texts are small rather than fast
+    warns = ["-w"] if "toml" in source.name else []  # warnings of toml++ itself
+    size = "-O2" if source.parent.name in ("src", "live") else "-Oz"  # code for texts is small rather than fast
     run([*COMPILER, *FLAGS, size, *warns, *(f"-I{one}" for one in INCLUDES), "-c", source.relative_to(ROOT), "-o", target])
     return target
 
@@ -179,7 +179,7 @@ def build(release):
     folder.mkdir(parents=True, exist_ok=True)
     tables = (release / "model/film_tables.inc").read_text()
     (folder / "film_tables.inc").write_text(film_tables(tables))
-    # Ellipses are computed by their integrals, as beyond the program's polynomials, which would take 40 kB.
+    # The polynomials for ellipses would take 40 kB. The page computes the integrals, as the program does outside their range.
     (folder / "ellipse_pieces.inc").write_text(
         "constexpr int octaves = 0, parts = 1, degree = 5;\nconstexpr double pieces[1][degree + 2] = {};\n")
     (folder / "least_films.inc").write_text("".join(least_films(tables)))

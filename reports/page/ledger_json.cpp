@@ -7,7 +7,7 @@ namespace {
 using namespace reproduction;
 using Json = nlohmann::ordered_json;
 
-// null where there is no number. JSON has no NaN and no infinity: they are written as null too.
+// null if there is no number. NaN and infinity are written as null too: JSON has neither.
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json switches(const Reading& reading) {

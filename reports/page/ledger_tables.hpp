@@ -13,7 +13,7 @@
 
 namespace tribo::report {
 
-// One reading, part by part; `claims` names those to show, all if empty.
+// One reading, part by part. `claims` names the claims to show; empty: all.
 TextTable reading_table(const reproduction::Ledger& ledger,
                         const reproduction::NamedReading& reading,
                         const std::vector<std::string>& claims = {});
@@ -28,10 +28,10 @@ std::string verdict_sentence(const reproduction::Ledger& ledger,
 std::string other_planes_sentence(const reproduction::Ledger& ledger);
 inline constexpr const char* arithmetic_words =
     "(arithmetic): follows from a formula as printed, whatever the model.";
-// The items of claims.tsv that stand first wherever the claims are told.
+// The items of claims.tsv that stand first in each text about the claims.
 inline constexpr std::string_view headline_items[] = {"C1.smooth", "C1.medium", "C1.rough",
                                                       "C2.smooth", "C4.rough",  "C4.smooth"};
-// Is the number of this item a ratio at each of many speeds?
+// Whether the number of this item is a ratio at each of many speeds.
 bool is_over_speeds(const reproduction::Item& item);
 inline constexpr const char* no_reading_sentence =
     "no combination of interpretations gives all three speeds.";
@@ -58,7 +58,7 @@ TextTable uncertainty_table(const reproduction::Ledger& ledger);
 std::vector<TextTable> errata_tables(const reproduction::Ledger& ledger);
 TextTable independent_table(const reproduction::Ledger& ledger);
 
-// The whole ledger as JSON. `readings` are the columns; `claims` names the claims, all if empty.
+// The whole ledger as JSON. `readings` are the columns; `claims` names the claims; empty: all.
 nlohmann::ordered_json ledger_json(const reproduction::Ledger& ledger,
                                    const std::vector<reproduction::NamedReading>& readings,
                                    const std::vector<std::string>& claims = {});
@@ -72,7 +72,7 @@ inline constexpr const char* surface_names[] = {"rough", "medium", "smooth"};
 // Rounded, or no_entry.
 std::string number(const std::optional<double>& value, int digits = 4);
 std::string percent(double part);
-// "0.5 m/s"; without a unit or a number as it is.
+// "0.5 m/s". If there is no unit or no number: `number` as it is.
 std::string with_unit(const std::string& number, const std::string& unit);
 // The number or the comparison that the item asks for.
 std::string asked(const reproduction::Item& item);
@@ -82,7 +82,7 @@ std::string computed(const reproduction::Item& item, const reproduction::ItemRes
 // which it holds, as "at 72.5 % of speeds".
 std::string against_the_paper(const reproduction::Item& item,
                               const reproduction::ItemResult& result);
-// The verdict, with why there is no number, or that the verdict is not decided.
+// The verdict, with the reason if there is no number, and with a note if it is not decided.
 std::string verdict(const reproduction::ItemResult& result);
 // The margin of a verdict, with its numerical error: "0.282 ± 1e-13".
 std::string margin(const reproduction::ItemResult& result);

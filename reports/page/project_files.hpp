@@ -32,7 +32,7 @@ class ReportError : public std::runtime_error {
 struct ReportOptions {
   std::filesystem::path out;               // empty: reports/out of the project
   std::filesystem::path scenes;            // empty: reference/published of the project
-  std::string commit;                      // for the page to tell; empty: not known
+  std::string commit;                      // shown on the page; empty: not known
   std::vector<std::string> sections = {};  // ids of those to make; empty: all
 };
 
@@ -59,21 +59,21 @@ ReportPlaces usual_places();
 // scenes or of the scripts does not exist.
 ReportPlaces find_places(const ReportOptions& options);
 
-// The folder of the certified tables: the one given, or reference/exact of the project where that
-// is empty. Throws ReportError where it is not there.
+// The folder of the certified tables: `given`, or reference/exact of the project if `given` is
+// empty. Throws ReportError if the folder does not exist.
 std::filesystem::path reference_tables(const std::filesystem::path& given);
 
-// The files of the project that judge somebody else's solver: the folder of the certified tables as
-// above, the paper's scenes and the known mistakes. These two are in their usual place, or else
-// beside that folder, as in a copy of reference/.
+// The files that judge somebody else's solver: the folder of the certified tables as above, the
+// paper's scenes and the known mistakes. Scenes and mistakes are taken from their usual places if
+// they exist there, else from beside the folder of the tables, as in a copy of reference/.
 struct ReferenceFiles {
   std::string exact, published, mistakes;
 };
 ReferenceFiles reference_files(const std::filesystem::path& given);
 
-// Writes the file as a whole. It replaces a file that is there, or the one that a symbolic link
-// there leads to (output_behind_links()), if `replaceable` allows that. write_file() and
-// make_folder() throw protocol::OutputFailed.
+// Writes the whole file or nothing. It replaces an existing file, or the file that a symbolic link
+// leads to (output_behind_links()), if `replaceable` allows it. write_file() and make_folder()
+// throw protocol::OutputFailed.
 void write_file(const std::filesystem::path& target, std::string_view content,
                 const sweep::Replaceable& replaceable = {.any = true, .only = {}});
 void make_folder(const std::filesystem::path& folder);

@@ -14,7 +14,7 @@ struct Rendering {
   std::vector<std::string> undrawn;  // a line for each reason why the page or a picture is missing
 };
 
-// Debian's own Python has Debian's packages; another one that is first in PATH often has not.
+// The Python to run: Debian's own, if it exists. Another one in PATH often lacks Debian's packages.
 std::string python();
 
 // Runs render/`script` with these arguments. Where Python or one of its packages is missing, or

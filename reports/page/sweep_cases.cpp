@@ -19,12 +19,12 @@ using sweep::SceneResult;
 constexpr std::uint64_t most_numbers = 50'000'000;  // 400 MB
 constexpr std::size_t rows_of_a_table = 100;
 
-// A column of the rows: a value a case, a speed, or a case and speed.
+// One column. It has a value for each case, for each speed, or for each case and speed.
 struct CaseColumn {
   std::string name, unit;
   std::vector<std::string> words;
   std::vector<double> values;
-  std::size_t case_step, speed_step;  // from one to the next, in `values`
+  std::size_t case_step, speed_step;  // distance in `values` to the next
 
   double at(std::size_t one_case, std::size_t speed) const {
     return values[one_case * case_step + speed * speed_step];
@@ -75,7 +75,7 @@ std::string word_of(const CaseColumn& column, double value) {
   return std::isnan(value) || place >= column.words.size() ? "" : column.words[place];
 }
 
-// Unrounded; what is undefined is empty.
+// The unrounded value; empty if it is undefined.
 std::string csv_cell(const CaseColumn& column, double value) {
   if (!column.words.empty()) return word_of(column, value);
   return std::isnan(value) ? "" : exact(value);

@@ -17,7 +17,7 @@ using sweep::ColumnResult;
 
 constexpr std::uint64_t most_numbers_of_a_column = 5'000'000;  // 40 MB
 
-// The summary of one value of a column, of `width` values a case.
+// The summary of value `place` of a column that has `width` values for each case.
 ColumnResult::Value value_of(const std::vector<double>& numbers, std::size_t width,
                              std::size_t place) {
   std::vector<double> values;

@@ -14,7 +14,7 @@ namespace tribo::report {
 // One set of grid values.
 struct SweepCell {
   std::string where;                         // "load 50 N, friction.fluid eyring"
-  std::vector<sweep::ColumnResult> columns;  // as those of the scene, of these cases alone
+  std::vector<sweep::ColumnResult> columns;  // as the scene's, but of these cases only
 };
 
 struct SweepCells {

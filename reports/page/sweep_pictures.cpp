@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr auto drawn_films =
     std::to_array<std::string_view>({"film", "solved_film.central", "solved_film.minimum"});
 
-// A grid of one or two fields that are numbers, each case of which is there.
+// Whether the scene is a grid over one or two number fields, with all its cases kept.
 bool is_grid(const sweep::SceneResult& scene) {
   const auto is_number = [](const sweep::InputResult& input) { return input.words.empty(); };
   return scene.design == "factorial" && scene.has_points && !scene.speeds.empty() &&
@@ -78,7 +78,7 @@ Rendering draw_sweep_pictures(const sweep::SweepResult& result,
       if (is_grid(result.scenes[i]))
         json["scenes"][i]["grid"] = grid_json(result.scenes[i], source);
     }
-    const sweep::PartFile file(std::filesystem::path(folder) / "result.json");  // goes again
+    const sweep::PartFile file(std::filesystem::path(folder) / "result.json");  // is removed again
     file.write(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
     return run_script(usual_places(), "sweep_pictures.py", {file.path(), folder});
   } catch (const std::runtime_error& error) {

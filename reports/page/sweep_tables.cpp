@@ -19,7 +19,7 @@ using sweep::SceneResult;
 using sweep::SweepResult;
 
 constexpr std::size_t most_speeds = 11;
-constexpr int digits = 4;  // a quantile is exact to three and a half
+constexpr int digits = 4;  // the relative error of a quantile is up to 5e-4
 
 std::string number(double value, double factor = 1) {
   return std::isnan(value) ? "–" : rounded(factor * value, digits);
@@ -41,7 +41,7 @@ std::string with_error(const sweep::Bounded& index) {
     return value < 0 && text != "0.000" ? "−" + text : text;
   };
   if (!std::isfinite(index.high)) return fixed(index.value);
-  // All differences that the input makes are exactly 0.
+  // The variable changes no value of the column: the index has no error.
   if (index.value == 0 && index.low == 0 && index.high == 0) return "not used";
   return fmt::format("{} ± {}", fixed(index.value), fixed(index.high - index.value));
 }
@@ -206,7 +206,7 @@ std::uint64_t groups_of(const ColumnResult* column) {
   return column->values.front().sensitivity.groups;
 }
 
-// A remark for a caption on groups in which a column is undefined somewhere; empty without.
+// A remark for a caption if a column is undefined in some groups; empty if it is defined in all.
 std::string groups_text(const ColumnResult* column, std::uint64_t all, std::string_view name) {
   const std::uint64_t groups = groups_of(column);
   if (groups >= all) return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a sweep's summaries as tables for people and unrounded for machines, writes its kept
-// points, and draws its pictures.
+// Writes a sweep's summaries as rounded tables for people and as unrounded CSV and JSON, writes its
+// kept points, and draws its pictures.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace tribo::report {
 
-// The unit of a table for people, for numbers in the SI unit `unit` of which the greatest is
-// `greatest`. It leaves few zeros: films, for example, are shown in nm.
+// The unit in which a table shows numbers that are stored in the SI unit `unit`. `greatest` is the
+// greatest of them. The unit leaves few zeros: films, for example, are shown in nm.
 struct ReadableUnit {
   std::string name;
   double factor;  // multiplies a number in the SI unit
@@ -35,24 +35,23 @@ std::vector<TextTable> sweep_tables(const sweep::SweepResult& result,
 // are those of each single set. The cell of an undefined number is empty.
 std::string sweep_csv(const sweep::SweepResult& result, const std::vector<SweepCells>& cells);
 
-// Everything but the cases themselves. A number that is undefined, and an end that is unbounded, is
-// null.
+// The result without its cases. Undefined numbers and unbounded ends are null.
 nlohmann::ordered_json sweep_json(const sweep::SweepResult& result,
                                   const std::vector<SweepCells>& cells);
 
-// The quantile at `level`, which is one of sweep::quantile_levels. It is NaN if the value has none.
+// The quantile at `level`, one of sweep::quantile_levels. NaN if no quantiles are known.
 const sweep::Bounded& quantile(const sweep::ColumnResult::Value& value, double level);
 // The number of cases that had each word of a column. `words` is the number of these words.
 std::vector<std::uint64_t> word_counts(const sweep::ColumnResult::Value& value, std::size_t words);
 
-// Is each scene a grid alone, with kept points, and do all points together fit on a screen?
+// Whether every scene is a grid alone and has kept points, at most 40 in all scenes together.
 bool is_small_grid(const sweep::SweepResult& result);
 
 // The formats of a sweep's kept points. Each point is a row: what varies, the speed, the outputs.
 enum class CaseFormat : std::uint8_t { table, csv, json };
 
-// Calls told(text) with the next lines of the text: a table for each scene, one CSV for all scenes,
-// or a JSON object on each line. Numbers are rounded only in a table, and a table has only the
+// Writes the points by calls of told(text), each with the next lines: a table for each scene, one
+// CSV for all scenes, or a JSON object on each line. Only tables have rounded numbers, and only the
 // first hundred points. `file` is the file of the result. Throws std::invalid_argument if a scene
 // has no kept points, or more than 50 million numbers.
 void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,

@@ -17,7 +17,7 @@ using sweep::SweepResult;
 
 std::string csv_number(double value) { return std::isnan(value) ? "" : exact(value); }
 
-// All variables of all scenes, all words of all columns: each once.
+// Appends the texts that `to` lacks.
 void add_new(std::vector<std::string>& to, const std::vector<std::string>& texts) {
   for (const std::string& text : texts)
     if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
@@ -46,7 +46,7 @@ struct CsvColumns {
     return text + ",grid_values\n";
   }
 
-  // `where`: the grid values; empty: all.
+  // `where` has the grid values. It is empty for a row over all sets of grid values.
   std::string row(const SceneResult& scene, const ColumnResult& column, std::size_t i,
                   const std::string& where) const {
     const ColumnResult::Value& value = column.values[i];
@@ -181,9 +181,8 @@ const sweep::Bounded& quantile(const ColumnResult::Value& value, double level) {
   return place < value.quantiles.size() ? value.quantiles[place] : none;
 }
 
-// Words are stored as their places 0 to 3. The count of 0 is known from the histogram, whose bin of
-// 0 lies a thousand octaves below all others; the other counts follow from the count, the sum and
-// the sum of squares.
+// A column stores a word as its place, 0 to 3. The count of place 0 is that of the histogram's bin
+// of 0. The other three counts follow from the number of cases, their sum and their sum of squares.
 std::vector<std::uint64_t> word_counts(const ColumnResult::Value& value, std::size_t words) {
   std::uint64_t zeros = 0;
   for (const auto& bin : value.histogram)

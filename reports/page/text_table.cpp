@@ -17,7 +17,7 @@ std::string padded(const std::string& text, std::size_t to, bool right) {
   return right ? blanks + text : text + blanks;
 }
 
-// Words, with what belongs together: "5 × 10⁻⁶", "± 2 %", "m = 2".
+// The words of a text. Parts that belong together are one word: "5 × 10⁻⁶", "± 2 %", "m = 2".
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   bool joins = false;
@@ -46,8 +46,8 @@ std::size_t total_of(const std::vector<std::size_t>& widths) {
   return std::accumulate(widths.begin(), widths.end(), gap * (widths.size() - 1));
 }
 
-// Each column is as wide as its cells. Where all columns together would be wider than `most`, some
-// are narrower: first the headings are wrapped at words, then the widest texts; numbers never are.
+// Each column is as wide as its widest cell. If the table would be wider than `most`, the widest
+// columns are narrowed: first headings are wrapped at words, then texts. Numbers are never wrapped.
 std::vector<std::size_t> column_widths(const TextTable& table,
                                        const std::vector<std::vector<std::string>>& cells,
                                        std::size_t most) {
@@ -103,7 +103,7 @@ std::string stacked_row(const std::vector<std::string>& headings,
   return text;
 }
 
-// Each text as one line, whatever it holds.
+// The table with line ends and control signs escaped, so that each text is one line.
 TextTable in_lines(TextTable table) {
   const auto make = [](std::string& text) { text = printable(text, std::string::npos); };
   make(table.caption);

@@ -17,13 +17,13 @@ struct TextTable {
   std::string note;
 };
 
-// How many signs a text of UTF-8 takes on the screen; the program's own texts have none that are
-// wide or combining.
+// The signs that a UTF-8 text takes on the screen. Counts code points, because the program's own
+// texts have no wide and no combining signs.
 std::size_t width_of(std::string_view text);
 
 inline constexpr std::size_t any_width = 1'000'000;
-// The table in lines of at most `most` signs, if its words are short enough: texts and headings are
-// wrapped, or the cells of a row are set below each other. The note is left out.
+// The table in lines of at most `most` signs, or longer ones if a word needs them. Texts and
+// headings are wrapped, or the cells of a row are set below each other. The note is left out.
 std::string plain_table(const TextTable& table, std::size_t most = any_width);
 // A text in lines of at most `most` signs.
 std::vector<std::string> wrapped(const std::string& text, std::size_t most);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of numbers, and texts as CSV, HTML and Markdown have them.
+// Writes numbers as texts, and escapes texts for CSV, HTML and Markdown.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace tribo::report {
 
-// Reads back to the same double; NaN for what is undefined.
+// A text that reads back to the same double; "NaN" for an undefined number.
 std::string exact(double value);
 
-// The number with `digits` significant digits; in the form −1.8 × 10⁻¹⁰ below 10⁻⁴ and from 10⁶ on.
+// `digits` significant digits and all before the point; as −1.8 × 10⁻¹⁰ below 10⁻⁴ and from 10⁶ on.
 std::string rounded(double value, int digits);
 
 // The form of rounded(), with as many digits as it takes to read back to the same double.
@@ -25,8 +25,8 @@ std::string grouped(std::uint64_t count);
 // even quoted texts for formulas.
 std::string csv_text(std::string_view text);
 
-// The text with the signs escaped that have a meaning in Markdown, or in HTML and XML. Control
-// signs are escaped as printable() does; HTML and XML keep line ends and tabs.
+// Escape the signs that have a meaning in Markdown, or in HTML and XML. Control signs are escaped
+// as by printable(), but escape_html() keeps line ends and tabs.
 std::string escape_markdown(std::string_view text);
 std::string escape_html(std::string_view text);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck bench: every contender of a job in one run, times beside true errors. The contenders
-// live in a program of their own, tribocheck_bench, which links GSL.
+// tribocheck bench: measures times and true errors of all contenders of a job in one run. The
+// contenders are in a separate program, tribocheck_bench, which links GSL.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -56,7 +56,7 @@ struct BenchArguments {
 constexpr std::size_t longest_filter = 1000;
 
 bool is_expression(std::string filter) {
-  if (filter.starts_with('-')) filter.erase(0, 1);  // which Google Benchmark takes as "not"
+  if (filter.starts_with('-')) filter.erase(0, 1);  // Google Benchmark takes it as "not"
   try {
     const std::regex tried(filter, std::regex::extended);
     return true;
@@ -75,7 +75,7 @@ bool is_run(std::string filter, const std::string& row) {
   return std::regex_search(row, std::regex(filter, std::regex::extended)) != is_negative;
 }
 
-// With a baseline the control runs, too, because all times are told over its time.
+// With a baseline the control runs, too, because all times are divided by its time.
 std::string filter_of(const BenchArguments& arguments) {
   if (arguments.baseline.file.empty() || is_run(arguments.filter, control_row))
     return arguments.filter;
@@ -165,8 +165,8 @@ Measurement measure_contenders(const BenchArguments& arguments) {
   }
 }
 
-// Times the solvers, as measure_contenders() does. `chosen`: the functions; empty: all that the
-// filter takes.
+// Times the solvers. `chosen` are the functions to time, as far as the filter takes them; empty:
+// all that the filter takes.
 Measurement measure_solvers(const BenchArguments& arguments, const std::set<std::string>& chosen) {
   const SolverRun run{arguments.plugins.empty() ? arguments.subjects : arguments.plugins,
                       arguments.has_plugin(), arguments.quick, arguments.timeout};
@@ -216,7 +216,7 @@ BenchChanges changes_of(const BenchResults& results, const nlohmann::json& befor
   return changes;
 }
 
-// A time counts as slower when a second run says so too.
+// Measures again, and moves the rows that are not slower again from `slower` to `told`.
 void confirm_slower(const BenchArguments& arguments, const nlohmann::json& before,
                     const IsAsked& asked, BenchChanges& changes) {
   if (changes.slower.empty()) return;
@@ -240,7 +240,7 @@ void confirm_slower(const BenchArguments& arguments, const nlohmann::json& befor
   changes.slower = std::move(kept);
 }
 
-// Says what has changed, on stderr.
+// Writes what has changed to stderr.
 void tell(const BenchReport& report) {
   const BenchChanges& changes = *report.changes;
   const std::string than = report.baseline.empty() ? "the second solver" : "the baseline";
@@ -266,7 +266,7 @@ void update_baseline(const BenchArguments& arguments, const BenchResults& result
   }
   const nlohmann::json old = before;
   for (const std::string& line : improve(before, results)) complain(line);
-  const bool is_current = old.at("schema").is_string();  // a number alone up to schema 2
+  const bool is_current = old.at("schema").is_string();  // up to schema 2 it was a number
   if (is_current && before == old) return complain("baseline unchanged: " + file);
   write_bench_baseline(file, before);
 }

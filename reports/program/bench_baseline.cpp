@@ -15,9 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double accuracy_ratchet = 4;  // times the greatest error before, or times 1 ulp if more
+constexpr double accuracy_ratchet = 4;  // times the greatest error before, or 1 ulp if that is more
 constexpr double time_ratio = 1.10;     // ratio of the medians
-constexpr double solver_ratio = 1.12;   // ratio of a solver's lower end to the median
+constexpr double solver_ratio = 1.12;   // ratio of a solver's lower end to the median before
 constexpr double told_ratio = 1.05;     // ratio of the medians
 constexpr int oldest_schema = 2, schema = 3;
 constexpr std::string_view schema_name = "bench-baseline/";
@@ -39,7 +39,7 @@ std::optional<double> optional_number(const json& row, const char* field) {
 constexpr auto time_fields =
     std::to_array<const char*>({"least_over_control", "median_over_control"});
 
-// A row as the baseline has it. Only rows of solvers have the members "cases" and "measured".
+// A row of the baseline. Only rows of solvers have the members "cases" and "measured".
 json row_json(const BenchRow& row, const std::optional<double>& control) {
   json made{
       {"max_ulp", optional_json(row.max_ulp)},   {"judged", optional_json(row.judged)},
@@ -63,7 +63,7 @@ std::string percent_slower(double ratio) {
   return fmt::format("{:.0f} % slower", 100 * (ratio - 1));
 }
 
-// "AMD EPYC"; "unknown" where the machine does not tell.
+// The model name of the processor, as "AMD EPYC"; "unknown" if /proc/cpuinfo has none.
 std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
@@ -89,8 +89,8 @@ class RowComparison {
     compare_count("judged", "judged cases", -1);
     if (row.cases) compare_count("cases", "cases with an answer", -1);
     compare_error();
-    // If another number of cases has an answer, the times cannot be compared: the new ones are
-    // taken.
+    // If another number of cases has an answer, the times cannot be compared. The new times are
+    // then taken, if `compares_times`.
     const bool has_other_cases = row.cases && *row.cases != before.at("cases");
     if (!compares_times) return;
     if (has_other_cases)
@@ -154,8 +154,8 @@ class RowComparison {
     return false;
   }
 
-  // Rows of contenders are slower where the intervals from minimum to median do not meet, and the
-  // median grew by over a tenth; rows of solvers where their whole interval is above the limit.
+  // A contender is slower if the intervals from minimum to median do not meet and the median grew
+  // by more than a tenth. A solver is slower if its whole interval is above the limit.
   void compare_time(const BenchRow& row) {
     const auto least = optional_number(now_, time_fields[0]),
                median = optional_number(now_, time_fields[1]);
@@ -211,7 +211,7 @@ void note_gone(const BenchResults& results, const json& baseline, const IsAsked&
   std::size_t left_out = 0;
   for (const auto& [key, row] : baseline.at("rows").items()) {
     if (std::find(here.begin(), here.end(), key) != here.end()) continue;
-    // Rows of our own name instruction sets, which depend on the processor.
+    // The names of tribocheck's own rows contain instruction sets, which depend on the processor.
     const bool is_of_processor =
         !is_of_this_machine(baseline) && key.find("/tribocheck/") != std::string::npos;
     if (!is_asked(key))
@@ -240,7 +240,7 @@ void check_bench_baseline(const json& baseline) {
   if (!baseline.is_object() || !baseline.contains("schema") || !baseline.contains("rows") ||
       !baseline.contains("environment"))
     throw std::runtime_error("it is no baseline of `tribocheck bench`");
-  // Up to schema 2 it was the number alone.
+  // Up to schema 2, "schema" was a number.
   const json& told = baseline.at("schema");
   const bool is_known = told == oldest_schema || told == fmt::format("{}{}", schema_name, schema);
   if (!is_known) throw std::runtime_error(conformance::other_schema_text(baseline, told, schema));

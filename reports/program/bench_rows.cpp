@@ -20,7 +20,7 @@ std::optional<double> optional_number(const Json& object, const char* key) {
   return found == object.end() ? std::nullopt : std::optional(found->get<double>());
 }
 
-// "job/family/name"; /manual_time where the time comes from another process.
+// The row of "job/family/name". The name ends in /manual_time if another process was timed.
 BenchRow row_of(const Json& run) {
   const std::string whole = run.at("run_name");
   const std::size_t job_end = whole.find('/');
@@ -57,7 +57,7 @@ void add_ratios(BenchJob& job) {
 
 }  // namespace
 
-// The ranks between which the median lies in 95 of 100 samples: n/2 ± 0.98 √n.
+// The interval reaches from rank n/2 − 0.98 √n to n/2 + 0.98 √n of the sorted ratios.
 Ratio ratio_of(std::vector<double> ratios) {
   std::sort(ratios.begin(), ratios.end());
   const auto count = static_cast<double>(ratios.size());
@@ -69,7 +69,7 @@ Ratio ratio_of(std::vector<double> ratios) {
 }
 
 BenchResults read_bench_results(const std::string& json) {
-  // A spread of nothing but zeros has no coefficient of variation: Google Benchmark writes it as
+  // If all values are 0, their coefficient of variation is undefined, and Google Benchmark writes
   // NaN.
   const Json all = protocol::parse_bounded_json<Json>(
       std::regex_replace(json, std::regex(R"(: -?(NaN|Infinity))"), ": null"));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of `tribocheck bench`, from the measurements of tribocheck_bench or of solvers, and
-// their comparison with a baseline, a file of earlier numbers that users commit: a gate for their
-// CI. Work and accuracy are compared on any machine. Times are divided by the control's time of the
-// same run, and compared only if processor and compiler are the same as in the baseline. Of two
-// solvers in one run the times are compared on any machine.
+// The rows of `tribocheck bench`, from tribocheck_bench or from the timing of solvers, and their
+// comparison with a baseline. A baseline is a file of earlier numbers that users commit as a gate
+// for their CI. Work and accuracy are compared on any machine. Times are divided by the control's
+// time of the same run, and compared only if processor and compiler are those of the baseline. The
+// times of two solvers in one run are compared on any machine.
 #pragma once
 
 #include <functional>
@@ -35,17 +35,17 @@ struct BenchRow {
   std::string name;
   double ns;                         // CPU time per point, the median of the repetitions
   double least_ns;                   // the least of the repetitions
-  std::optional<double> ratio = {};  // to the fastest of tribocheck's in this job and run
+  std::optional<double> ratio = {};  // ns over that of the job's fastest tribocheck row
   // Empty if nothing was judged. Failures are cases without a number or off by more than 1e-6 times
   // their condition; the ulp values are true errors of the cases that are numbers.
   std::optional<double> judged = {}, failures = {}, max_ulp = {}, p99_ulp = {}, mean_ulp = {};
   std::optional<double> evaluations = {};  // of integrand or moment, a point; empty: not counted
-  // From here on of solvers alone.
-  std::optional<Ratio> over_control = {};  // of each lap's time, to the control's beside it
-  std::optional<Ratio> over_base = {};     // of each lap's time, to the second solver's beside it
-  std::optional<double> wall_ns = {};      // a case, by the clock; for the eye alone
+  // Only rows of solvers have the members below.
+  std::optional<Ratio> over_control = {};  // each lap's time over the control's beside it
+  std::optional<Ratio> over_base = {};     // each lap's time over the second solver's
+  std::optional<double> wall_ns = {};      // wall time of a case; shown, not compared
   std::optional<double> cases = {};        // that have an answer
-  std::string measured = {};               // how the time is known, and the control
+  std::string measured = {};               // how the time is known, over which control
 
   std::string key() const { return job + '/' + family + '/' + name; }
 };
@@ -58,9 +58,9 @@ struct BenchJob {
 struct BenchResults {
   std::vector<BenchJob> jobs;
   std::vector<std::string> left_out = {};  // contenders that could not run, with the reason
-  std::vector<std::string> kept = {};      // solvers that keep answers, in a sentence each
-  bool is_of_solvers = false;              // and of no contenders
-  std::string base = {};                   // the second solver's name; empty: there is one alone
+  std::vector<std::string> kept = {};      // a sentence for each row whose solver keeps answers
+  bool is_of_solvers = false;              // rows of solvers, not of contenders
+  std::string base = {};                   // the second solver; empty: there is only one
 };
 
 // The family of the second solver's rows.
@@ -81,11 +81,11 @@ struct RowNote {
 
 struct BenchChanges {
   std::vector<RowNote> worse;        // red; without a key: why rows or times are not compared
-  std::vector<RowNote> gone;         // red, too: rows of the baseline that did not run
+  std::vector<RowNote> gone;         // red, too: only the baseline or the second solver has them
   std::vector<RowNote> slower;       // red if a second run says so too
   std::vector<RowNote> told;         // slower by more than 5 %, but not enough to be red
   std::vector<RowNote> better;       // may be written into the baseline
-  std::vector<RowNote> fresh;        // rows that the baseline does not have
+  std::vector<RowNote> fresh;        // rows that the baseline or the second solver lacks
   std::vector<std::string> remarks;  // why something is not compared
   std::size_t rows = 0, compared = 0, timed = 0;  // in this run; compared; times compared, too
 
@@ -112,17 +112,17 @@ std::vector<std::string> improve(nlohmann::json& baseline, const BenchResults& r
 nlohmann::json new_bench_baseline(const BenchResults& results, const nlohmann::json& before,
                                   const IsAsked& is_asked);
 
-// Writes the rows with the head of a baseline: schema, version, commit, date, and the environment,
-// which is that of `content` where it has one, as the times of an earlier run stay.
+// Writes the rows with the head of a baseline: schema, version, commit, date and environment. If
+// `content` has an environment, it stays, because the times of an earlier run stay.
 void write_bench_baseline(const std::string& file, const nlohmann::json& content);
 
-// All that a run has to say.
+// What a run writes.
 struct BenchReport {
   BenchResults results;
   std::optional<BenchChanges> changes = {};  // from the baseline, or from the second solver
   std::string baseline = {};                 // the file; empty: none
 
-  // "PASSED, no worse than speed.json: 3 of 4 rows compared, the times of 3". There are changes.
+  // "PASSED, no worse than speed.json: 3 of 4 rows compared, the times of 3". Needs `changes`.
   std::string verdict() const;
 };
 

@@ -25,13 +25,13 @@ using namespace conformance;
 using Clock = TimedSolver::Clock;
 
 constexpr std::size_t cases_a_function = 32;
-constexpr std::size_t starts = 3;  // of each solver, as memory and hashes lie elsewhere each time
+constexpr std::size_t starts = 3;  // of each solver: memory and hashes lie elsewhere after each
 constexpr std::size_t least_laps = 3;
-constexpr double longest_laps = 1;  // s, of one function after one start, beyond the least
+constexpr double longest_laps = 1;  // s, of a function and a start; the least laps may take longer
 
 std::size_t laps_a_start(bool is_quick) { return is_quick ? least_laps : 5; }
 
-// The name in rows: the command without the folders of its words, so that it is the same elsewhere.
+// The name in rows: the command without folders, so that it is the same on other machines.
 std::string name_of_solver(const std::string& given, bool is_plugin) {
   const auto without_folder = [](const std::string& word) {
     return word.substr(word.find_last_of('/') + 1);
@@ -53,7 +53,7 @@ std::string command_of(const std::string& given, bool is_plugin) {
   return is_plugin ? plugin_host_command(given, "--time") : given;
 }
 
-// All that is known of one solver.
+// One solver, its functions and their laps.
 struct Measuring {
   std::string given, name, family;
   std::vector<TimedFunction> functions;
@@ -92,7 +92,7 @@ std::vector<Measuring> measurings(const SolverRun& run, const IsRun& is_run) {
                   fmt::join(names, ", "), made[0].key(names[0])));
 }
 
-// Calls `work`; a SolverFailed gets the solver's name.
+// Calls `work`, and puts the solver's name before the text of a SolverFailed.
 template <class Work>
 auto named(const Measuring& solver, Work&& work) {
   try {
@@ -102,8 +102,8 @@ auto named(const Measuring& solver, Work&& work) {
   }
 }
 
-// Starts all solvers once and times laps, function by function. For each function the solvers take
-// turns, and every second time in the opposite order.
+// Starts all solvers once and times laps. In each lap the solvers take turns at each function;
+// every second lap has the opposite order.
 class Start {
  public:
   Start(const SolverRun& run, std::vector<Measuring>& solvers, bool is_first,
@@ -176,9 +176,8 @@ BenchRow row_of(const Measuring& solver, std::size_t place, bool are_plugins) {
   return row;
 }
 
-// The ratio of the times of the first solver to those of the second, from laps that were measured
-// beside each other; empty where there is one solver, or where the second does not offer the
-// function.
+// The first solver's time over the second's, from laps that were measured beside each other. Empty
+// if there is only one solver, or if the second does not have the function.
 std::optional<Ratio> over_base(const std::vector<Measuring>& solvers, std::size_t place) {
   if (solvers.size() < 2) return std::nullopt;
   const std::string& name = solvers[0].functions[place].name;

@@ -12,17 +12,17 @@
 namespace tribo::cli {
 
 struct SolverRun {
-  std::vector<std::string> solvers;  // one; or two, the second of which is the base
+  std::vector<std::string> solvers;  // one or two; the second is the base
   bool are_plugins = false;          // else command lines
   bool is_quick = false;
-  double timeout = 1800;  // s, for all of it
+  double timeout = 1800;  // s, of the whole run
 };
 
 // Is a row to be measured?
 using IsRun = std::function<bool(const std::string& key)>;
 
-// A row for each solver and function that it offers. Rows that nobody offers are not there. Throws
-// std::invalid_argument where `is_run` takes none of the rows, and conformance::SolverFailed.
+// A row for each solver and each function that it offers. Throws std::invalid_argument if `is_run`
+// takes no row, and conformance::SolverFailed.
 BenchResults measure_solvers(const SolverRun& run, const IsRun& is_run);
 
 }  // namespace tribo::cli

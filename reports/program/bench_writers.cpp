@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Value = std::optional<double>;
 
-// Five digits at most, without an exponent below a million.
+// Three digits below 1000, a whole number below a million, else two digits and an exponent.
 std::string short_number(double x) {
   if (x >= 1e6) return fmt::format("{:.1e}", x);
   return x >= 1000 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
@@ -61,7 +61,7 @@ constexpr Field fields[] = {
     {"cases", [](const BenchRow& r) { return r.cases; }, true},
 };
 
-// The lists of changes, under the names that JSON has for them, and the word for one row of each.
+// A list of changes: its name in JSON, and the word for one of its rows in the table.
 struct ChangeList {
   const char* name;
   const char* word;
@@ -95,7 +95,7 @@ std::string change_text(const BenchReport& report, const BenchRow& row) {
   return list == nullptr ? "same" : list->word;
 }
 
-// The width of the longest of these texts of all rows.
+// The width of the longest `text` of all rows.
 std::size_t widest(const BenchReport& report, std::string BenchRow::*text) {
   std::size_t width = 0;
   for (const BenchJob& job : report.results.jobs)
@@ -249,7 +249,7 @@ void append_markdown(Text& to, const BenchReport& report) {
   for (const std::string& line : report.changes->remarks) append(to, "- " + text(line) + "\n");
 }
 
-// All lines of the lists that are red, about one row, or about none.
+// The texts of the red notes on the row `key`; if it is empty, of those on no row.
 std::string red_text(const BenchChanges& changes, const std::string& key) {
   std::string all;
   for (const ChangeList& list : change_lists)

@@ -21,7 +21,7 @@ namespace {
 
 using namespace conformance;
 
-// The worst error and the part of its bound; empty where no answer was judged.
+// The worst relative error, and the worst error over its bound; empty if no answer was judged.
 std::string worst_error(const QuantityVerdict& one) {
   if (one.judged() == 0) return {};
   return std::isfinite(one.worst_relative) ? fmt::format("{:.2g}", one.worst_relative) : "-";
@@ -70,7 +70,7 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// The quantities that have failed, or become worse, only by the subject's end or silence.
+// The quantities that failed or became worse only because the subject ended or did not answer.
 std::vector<std::string> lost(const SubjectVerdict& verdict) {
   if (verdict.changes && !verdict.changes->lost.empty()) return verdict.changes->lost;
   std::vector<std::string> quantities;
@@ -114,7 +114,7 @@ std::vector<std::string> remarks(const SubjectVerdict& verdict) {
   return lines;
 }
 
-// The end of stderr; empty where it need not be shown.
+// The last lines of stderr; empty if the verdict is COMPLETE.
 std::vector<std::string> shown_errors(const ConformanceResult& result) {
   if (result.overall == Overall::complete) return {};
   return result.conversation.error_lines;
@@ -127,7 +127,7 @@ std::string comparison(const Example& one) {
                      expected_text(one.expected, one.allowed), error.empty() ? "" : ": " + error);
 }
 
-// The diagnoses of the quantity's function; each explains all quantities of its functions.
+// The diagnoses of the quantity's function. Each explains all quantities of its functions.
 std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
                                            const std::string& quantity) {
   std::vector<const Diagnosis*> found;
@@ -138,8 +138,8 @@ std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
   return found;
 }
 
-// The sentences on changes, each after a word on its kind. What has become of several quantities in
-// the same way is told once, with their names.
+// A line for each change: `kind`, and the change's text. Of more than three quantities in a row
+// with the same change, only the first has a line, and the next line names the others.
 std::vector<std::string> change_lines(const std::string& kind,
                                       const std::vector<BaselineChange>& changes) {
   std::vector<KindLine> lines;
@@ -188,14 +188,14 @@ std::string summary(const SubjectVerdict& verdict) {
   return text + fmt::format(" (tolerance: {}).", result.tolerance.name);
 }
 
-// Is the worst case of a quantity to be shown? Cases that the subject's end or silence has cost are
-// told at once.
+// Is the worst case of a quantity to be shown? Not if cases failed only because the subject ended
+// or did not answer: remarks() tells them all together.
 bool has_example(const QuantityVerdict& one) {
   return one.failed > 0 && !one.fails_by_losses_alone();
 }
 
-// The worst cases of the quantities that failed. The request of a case is written once, where
-// several quantities of it are wrong.
+// The worst cases of the quantities that failed. If successive quantities have the same worst case,
+// its request is written once.
 void append_examples(Text& to, const ConformanceResult& result) {
   std::string last;
   for (const QuantityVerdict& one : result.quantities) {
@@ -208,9 +208,9 @@ void append_examples(Text& to, const ConformanceResult& result) {
   }
 }
 
-// A sentence on quantities that are not offered, which take no rows of a table, with the reason
-// where all have the same. A function of which none is offered is named once. Empty where all are
-// offered.
+// A sentence with the quantities that are not offered, which have no rows in tables, and with the
+// reason if it is the same for all. If no quantity of a function is offered, the function is named
+// instead. Empty if all quantities are offered.
 std::string not_offered(const ConformanceResult& result) {
   std::vector<std::string> names;
   std::set<std::string> reasons;
@@ -315,7 +315,7 @@ ordered_json changes_json(const std::vector<BaselineChange>& changes) {
   return list;
 }
 
-// A list or an object is told as its text, so that the document has no members of the subject's.
+// A list or an object becomes text, so that a subject cannot add members to the document.
 ordered_json got_json(const Example& one) {
   if (!one.got) return nullptr;
   return one.got->is_structured() ? ordered_json(got_text(one)) : ordered_json(*one.got);
@@ -430,8 +430,8 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
   add("In the baseline alone:", verdict.changes->gone);
 }
 
-// A quantity's part of the seconds of its function, which asks for all of its quantities at once:
-// so the parts add up to the run.
+// An equal part of the seconds of the quantity's function, because one request asks for all of its
+// quantities. The parts of all quantities add up to the run.
 double seconds_of(const ConformanceResult& result, const std::string& quantity) {
   const auto sharing = std::count_if(result.quantities.begin(), result.quantities.end(),
                                      [&](const QuantityVerdict& one) {
@@ -442,7 +442,8 @@ double seconds_of(const ConformanceResult& result, const std::string& quantity) 
   return found == all.end() ? 0 : found->second / static_cast<double>(sharing);
 }
 
-// The diagnosis of a quantity that failed, or is worse, and its worst case.
+// The diagnoses of the quantity's function, and its worst case if it failed. Empty if it failed
+// only because the subject ended or did not answer.
 std::string junit_details(const SubjectVerdict& verdict, const QuantityVerdict& one) {
   std::string text;
   for (const Diagnosis* diagnosis : diagnoses_of(verdict, one.quantity))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck contact: what a contact is, before any curve is computed.
+// tribocheck contact: tells the numbers of a contact, before any curve is computed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,23 +27,22 @@
 #include "tribo/smooth_contact.hpp"
 #include "tribo/thermal_reduction.hpp"
 
-// Sources are compiled together: names that others have too are in a namespace of their own.
+// Sources are compiled together: names that other sources have too are in their own namespace.
 namespace tribo::cli::contact_account {
 namespace {
 
 using nlohmann::ordered_json;
 
-// Why something is undefined: in a few words for its line of the table, and as a sentence, which
-// stands once below the table; CSV and JSON have the sentence. Without a sentence the few words are
-// all.
+// Why something is undefined. `brief` stands in its line of the table. `sentence` stands once below
+// the table, and in CSV and JSON; if it is empty, CSV and JSON have `brief`.
 struct Reason {
   std::string_view brief, sentence = {};
 
   std::string_view whole() const { return sentence.empty() ? brief : sentence; }
 };
 
-// A number or a word about a contact, in SI units. Where it is undefined, the value is null and
-// `reason` says why. `note`: what the value means for the contact; empty where nothing is to add.
+// A number or a word about a contact, in SI units. If it is undefined, the value is null and
+// `reason` says why. `note`: what the value means for the contact; may be empty.
 struct Fact {
   std::string_view name, symbol, meaning;
   ordered_json value;
@@ -67,7 +66,7 @@ struct ContactAccount {
   std::vector<Validity> validity;
 };
 
-// A scene, and what all parts of its account are computed from.
+// A scene, and the objects from which all parts of its account are computed.
 struct Asked {
   explicit Asked(const Scene& given) : scene(given), contact(given), smooth(contact) {}
 
@@ -80,7 +79,7 @@ struct Asked {
   SmoothContact smooth;
 };
 
-// A number beyond double, as of a contact of extreme numbers, is undefined.
+// The fact of a number. It is undefined beyond the range of double, as for extreme contacts.
 Fact number(std::string_view name, std::string_view symbol, std::string_view meaning, double value,
             std::string_view unit = {}) {
   if (std::isfinite(value)) return {name, symbol, meaning, value, unit};
@@ -93,7 +92,7 @@ constexpr Reason no_roughness{
     "the scene has none of surface.rms_roughness, surface.average_roughness and surface.m0"};
 constexpr Reason no_summits{"no summits are given"};
 
-// The note of a number that has its default: that it was taken.
+// The note of a value that the scene does not give.
 constexpr std::string_view is_default = "the default";
 
 Facts contact_of(const Asked& asked) {
@@ -180,7 +179,7 @@ Facts surfaces_of(const Asked& asked) {
   return facts;
 }
 
-// The oil at the temperature at which the contact runs; ν and T where the scene has them.
+// The oil at the temperature at which the contact runs; with ν and T if the scene has them.
 Facts lubricant_of(const Asked& asked) {
   const Oil& oil = asked.scene.lubricant.oil;
   const auto& scene = asked.numbers();
@@ -212,7 +211,7 @@ Facts lubricant_of(const Asked& asked) {
   return facts;
 }
 
-// The word for Λ that is common practice.
+// The regime that common practice names for Λ.
 std::string_view word_of_lambda(double ratio) {
   if (ratio < least_mixed_lambda_ratio) return "boundary or mixed lubrication";
   return ratio < least_full_film_lambda_ratio ? "mixed lubrication" : "full film";
@@ -274,8 +273,8 @@ AtSpeed account_at(const Asked& asked, double speed) {
   return account;
 }
 
-// All speeds of a scene that has at most four, from slow to fast, each once; of more the slowest
-// and the fastest; none where the scene has no speed.
+// The speeds that are told, from slow to fast, each once: all speeds of a scene that has at most
+// four, else the slowest and the fastest. Empty if the scene has none.
 std::vector<double> told_speeds(const Speeds& speeds) {
   constexpr std::size_t most = 4;
   std::vector<double> told;
@@ -364,7 +363,7 @@ void append_films(Text& to, const std::vector<catalogue::LawFilm>& films) {
   }
 }
 
-// The sentence of each reason, once, with what it is about.
+// Each reason's sentence once, after the meaning of the first fact that has it.
 void append_reasons(Text& to, const ContactAccount& account) {
   std::vector<const Fact*> told;
   const auto tell = [&](const Facts& facts) {

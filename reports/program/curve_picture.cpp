@@ -19,8 +19,8 @@ using nlohmann::ordered_json;
 constexpr std::size_t drawn_points = 400;  // so close that a line looks smooth
 constexpr Output usual_panels[] = {Output::friction, Output::film, Output::asperity_load_share};
 
-// Null for what is undefined, and for the outputs that the scene does not ask for. `missing` gets
-// why an output is undefined, but for the collapse of the film, which has a mark.
+// The values of the panels; null for an output that is undefined or that the scene does not ask
+// for. `missing` gets the reason, except for a collapsed film, which has a mark in the picture.
 ordered_json drawn_values(const OperatingPoint<double>& point, const SmoothContact& smooth,
                           const Scene& scene, const std::vector<Output>& panels,
                           ordered_json& missing) {

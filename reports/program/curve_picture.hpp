@@ -14,8 +14,8 @@ namespace tribo::cli {
 
 inline constexpr std::size_t most_drawn_scenes = 6;  // so many can be told apart by colours
 
-// The outputs that the picture shows: friction, film and the asperities' share, if a scene asks for
-// them, and every output that was measured.
+// The outputs that the picture shows: friction, film and the asperities' share, each if a scene
+// asks for it, and every output that was measured.
 std::vector<Output> drawn_outputs(const std::vector<Scene>& scenes,
                                   const std::vector<Comparison>& measured);
 

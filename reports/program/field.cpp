@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck field: starts reports/field/field.py, which sets verdicts on solvers side by side.
+// tribocheck field: starts reports/field/field.py, which shows verdicts on solvers side by side.
 #include <memory>
 #include <string>
 #include <vector>

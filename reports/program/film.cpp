@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck film: contacts solved, and each formula's film beside the solved one.
+// tribocheck film: solves contacts, and writes each formula's film beside the solved film.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,9 +69,8 @@ struct Contact {
 
 class FilmRun {
  public:
-  // Claims the file for fields and the file in which films are kept, so that the user is told
-  // before the solve if a file cannot be there. Throws sweep::RunRefused where something else is
-  // there.
+  // Opens the file for fields and the file in which films are kept, so that the user is told before
+  // the solve if that is not possible. Throws sweep::RunRefused if something else is there.
   FilmRun(const FilmArguments& arguments, std::size_t total, OutputStream& output)
       : arguments_(arguments),
         total_(total),
@@ -81,8 +80,8 @@ class FilmRun {
     if (!arguments.keep.empty()) kept_.emplace(sweep::output_behind_links(arguments.keep));
   }
 
-  // Solves a film, or takes it as it was kept, and shows it as soon as all films before it are
-  // shown. Several threads may call it at once; `place` counts the contacts from 0 on. Does nothing
+  // Solves a film, or takes a kept one, and shows it as soon as all films before it are shown.
+  // Several threads may call this at once; `place` counts the contacts from 0 on. Does nothing
   // after Ctrl-C.
   void solve(const Contact& contact, std::size_t place) {
     std::unique_lock lock(mutex_);
@@ -165,7 +164,7 @@ class FilmRun {
     all_solved_ = false;
   }
 
-  // The next film may take minutes.
+  // Flushes at once, because the next film may take minutes.
   void print(std::string_view film) {
     writer_.add(film);
     output_.flush();
@@ -207,8 +206,8 @@ class FilmRun {
   std::optional<sweep::PartFile> fields_;
   std::optional<KeptFilms> kept_;
   StepLine line_{std::chrono::milliseconds(500), std::chrono::milliseconds(100)};
-  std::mutex mutex_;  // of all that follows a film: one thread at a time shows it
-  std::map<std::size_t, Result> waiting_;  // by place, for films before them
+  std::mutex mutex_;                       // locked by solve(), except while it solves a film
+  std::map<std::size_t, Result> waiting_;  // by place: solved, but not yet shown
   std::size_t next_ = 0;                   // place of the film that is shown next
   std::string stopped_;  // the first film that was being solved at Ctrl-C, and how far it came
 };
@@ -217,11 +216,11 @@ std::string span(const std::string& from, const std::string& up_to) {
   return from == up_to ? from : from + " to " + up_to;
 }
 
-// Contacts of one scene, at speeds that follow each other, which are refused for the same reason;
-// the numbers in the reason may differ.
+// Contacts of one scene at successive speeds that are refused for the same reason. The numbers in
+// the reason may differ.
 class RefusedContacts {
  public:
-  // Tells those so far where this contact is not one of them.
+  // Adds a contact. If it is not like those before, these are written first.
   void add(Text& to, const Scene& scene, double speed, const FilmNeeds& needs) {
     const std::string kind = without_numbers(needs.reason);
     if (count_ > 0 && (kind != kind_ || scene.id != id_)) finish(to);

@@ -24,7 +24,7 @@
 namespace tribo::cli {
 namespace {
 
-// Spikes are resolved as far as that does not harm the films.
+// Share of nodes in the outlet's constriction: resolves spikes as far as the films allow.
 constexpr double at_edge = 0.3;
 // A spike's height is told only where its relative error is at most this.
 constexpr double greatest_spike_error = 0.02;
@@ -91,8 +91,8 @@ bool is_of(const ehl::FilmConditions& conditions, ehl::FitLiquid liquid) {
          conditions.density_law == other.density_law;
 }
 
-// The solved film of the liquid that a formula was fitted to; empty where that liquid is not known,
-// where Roelands' law has no such liquid of this viscosity, or where the film is not solved.
+// The solved film of the liquid that a formula was fitted to. Empty if that liquid is not known, if
+// Roelands' law has no liquid of this viscosity, or if the film is not solved.
 std::optional<ehl::SolvedFilm> film_of_fit(ehl::FilmConditions conditions, ehl::FitLiquid liquid,
                                            const ehl::SolveOptions& options,
                                            const ehl::Watch& watch) {
@@ -135,8 +135,8 @@ void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved,
   }
 }
 
-// Sets the laws of point contacts, and further readings of them, beside the films of a flooded
-// contact. The liquid that these laws were fitted to is not known.
+// Adds the films by the laws of point contacts, and by other readings of them, beside the films of
+// a flooded contact. The liquid that these laws were fitted to is not known.
 void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
                         const ehl::SolvedPoint& flooded) {
   const double unit = ehl::scale_of(c).film;
@@ -154,7 +154,7 @@ void set_point_formulas(FilmCase& film, const ehl::FilmConditions& c,
                                 c.effective_modulus, c.radius, 1 / c.radius_ratio, 1.)
                    .at(c.speed, 1.)
                    .film_parameter;
-    // The laws take 1 for k^0: α of a liquid of constant viscosity is not used.
+    // If α = 0, only laws with the exponent 0 of α have a film; they get 1 in its place.
     else if (c.pressure_viscosity > 0 || named.law->material_exponent.p == 0)
       length = film_thickness(*named.law, c.speed, c.viscosity,
                               c.pressure_viscosity > 0 ? c.pressure_viscosity : 1., c.load,
@@ -239,7 +239,7 @@ std::vector<std::string_view> film_formula_names() {
 
 namespace {
 
-// The numbers of a contact that are given, before it is solved.
+// A case with the numbers that are known before the contact is solved.
 FilmCase given_case(const Scene& scene, const ehl::FilmConditions& conditions,
                     const FilmSettings& settings) {
   const ehl::FilmScale scale = ehl::scale_of(conditions);
@@ -279,8 +279,8 @@ ehl::SolveOptions line_options(double tolerance) {
           .at_edge = at_edge};
 }
 
-// The shear stress of a solved film by the scene's law, over p₀, of P and H; empty where the scene
-// lacks a number of that law. Its viscosity is that of the liquid that was solved.
+// The shear stress over p₀ as a function of P and H, by the scene's law and with the viscosity of
+// the liquid that is solved. Empty if the scene has no lubricant.eyring_stress.
 ehl::Integrand shear_stress_of(const Scene& scene, const ehl::FilmConditions& conditions) {
   if (!scene.lubricant.eyring_stress) return {};
   return
@@ -296,9 +296,9 @@ ehl::Integrand shear_stress_of(const Scene& scene, const ehl::FilmConditions& co
       };
 }
 
-// Sets friction from the integral of `stress` over X, or over X and Y for points. `area` turns the
-// integral into SI units: a unit of X in m, for points its square in m². Where `stress` is empty,
-// it sets why there is no friction.
+// Sets friction from the integral of `stress` over X, for points over X and Y. `area` turns the
+// integral into SI units: for lines the unit of X (m), for points its square (m²). If `stress` is
+// empty, the reason why there is no friction is set.
 void set_friction(FilmCase& film, const ehl::Integrand& stress, const ehl::Estimate& integral,
                   double area, const ehl::FilmConditions& conditions) {
   if (stress)
@@ -366,8 +366,8 @@ FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& se
   constexpr double program = 12e6;  // bytes, without any contact
   if (conditions.is_line()) {
     const ehl::LineContact contact = ehl::contact_of(conditions);
-    // Time and memory are fits to measurements. They include the film of the liquid that formulas
-    // were fitted to, which is solved as well.
+    // Time and memory are fits to measurements. They include a second solve, of the liquid that
+    // formulas were fitted to.
     const auto on = [](int grids) {
       const double nodes = std::ldexp(64, grids - 1) + 1;
       return FilmNeeds::Grids{grids, nodes, 1e-4 * nodes * std::fmax(1, nodes / 1000),

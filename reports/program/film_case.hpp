@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One contact of a scene at one speed, solved, in SI units, beside each formula's film; and such
-// films as a table, CSV or JSON.
+// The solved film of a scene at one speed, in SI units, beside each formula's film; and such films
+// as a table, CSV or JSON.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ struct FilmSettings {
   // circle or an ellipse, whose least film may be off by three times as much.
   double tolerance = 0;
   bool with_fields = false;  // keep the fields of a circle or an ellipse
-  bool is_flooded = false;   // the inlet, whatever supply the scene has
+  bool is_flooded = false;   // take the inlet as flooded, whatever supply the scene has
 };
 
 constexpr bool is_film_tolerance(double tolerance) {
@@ -36,22 +36,22 @@ struct Measured {
 };
 
 struct FormulaFilm {
-  std::string_view name;        // of a law as scenes have it; of a reading its own
+  std::string_view name;        // a law's name as in scenes, or a reading's own
   std::string_view stands_for;  // central_film, minimum_film or film_at_greatest_pressure
   std::string_view fitted_to;   // the liquid, as ehl::name(FitLiquid) has it
   double film;                  // m
-  // The difference of the formula's film from the solved film that it stands for, over the solved
-  // film: `deviation` with the liquid that the formula was fitted to (NaN where that is not known),
-  // `this_liquid_deviation` with this contact's liquid.
+  // The formula's film over the solved film that it stands for, minus 1. `deviation`: the solved
+  // film is of the liquid that the formula was fitted to; NaN if that is not known or not solved.
+  // `this_liquid_deviation`: it is of this contact's liquid.
   double deviation, this_liquid_deviation;
 };
 
-// The film behind a starved inlet over the flooded film, by a closure of scenes from the solved
-// flooded film.
+// The starved film over the flooded film, as a closure of scenes gives it from the solved flooded
+// film.
 struct ClosureRatio {
   std::string_view closure;  // as closures.starvation has it
   double film_ratio;
-  double deviation;  // from the solved ratio, over it
+  double deviation;  // film_ratio over the solved ratio, minus 1
 };
 
 struct ProfilePoint {
@@ -60,7 +60,7 @@ struct ProfilePoint {
   double film;      // m
 };
 
-// Nodes of the finest grid of a circle or an ellipse, which is symmetric: those with y ≥ 0.
+// The nodes with y ≥ 0 of the finest grid of a circle or an ellipse; the other half is symmetric.
 // Pressure and film at x[i] and y[j] stand at j·x.size() + i.
 struct FilmFields {
   std::vector<double> x, y;      // m
@@ -75,21 +75,21 @@ struct FilmCase {
   double load_number, material_number;              // M and L
   double half_width, peak_pressure;                 // Hertz': b or a_x, m; Pa
   double ellipticity;                               // Hertz': a_y/a_x; NaN of a line
-  double tolerance;                                 // that was taken
+  double tolerance;                                 // relative error that is aimed at
   Measured central, minimum, at_greatest_pressure;  // m
-  double inlet_film;         // h_oil, m; this and the next two NaN of a flooded contact
+  double inlet_film;         // h_oil, m; NaN, as the next three, for a flooded contact
   Measured flooded_central;  // the central film with a flooded inlet, m
   Measured film_ratio;       // central film over flooded central film
-  double damiens_exponent;   // the γ by which Damiens' closure gives film_ratio; NaN: no γ does
+  double damiens_exponent;   // γ with which Damiens' closure gives film_ratio; NaN: none does
   Measured friction;         // of the oil over the load
   Measured spike_pressure, spike_place;  // Pa, m
   std::string no_spike;                  // why the spike lacks its pressure, or both numbers
-  std::string no_friction;               // why it lacks its number
+  std::string no_friction;               // why friction lacks its number
   bool is_solved = false;
   // Why it is not solved, or which error was reached in place of the tolerance; else empty.
   std::string reason;
-  // Cells of the finest grid; of a plane grid along x, and as many across as the second number; 0
-  // of a line. Steps of Newton's method in all.
+  // `cells` and `cells_across`: cells of the finest grid along x and along y; a line has 0 along y.
+  // `steps`: all steps of Newton's method.
   int grids = 0, cells = 0, cells_across = 0, steps = 0;
   std::vector<FormulaFilm> formulas;   // of flooded contacts, beside flooded films
   std::vector<ClosureRatio> closures;  // of a starved contact
@@ -119,11 +119,11 @@ struct FilmNeeds {
 };
 FilmNeeds needs_of_film(const Scene& scene, double speed, const FilmSettings& settings);
 
-// All numbers and words of a contact and of the settings on which its FilmCase depends: cases with
-// the same key are the same.
+// All numbers and words of a contact and of the settings on which its FilmCase depends. Cases with
+// the same key are the same, except for their fields.
 std::string key_of_film(const Scene& scene, double speed, const FilmSettings& settings);
 
-// Whether a scene is a line contact; it has to be read with SceneUse::film.
+// Whether a scene that was read with SceneUse::film is a line contact.
 bool is_of_line(const Scene& scene);
 
 // Called before every step of Newton's method; the work stops where it returns false.
@@ -147,7 +147,7 @@ class FilmWriter {
   std::string_view format_;
   bool with_profile_;
   Text& text_;
-  std::string_view before_;  // the next film
+  std::string_view before_;  // text before the next film
 };
 
 // One film as the JSON has it, with its profile and its fields, for its picture.

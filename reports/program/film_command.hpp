@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command `film`, which both programs have: the one that is linked with HDF5 writes fields.
+// The command `film`, which two programs have. The one that is linked with HDF5 writes fields.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace tribo::cli {
 // where it cannot be written.
 using WriteFields = void (*)(const FilmCase& film, const std::string& path, bool is_csv);
 
-// `write`: null in the program that leaves the option --fields to the other.
+// `write`: null in the program that does not write fields.
 Command film_command(CLI::App& program, WriteFields write);
 Command add_film_with_fields(CLI::App& program);
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace hdf5 = sweep::hdf5;
 
-// The nodes of both halves, y ascending: the sign of the half, and the row among those with y ≥ 0.
+// The rows of both halves, y ascending: the sign of y, and the index of |y| in `y`.
 std::vector<std::pair<int, std::size_t>> rows_across(const FilmFields& fields) {
   std::vector<std::pair<int, std::size_t>> rows;
   for (std::size_t j = fields.y.size(); j-- > 1;) rows.emplace_back(-1, j);

@@ -43,8 +43,8 @@ constexpr auto quantities = std::to_array<Quantity>({
     {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, Quantity::of_spike},
 });
 
-// A number of the contact that is given: M, L or one of Hertz' numbers; NaN where the contact has
-// none.
+// A number that is known before the solve: M, L, h_oil or one of Hertz' numbers. NaN if the contact
+// has none.
 struct Given {
   std::string_view name, words, unit;
   double FilmCase::*value;
@@ -60,7 +60,7 @@ constexpr auto given = std::to_array<Given>({
 
 constexpr std::size_t signed_width = number_width + 1, deviation_width = 11;
 
-// The number with as many digits as its error leaves, and one more.
+// The number with as many digits as its error leaves, and one more; 3 to 12 digits.
 std::string with_digits(const Measured& measured) {
   const double digits = std::ceil(std::log10(std::fabs(measured.value) / measured.error)) + 1;
   return fmt::format("{:#.{}g}", measured.value,
@@ -173,8 +173,8 @@ void append_closures(Text& to, const FilmCase& film) {
                 fmt::format("{:+.2f}", 100 * one.deviation)});
 }
 
-// Tells what the numbers mean for an oil, from the solved film of the oil that the formulas were
-// fitted to.
+// A note with the central film of a real oil, computed back from a formula that was fitted to one.
+// Without such a formula: which options solve a real oil.
 std::string note_on_oil(const FilmCase& film) {
   constexpr std::string_view options = "`--viscosity roelands --density dowson_higginson`";
   const auto of_oil = std::ranges::find_if(film.formulas, [](const FormulaFilm& formula) {
@@ -279,7 +279,7 @@ void append_table(Text& to, const FilmCase& film, bool with_profile) {
   if (with_profile && film.is_solved) append_profile(to, film);
 }
 
-// One film as the JSON has it. Numbers that are not finite are written as null.
+// The JSON of one film. Numbers that are not finite are written as null.
 ordered_json film_json(const FilmCase& film, bool with_profile) {
   ordered_json json{{"id", film.id}, {"speed", film.speed}};
   for (const Given& one : given)

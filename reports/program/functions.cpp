@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck functions: the functions that `stream` and other people's solvers are asked.
+// tribocheck functions: lists the functions that `stream` and users' solvers are asked for.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -14,10 +14,10 @@ namespace tribo::cli {
 // The names of parameters, in their order.
 std::vector<std::string_view> names_of(std::span<const catalogue::Parameter> parameters);
 
-// The JSON request that asks a function for its example.
+// The JSON request of a function's example.
 nlohmann::ordered_json example_of(const catalogue::Function& function);
 
-// One function, by reference/schemas/function.schema.json, and all of them.
+// One function (reference/schemas/function.schema.json), and all (functions.schema.json).
 nlohmann::ordered_json function_document(const catalogue::Function& function);
 nlohmann::ordered_json functions_document();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results as JUnit XML, which CI systems read. Its elements and attributes are those of the schema
-// junit-10.xsd of Jenkins' xUnit plug-in, which the schemas of other systems have, too.
+// Results as JUnit XML, which CI systems read. All elements and attributes are in the schema
+// junit-10.xsd of Jenkins' xUnit plug-in, and in the schemas of other systems, too.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct JunitTest {
   enum class End : std::uint8_t { passed, failure, skipped, error };
   std::string name;
   End end = End::passed;
-  std::string message = {}, details = {};  // unless it passed; details may be empty
+  std::string message = {}, details = {};  // not written if it passed; details may be empty
   std::optional<double> seconds = {};      // that it took, where that is known
 };
 
@@ -31,15 +31,15 @@ struct JunitSuite {
 
 std::string junit_xml(const JunitSuite& suite);
 
-// The JUnit XML of a run of `command` ("verify" or "bench") that could judge nothing, for the
-// reason `why`: one test that ended with an error. `errors` are the last lines that the subject
-// wrote to stderr. The second function gives the same in Markdown.
+// The JUnit XML of a run of `command` ("verify" or "bench") that could judge nothing: one test that
+// ended with the error `why`. `errors` are the last lines that the subject wrote to stderr. The
+// second function gives the same in Markdown.
 std::string junit_of_error(const std::string& command, const std::string& why,
                            const std::vector<std::string>& errors);
 std::string markdown_of_error(const std::string& command, const std::string& why,
                               const std::vector<std::string>& errors);
 
-// "- The last it wrote to stderr:", and the lines as they stand; empty where there are none.
+// "- The last it wrote to stderr:" and the lines, in a code block; empty if there are none.
 std::string markdown_of_stderr(const std::vector<std::string>& errors);
 
 }  // namespace tribo::cli

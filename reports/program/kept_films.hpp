@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films that are kept in a file as soon as they are solved, so that a stopped run goes on. The file
-// begins with a line that marks it; then each film is a line of JSON, `contact`, `reason` and
-// `text`. A line without its end was being written when the program was killed, and is removed.
+// Films are kept in a file as soon as they are solved, so that a stopped run can go on. The file
+// begins with a line that marks it. Then each film is a line of JSON: `contact`, `reason`, `text`.
+// A last line without a newline is one that a killed program did not finish, and is removed.
 #pragma once
 
 #include <map>
@@ -23,9 +23,9 @@ class KeptFilms {
   // cannot be read or made.
   explicit KeptFilms(const std::string& path);
 
-  // The film of a contact, which is named by all that its text depends on; null: it is not kept.
+  // The film of a contact; null if it is not kept. `contact`: all that the film's text depends on.
   const KeptFilm* find(const std::string& contact) const;
-  // Throws std::runtime_error where it cannot be written.
+  // Throws std::runtime_error if the film cannot be written.
   void keep(const std::string& contact, const KeptFilm& film);
 
  private:

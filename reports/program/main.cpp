@@ -17,9 +17,9 @@
 namespace tribo::cli {
 namespace {
 
-// Sweeps need HDF5 and MPI, which bring some forty libraries. Loading these takes as long as the
-// start of any other command. Sweeps are therefore a program of their own, which takes this one's
-// place; the fields of a film are written by HDF5 too.
+// Sweeps need HDF5 and MPI, and the fields of films need HDF5. Loading their forty libraries takes
+// as long as the start of any other command. A separate program therefore does both; it replaces
+// this process.
 bool needs_sweep_program(std::span<char* const> arguments) {
   if (arguments.size() < 2) return false;
   const std::string_view command = arguments[1];

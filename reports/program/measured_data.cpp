@@ -40,7 +40,7 @@ std::string units_for(std::string_view si) {
   return si.empty() ? "- or %, or no unit" : std::string(scene_detail::usual_units(si));
 }
 
-// The number of a cell, in SI units; nothing where it is no number, or the unit does not fit.
+// A cell's number in SI units; std::nullopt if it is no number, or if the unit does not fit.
 std::optional<double> number_in(std::string_view cell, std::string_view unit, std::string_view si) {
   const std::string_view written = si.empty() && unit == "%" ? unit : si;
   std::string text(cell);
@@ -65,7 +65,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
-// A line as another system ends it; an empty cell at its end may be a tab alone.
+// The line without the \r of Windows at its end. A tab there stays: behind it is an empty cell.
 std::string_view without_return(std::string_view line) {
   return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
@@ -82,8 +82,8 @@ std::size_t length_of_cell(std::string_view text, char separator) {
   return text.size();
 }
 
-// A cell without the quotes around it, where "" stands for a quote. Nothing where they do not end
-// with the cell.
+// A cell without the quotes around it; "" inside them stands for one quote. The result is
+// std::nullopt if the quotes do not end with the cell.
 std::optional<std::string> unquoted(std::string_view cell) {
   if (!cell.starts_with('"')) return std::string(cell);
   std::string text;
@@ -95,8 +95,8 @@ std::optional<std::string> unquoted(std::string_view cell) {
   return std::nullopt;
 }
 
-// The cells of a line of comma-separated values (RFC 4180), of which quotes may enclose each, as in
-// `"run 1, dirty",0.1`. Nothing where quotes do not end with their cell.
+// The cells of a line of comma-separated values (RFC 4180). A cell may be in quotes, as in
+// `"run 1, dirty",0.1`. The result is std::nullopt if quotes do not end with their cell.
 std::optional<std::vector<std::string>> cells_in(std::string_view line, char separator) {
   std::vector<std::string> cells;
   while (true) {
@@ -153,7 +153,7 @@ constexpr auto column_names = std::to_array<ColumnName>({
     {"Λ", Output::lambda_ratio},
 });
 
-// Names that more than one output has, in small letters. Such a column is not read.
+// Names that may mean several outputs, in small letters. A column of such a name is not read.
 struct SharedName {
   std::string_view name, outputs;
 };
@@ -162,8 +162,8 @@ constexpr auto shared_names = std::to_array<SharedName>({
     {"load share", "asperity_load_share or fluid_load_share"},
 });
 
-// In small letters, with blanks for underscores and hyphens, without commas, speed for velocity, μ
-// for the micro sign, which keyboards have, Λ for Lambda, and without a dot at the end.
+// The name in small letters, with blanks for underscores and hyphens, without commas and without a
+// dot at the end. Velocity becomes speed, Lambda becomes Λ, the micro sign of keyboards μ.
 std::string plain_name(std::string_view name) {
   if (name == "Lambda") return "Λ";
   std::string plain(name);
@@ -181,7 +181,7 @@ std::string plain_name(std::string_view name) {
   return plain;
 }
 
-// The speed, or an output that is a number; nothing where the name is not known.
+// The speed or the numeric output with this name; std::nullopt if the name is not known.
 std::optional<ColumnName> column_named(std::string_view plain) {
   for (const ColumnName& known : column_names)
     if (known.name == plain) return known;
@@ -191,7 +191,7 @@ std::optional<ColumnName> column_named(std::string_view plain) {
   return std::nullopt;
 }
 
-// The same for a name behind which its symbol may stand, as in "rolling speed U".
+// The same for a name that its symbol may follow, as in "rolling speed U".
 std::optional<ColumnName> column_name(std::string_view plain) {
   constexpr std::size_t longest = 60;
   auto known = column_named(plain);
@@ -204,13 +204,13 @@ std::optional<ColumnName> column_name(std::string_view plain) {
   return known;
 }
 
-// A quantity that a rig holds, and a scene too: each row is to have the scene's number. Names in
+// A quantity that a rig holds constant. Each row should have the scene's number. The names are in
 // small letters.
 struct HeldColumn {
   std::string_view field, unit;
   std::span<const std::string_view> names;
-  std::optional<double> (*value_of)(const Scene&);  // nothing: the scene does not have it
-  double tolerance;                                 // a part of the number; of a temperature in K
+  std::optional<double> (*value_of)(const Scene&);  // std::nullopt: the scene has none
+  double tolerance;                                 // relative; of a temperature: in K
 };
 constexpr auto load_names = std::to_array<std::string_view>(
     {"load", "normal load", "normal force", "applied load", "f", "fn", "f n", "w"});
@@ -234,7 +234,7 @@ constexpr auto held_columns = std::to_array<HeldColumn>({
      tolerance_of_kelvins},
 });
 
-// Its symbol may follow the name, as in "normal load F".
+// The column with this name, which its symbol may follow, as in "normal load F"; null if none.
 const HeldColumn* held_column(std::string_view plain) {
   const auto is_of = [](const HeldColumn& held, std::string_view name) {
     return std::ranges::find(held.names, name) != held.names.end() ||
@@ -251,7 +251,7 @@ const HeldColumn* held_column(std::string_view plain) {
 // A heading as "film [nm]", "film (nm)", "film / nm" or "v / (m/s)".
 struct Heading {
   std::string_view name, unit;
-  bool is_closed = true;  // the bracket
+  bool is_closed = true;  // false: a bracket is left open
 };
 
 Heading parts_of(std::string_view heading) {
@@ -344,7 +344,7 @@ class MeasuredReader {
   }
 
  private:
-  // The heading of a column that is not read, and where it could be more than one output, which.
+  // The heading of a column that is not read, and the outputs that it may mean if there are some.
   static std::string ignored(const DataColumn& column) {
     const std::string plain = plain_name(parts_of(column.heading).name);
     const auto shared = std::ranges::find(shared_names, plain, &SharedName::name);
@@ -352,7 +352,7 @@ class MeasuredReader {
            (shared == shared_names.end() ? "" : fmt::format(" (name it {})", shared->outputs));
   }
 
-  // The cells of this line; none, and a fault, where they cannot be told apart.
+  // The cells of this line. If its quotes are wrong, a fault is noted and no cell is returned.
   std::vector<std::string> cells_of(std::string_view line) {
     auto cells = cells_in(line, separator_);
     if (cells) return std::move(*cells);
@@ -365,7 +365,7 @@ class MeasuredReader {
     faults_.push_back(fmt::format("{}: line {}: {}; allowed: {}", path_, line_, what, allowed));
   }
 
-  // Tells of column number `column`, counted from 0.
+  // The same for column number `column`, counted from 0.
   void refuse(std::size_t column, std::string_view heading, std::string_view what,
               std::string_view allowed) {
     faults_.push_back(fmt::format("{}: line {}, column {} ({}): {}; allowed: {}", path_, line_,
@@ -390,8 +390,8 @@ class MeasuredReader {
              allowed_names(asked_) + ", each with its unit, as film [nm]");
   }
 
-  // A remark for a file without a speed that has a column for the sliding speed; empty where it has
-  // no such column.
+  // A remark for a file that has a column for the sliding speed and none for the speed. It is empty
+  // if there is no column for the sliding speed.
   std::string sliding_remark() const {
     const auto is_sliding = [](const DataColumn& column) {
       return plain_name(parts_of(column.heading).name).starts_with("sliding speed");
@@ -439,7 +439,7 @@ class MeasuredReader {
     const Heading parts = parts_of(heading);
     const std::string plain = plain_name(parts.name);
     std::optional<ColumnName> known = column_name(plain);
-    // A letter may stand for other things, as U for a voltage, and traction for a force.
+    // A short name may mean something else, U a voltage and traction a force: the unit decides.
     const bool may_be_other =
         plain == "traction" || (plain.size() <= 2 && known && known->output != Output::friction);
     if (may_be_other && known && !parts.unit.empty() &&
@@ -467,7 +467,7 @@ class MeasuredReader {
                     units_for(column.si()) + ", in brackets or after a / behind the name");
   }
 
-  // The quantity that the column holds; null where its unit does not fit, or the scene has none.
+  // The column of a held quantity; null if the unit does not fit, or the scene has no such number.
   const HeldColumn* held_here(std::string_view plain, const Heading& parts) const {
     const HeldColumn* const held = held_column(plain);
     const bool fits = held != nullptr && parts.is_closed &&
@@ -520,7 +520,7 @@ class MeasuredReader {
     return std::nullopt;
   }
 
-  // The cell with a point in place of a decimal comma, which there is where no comma separates.
+  // The cell with a point in place of a decimal comma, unless the comma is the file's separator.
   std::string with_point(std::string_view cell) const {
     std::string text(cell);
     const std::size_t comma = text.find(',');

@@ -22,32 +22,31 @@ struct MeasuredNumber {
   Output output{};
   double value = 0;
   std::string unit = {};              // of the file; empty: none
-  double unit_in_si = 1;              // that unit in the SI unit
+  double unit_in_si = 1;              // one of that unit, in SI units
   bool has_other_conditions = false;  // the row has another load, slide-roll ratio or temperature
 };
 
 struct MeasuredPoints {
   std::vector<MeasuredNumber> numbers;
   std::vector<std::string> ignored;  // headings of the columns that are not read
-  // A line for each column that a scene has a number for, such as the load, and in which some rows
-  // have another number.
+  // A line for each column, such as the load, in which some rows do not have the scene's number.
   std::vector<std::string> contradictions;
 };
 
-// Reads a file of which each line is a point. The first line has the names of the columns with
-// their units: `speed [m/s],film [nm],friction`; names are those of outputs that are numbers, and
-// those that test rigs use for them. An empty cell was not measured. Blank lines, and lines that
-// begin with #, are skipped. Throws report::ReportError with one line for each mistake; an output
-// that the scene does not ask for is a mistake.
+// Reads a file with one point on each line. The first line has the names and units of the columns:
+// `speed [m/s],film [nm],friction`. A name is that of a numeric output, or one that test rigs use
+// for it. An empty cell means that nothing was measured. Blank lines, and lines that begin with #,
+// are skipped. Throws report::ReportError with one line for each mistake; an output that the scene
+// does not ask for is a mistake.
 MeasuredPoints read_measured(const std::string& path, const Scene& scene);
 
 struct Comparison {
   MeasuredNumber measured;
   protocol::OutputValue computed;
   double deviation_percent = 0;  // (computed − measured)/measured; NaN where there is none
-  bool is_outside = false;       // of the speeds of the scene's curve
+  bool is_outside = false;       // the speed lies outside the scene's curve
 
-  // Was the contact of the scene measured, at a speed of its curve at which the model has a film?
+  // Does the point have the scene's conditions, a speed of its curve, and a film in the model?
   bool is_on_curve() const {
     return !measured.has_other_conditions && !is_outside && computed.undefined.empty() &&
            !(deviation_percent <= -100);

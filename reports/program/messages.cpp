@@ -9,7 +9,7 @@
 namespace tribo::cli {
 namespace {
 
-// Not fmt::print, which throws where the write fails.
+// Calls std::fwrite, because fmt::print throws where the write fails.
 void write_line(std::string_view before, std::string_view text) {
   std::string line(before);
   line += printable(text, std::string::npos);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that a command tells: its results, which go through the output stream of the protocol, lines
-// on stderr, and its exit code. Bad input gives one line for each thing that is wrong, and its own
-// exit code.
+// The output of a command: results, which go through the protocol's output stream, lines on stderr,
+// and the exit code. Bad input gives one line for each mistake, and has its own exit code.
 #pragma once
 
 #include <stdexcept>
@@ -24,12 +23,12 @@ inline constexpr int exit_done = 0;    // done, all held
 inline constexpr int exit_failed = 1;  // a check or gate failed, or results could not be written
 inline constexpr int exit_bad = 2;     // bad usage or input
 
-// Writes "tribocheck: <text>" as one line. Signs that could steer a terminal are escaped, and a
-// stderr that is closed or full is no reason to fail.
+// Writes "tribocheck: <text>" as one line. Signs that could steer a terminal are escaped. A failed
+// write, such as to a closed stderr, is ignored.
 void complain(std::string_view text);
 
-// Writes `text` and below it the lines, each as "  <line>", in the same way; nothing where there
-// are no lines.
+// Writes `text` and below it the lines, each as "  <line>", in the same way. Writes nothing if
+// there are no lines.
 void complain_of(std::string_view text, const std::vector<std::string>& lines);
 
 // Complains, and returns the exit code.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view without_roughness = "the bodies are smooth: λ has no σ_s";
 
-// The onset, or none with a reason where a number of it overflows.
+// The onset. If one of its numbers overflows, it is marked as not existing, with the reason.
 Onset<double> checked(Onset<double> onset) {
   if (!onset.exists ||
       (std::isfinite(onset.speed + onset.film) && !std::isinf(onset.film_parameter)))
@@ -65,8 +65,8 @@ std::array<protocol::OutputValue, 5> cells_of(const Scene& scene, const Onset<do
            {{}, law_of(scene)}}};
 }
 
-// The speeds of one criterion by the other laws of the inlet that scenes are made with; empty where
-// none has it.
+// The onset speeds of one criterion by the other laws of the inlet, without printed_exponents and
+// solved. The text is empty if no other law has this onset.
 std::string by_other_laws(const Scene& scene, OnsetCriterion criterion, double departure) {
   std::string told;
   for (const StarvationClosure law :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The onsets of starvation of scenes as rows, one a criterion.
+// The onsets of starvation of scenes as rows, one row for each criterion.
 #pragma once
 
 #include <span>

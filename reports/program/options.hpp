@@ -12,17 +12,17 @@
 
 namespace tribo::cli {
 
-// Options that have no effect, if `is_so`, because of other options.
+// If `is_so`, these options would have no effect beside the others that are given.
 struct Ignored {
   std::vector<std::string_view> options;
   bool is_so;
   std::string why;  // "without --subject", "beside --show": ends the sentence of the refusal
 };
 
-// The refusal of the first given option that would be ignored, empty where there is none. Refused
-// are options of the table, options in front of a subcommand, and options whose value is empty, as
-// when a variable of the shell is not set. An option whose value may be empty has to be declared
-// with 0 to 1 values.
+// The refusal of the first given option that would be ignored; empty if there is none. These are
+// refused: options of the table, options in front of a subcommand, and options whose value is
+// empty, as when a variable of the shell is not set. An option whose value may be empty has to be
+// declared with 0 to 1 values.
 std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& table);
 
 // A limit of time that an option gives in seconds.
@@ -31,8 +31,8 @@ inline std::chrono::milliseconds milliseconds(double seconds) {
 }
 
 // Adds an option that is a number. CLI11's own conversion rounds twice and lets "nan" through.
-// `allowed` tells in words which numbers `is_allowed` takes. Where there is a `unit`, as "m/s" or
-// "%", the number may have one, as in scenes; a number in % is stored as a part of 1.
+// `allowed` tells in words which numbers `is_allowed` takes. With a `unit`, such as "m/s" or "%",
+// the number may have a unit, as in scenes. A number in % is stored as a part of 1.
 CLI::Option* add_number_option(CLI::App& app, const std::string& name,
                                std::function<void(double)> store, bool (*is_allowed)(double),
                                const std::string& allowed, const std::string& description,

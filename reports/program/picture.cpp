@@ -24,8 +24,8 @@ void add_picture_option(CLI::App& app, std::string& picture, const std::string& 
 
 bool draw_picture(const std::string& script, std::string_view data, const std::string& picture) {
   try {
-    // The file is removed at the end. It does not lie beside the picture, so that what is wrong
-    // with that folder is told of the picture.
+    // The file is removed at the end. It is not in the picture's folder: if nothing can be written
+    // there, the message has to name the picture.
     const sweep::PartFile file(std::filesystem::temp_directory_path() / "tribocheck-picture.json");
     file.write(data);
     const report::Rendering drawn =

@@ -25,8 +25,8 @@ std::vector<Column> columns_of(std::span<const Scene> scenes) {
   return columns;
 }
 
-// Why friction is not among the outputs of a scene that asks for all that it can have; empty where
-// it is, or where the scene names its outputs.
+// Why a scene that does not name its outputs has no friction. The text is empty if the scene has
+// friction, or names its outputs.
 std::string_view why_without_friction(const Scene& scene) {
   OutputSet outputs = scene.outputs;
   if (outputs.contains(Output::friction)) return {};
@@ -63,7 +63,7 @@ void PointWriter::begin_scene(const Scene& scene, const MixedContact<double>& co
 void PointWriter::add(const OperatingPoint<double>& point) {
   cells_[0].undefined = std::isfinite(point.speed) ? std::string_view() : protocol::beyond_double;
   cells_[0].number = point.speed;
-  std::size_t column = 0;  // made in place, as a copy of what was just written takes long
+  std::size_t column = 0;  // the cells are made in place, because copying each takes long
   for (const OutputInfo& info : output_infos)
     if (scene_->outputs.contains(info.output))
       new (&cells_[++column]) protocol::OutputValue(

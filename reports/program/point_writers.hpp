@@ -24,7 +24,7 @@ class PointWriter {
   // Called once before the points of each scene; `scene` must live until the next call.
   void begin_scene(const Scene& scene, const MixedContact<double>& contact);
   void add(const OperatingPoint<double>& point);
-  // `members`: of the JSON document, after its points.
+  // `members` stand in the JSON document after its points.
   void finish(const nlohmann::ordered_json& members) { rows_.finish(members); }
 
  private:
@@ -34,8 +34,8 @@ class PointWriter {
   std::vector<protocol::OutputValue> cells_;
 };
 
-// Calls solve(speeds) with the speeds of a scene, some at a time: enough for several threads, and
-// few enough to keep memory flat for any number of them.
+// Calls solve(speeds) with one chunk of a scene's speeds after the other. A chunk is enough for
+// several threads, and memory does not grow with the number of speeds.
 template <class Solve>
 void in_chunks(const Scene& scene, const Solve& solve) {
   constexpr std::size_t chunk = std::size_t{1} << 16;

@@ -111,18 +111,18 @@ void check_names(const std::vector<std::string>& asked, const std::vector<TestCa
 }
 
 struct Offered {
-  std::vector<TestCase> cases;  // that it answers
+  std::vector<TestCase> cases;  // that the solver answers
   bool answers_at_end_of_input = false;
 };
 
-// Asks three cases of each function, which shows whether answers come only at the end of the input.
-// If they come at once, more cases are asked, because a function that is offered in part skips
-// many: all cases of the functions that are named, else some cases of each function.
+// Asks three cases of each function. This shows whether answers come only at the end of the input.
+// If they come at once, more cases are asked, because a solver may skip many cases of a function:
+// all cases of the functions that --function names, else 20 cases of each function.
 Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
                    const std::vector<TestCase>& cases) {
   conformance::Limits limits;
   limits.first_answer = milliseconds(arguments.start_timeout);
-  // A subject that is silent for so long is tried with its input closed.
+  // The input of a subject that is silent for so long is closed: it may answer only then.
   limits.one_case = std::min(limits.one_case, limits.first_answer / 2);
   limits.all_cases = milliseconds(arguments.timeout);
   std::vector<TestCase> asked;
@@ -177,7 +177,7 @@ std::string place_text(const HotLine& line) {
   return line.line == 0 ? file_text(line) : fmt::format("{}:{}", file_text(line), line.line);
 }
 
-// The text of a line, so that nobody has to look it up; empty where it cannot be read.
+// The source text of a line; empty if it cannot be read.
 std::string source_of(const HotLine& line) {
   constexpr std::size_t most_signs = 60;
   std::ifstream file(line.file);
@@ -216,7 +216,7 @@ std::string left_out(const Profile& profile, std::size_t shown) {
 }
 
 void append_table(Text& to, const Profile& profile, std::size_t most) {
-  constexpr double least_share = 5e-4;  // 0.1 %, rounded
+  constexpr double least_share = 5e-4;  // is shown as 0.1 %
   std::size_t shown = 0;
   while (shown < std::min(most, profile.lines.size()) &&
          profile.lines[shown].cost >= least_share * profile.total)

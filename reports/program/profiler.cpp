@@ -35,7 +35,7 @@ bool is_python(const std::string& program) {
   return fs::path(program).filename().string().starts_with("python");
 }
 
-// Whether a program is an interpreter: its own work would be shown in place of the solver's.
+// Is a program an interpreter? A profile would show its work in place of the solver's.
 bool is_interpreter(const std::string& program) {
   constexpr auto known = std::to_array<std::string_view>(
       {"sh", "bash", "dash", "octave", "octave-cli", "julia", "java", "node", "perl", "ruby", "lua",
@@ -44,8 +44,8 @@ bool is_interpreter(const std::string& program) {
   return std::find(known.begin(), known.end(), name) != known.end();
 }
 
-// The words of a script's first line, "#!/usr/bin/env python3", without env; empty of any other
-// file.
+// The words of a script's first line, such as "#!/usr/bin/env python3", without env. The list is
+// empty for any other file.
 std::vector<std::string> interpreter_of(const std::string& program) {
   std::ifstream file(program, std::ios::binary);
   std::string line;
@@ -65,14 +65,15 @@ std::vector<std::string> interpreter_of(const std::string& program) {
 constexpr const char* measurable =
     "what can be measured: a plug-in, a compiled program, `python3 solver.py`";
 
-// Libraries that the system has, in contrast to those that come with a solver.
+// Does a library belong to the system, and not to the solver?
 bool is_of_system(const std::string& object) {
   return object.empty() || object == "???" || object.starts_with('[') ||
          object.starts_with("/usr/lib") || object.starts_with("/lib") ||
          object.starts_with("/usr/local/lib/valgrind");
 }
 
-// The lines of addresses in a program or library, "FILE:NUMBER" each; "??:0" where it has none.
+// The source lines of addresses in a program or library. addr2line prints "FILE:NUMBER" for each,
+// or "??:0" or "??:?" if it knows no line: then the file is empty and the number 0.
 std::vector<CallGraph::Line> lines_of(const std::string& object,
                                       const std::vector<std::uint64_t>& addresses) {
   std::vector<std::string> command{"addr2line", "-e", object};
@@ -81,7 +82,7 @@ std::vector<CallGraph::Line> lines_of(const std::string& object,
   std::vector<CallGraph::Line> lines;
   for (std::string line; std::getline(text, line);) {
     const std::size_t colon = line.rfind(':');
-    std::uint64_t number = 0;  // stays so of "?"; " (discriminator 3)" may follow it
+    std::uint64_t number = 0;  // stays 0 for "?"; " (discriminator 3)" may follow
     if (colon != line.npos)
       std::from_chars(line.data() + colon + 1, line.data() + line.size(), number);
     lines.emplace_back(number == 0 ? std::string() : line.substr(0, colon), number);
@@ -130,8 +131,8 @@ void Profiler::choose_tool(const std::string& tool) {
         "perf is not installed, which takes the time of each line; apt-get install linux-perf");
 }
 
-// Finds the program among the words: behind `exec` and variables of the environment, which `env`
-// sets.
+// Finds the program among the words. `exec` and VARIABLE=VALUE may stand in front of it; `env` is
+// put in front of the variables.
 void Profiler::take_program(std::vector<std::string> words) {
   if (words.front() == "exec") words.erase(words.begin());
   const auto program = std::find_if(words.begin(), words.end(), [](const std::string& word) {
@@ -195,8 +196,8 @@ std::vector<std::string> Profiler::command(const fs::path& folder) const {
       raw.insert(at, 1, '%');  // valgrind replaces %p and the like
     tool = {"valgrind", "-q", "--tool=callgrind", "--callgrind-out-file=" + raw};
   } else if (tool_ == Tool::perf) {
-    // The clock of the processor, which no machine lacks, and the stack, which tells the caller of
-    // a library.
+    // The samples are taken by cpu-clock, which every machine has. They hold the stack, which tells
+    // the caller of a library.
     tool = {"perf", "record",       "-q",         "-e", "cpu-clock:u", "-F",
             "997",  "--call-graph", "dwarf,4096", "-o", raw,           "--"};
   } else {
@@ -272,7 +273,7 @@ CallGraph Profiler::measured_calls(const fs::path& raw) const {
       graph.calls.push_back(
           {caller.at(0).get<std::size_t>(), place, {}, caller.at(1).get<double>()});
   }
-  // A call is at the line of the function that makes it: cProfile knows no other.
+  // cProfile does not know the line of a call: the first line of the caller stands for it.
   for (CallGraph::Call& call : graph.calls)
     call.line = graph.functions.at(call.caller).cost.begin()->first;
   return graph;

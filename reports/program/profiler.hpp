@@ -22,7 +22,7 @@ class Profiler {
   Profiler(const std::string& plugin, const std::string& command, const std::string& tool);
 
   Tool tool() const { return tool_; }
-  // "callgrind 3.19.0", "perf 6.1.187"; of cProfile the version of Python follows from measured().
+  // "callgrind 3.19.0", "perf 6.1.187", or "cProfile" without a version.
   std::string tool_name() const;
   std::string unit() const { return tool_ == Tool::callgrind ? "instructions" : "s"; }
   const std::string& plain_command() const { return plain_; }  // of the shell, without the tool

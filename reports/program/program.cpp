@@ -40,7 +40,7 @@ See also: tribocheck solve --help)";
 
 constexpr std::size_t description_column = 34;
 
-// The column at which a line goes on: below the description of an option, else below its own start.
+// The column at which a wrapped line goes on: that of an option's description, else of its start.
 std::size_t indent_of(const std::string& line) {
   const std::size_t start = line.find_first_not_of(' ');
   if (start == 0 || start == std::string::npos) return 0;
@@ -70,8 +70,8 @@ bool is_prose(const std::string& line) {
   return !line.empty() && line.front() != ' ' && !line.starts_with("Usage:");
 }
 
-// Help on 80 columns, as CLI11 2.1 does not wrap: lines broken at words. Descriptions of options go
-// on in their column, paragraphs are filled anew; lines after "Example:" stay, as people copy them.
+// The help on 80 columns, because CLI11 2.1 does not wrap lines. Descriptions of options go on in
+// their column, and paragraphs are filled anew. Indented lines after "Example:" can be copied.
 std::string wrapped_help(const std::string& help) {
   constexpr std::size_t width = 80;
   std::vector<std::string> lines;
@@ -131,7 +131,7 @@ int answer_parse_error(const CLI::App& program, const CLI::ParseError& error,
   return fail(exit_bad, std::string(error.what()) + " (see --help)");
 }
 
-// CLI11 2.1 takes the brackets off "[name]" and splits what is in them, a file's name or not.
+// CLI11 2.1 takes "[name]" for a list, even if it is a file's name; "./" in front prevents that.
 std::vector<std::string> guarded(int count, char** arguments) {
   std::vector<std::string> result;
   for (int i = count - 1; i > 0; --i) {  // CLI11 wants them in reverse order

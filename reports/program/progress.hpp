@@ -36,7 +36,7 @@ class StepLine {
 struct ProgressStyle {
   const char* what = "points";
   std::size_t steps_between_looks = 1024;  // looks at the clock
-  bool results_come_at_end = false;        // else nothing is shown if stdout is a terminal
+  bool results_come_at_end = false;        // false: nothing is shown if stdout is a terminal
 };
 
 // Counts steps. The count is shown only where nothing else is written to the same terminal, and
@@ -76,8 +76,8 @@ class Forecast {
   bool is_told_ = false;
 };
 
-// How far a sweep is: a line that is rewritten on a terminal, nothing in a pipe, and a line a
-// minute where stderr is a file or anything else that is read later.
+// Shows how far a sweep is. On a terminal one line is rewritten. In a file, or anything else that
+// is read later, a line is added each minute. In a pipe nothing is written.
 class SweepProgress {
  public:
   explicit SweepProgress(double points_a_chunk) : points_a_chunk_(points_a_chunk) {}

@@ -50,7 +50,7 @@ void load_scene(const std::string& path, SceneUse use, const Prepare& prepare,
   loaded.scenes.push_back(std::move(*reading.scene));
 }
 
-// The path of a folder that examples name: as they name it, or where the project has it.
+// The path of a folder that examples name: that path if it exists, else the project's folder.
 std::string found(std::string_view usual) {
   std::error_code ignored;
   if (std::filesystem::is_directory(usual, ignored)) return std::string(usual);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arguments `SCENE… --format F --strict` that commands of scenes share, reading those scenes,
-// and the scenes that the examples of the help name.
+// The arguments `SCENE… --format F --strict` that the commands share, the reading of these scenes,
+// and the folders of the scenes that examples in the help name.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ struct LoadedScenes {
   std::vector<Scene> scenes;  // the good ones, in their order
   bool all_good = true;
   Warnings warnings;      // of the good ones
-  bool is_noted = false;  // it was told that a part of some scene has no effect
+  bool is_noted = false;  // a warning said that a part of a scene has no effect
 
   // The exit code of a command that has written its results: exit_bad where a scene is not good;
   // exit_failed where --strict is given and there was a warning, or a scene has a part without
@@ -33,7 +33,7 @@ struct LoadedScenes {
   int exit_code(const SceneArguments& arguments) const;
 };
 
-// Puts options of a command into a scene. Returns why the command cannot take it; empty if it can.
+// Puts a command's options into a scene. Returns why the scene cannot be taken; empty if it can.
 using Prepare = std::function<std::string(Scene&)>;
 
 // Reads every scene, and reports every error on stderr, and in one line the limits that the scenes

@@ -146,7 +146,7 @@ Facts contact_of(const Scene& scene, const MixedContact<double>& contact) {
             "the flooded film of smooth faces grows as this power of the speed"}}};
 }
 
-// All outputs, each with whether the scene asks for it.
+// All outputs. The value of each is whether the scene asks for it.
 Facts outputs_of(const Scene& scene) {
   Facts outputs{"outputs", {}};
   for (const OutputInfo& info : output_infos)

@@ -18,7 +18,7 @@ namespace {
 
 int stream(OutputStream& output) {
   protocol::LineReader lines(STDIN_FILENO, max_scene_bytes);
-  // A stream may be endless: each limit is told of the first scene that passes it.
+  // A stream may be endless: only the first scene that passes a limit is reported.
   std::set<std::string_view> told;
   const auto warn = [&told](std::size_t number, const std::vector<Validity>& passed) {
     std::vector<Validity> news;

@@ -39,7 +39,7 @@ namespace tribo::cli {
 namespace {
 
 struct SweepArguments {
-  std::vector<std::string> files;  // sweeps; of `merge` shards, of `show` results
+  std::vector<std::string> files;  // sweeps; for `merge` shards, for `show` results
   sweep::RunSettings run;
   std::string shard, pictures;
   std::string format = "table";
@@ -49,8 +49,8 @@ struct SweepArguments {
 
 // --- Reading.
 
-// A sentence on how to see a case that goes beyond limits: the case that goes furthest, or any case
-// where only the ends of grids are known.
+// A sentence on how to see a case that goes beyond limits. It names the case that goes furthest, or
+// "N" if only the ends of grids were looked at.
 std::string where_of(const std::string& file, const sweep::SceneSweep& sweep,
                      const std::vector<Validity>& passed) {
   const auto counted =
@@ -62,7 +62,7 @@ std::string where_of(const std::string& file, const sweep::SceneSweep& sweep,
       counted == passed.end() ? "case N" : "that case");
 }
 
-// The plan of the files, if they are good. Counts the warnings.
+// The plan of the files; std::nullopt if one is bad. Adds the number of warnings to `warned`.
 std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files, bool told,
                                           std::size_t& warned) {
   std::vector<sweep::SceneSweep> scenes;
@@ -331,7 +331,7 @@ int told(Step&& step) {
   }
 }
 
-// "sweep show" for `sweep shwo`: no file, and nearly the name of a subcommand; else empty.
+// "sweep show" for `sweep shwo`, if there is no such file; empty if no subcommand is meant.
 std::string subcommand_meant(const SweepArguments& arguments) {
   if (arguments.files.empty() || std::filesystem::exists(arguments.files.front())) return {};
   constexpr auto names = std::to_array<std::string_view>({"merge", "show", "diff"});
@@ -413,7 +413,7 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
   });
 }
 
-// Runs a step that reads results; a file that is none is bad input.
+// Runs a step that reads results. A file that is no result is bad input.
 template <class Step>
 int told_of_results(const std::vector<std::string>& files, Step&& step) {
   return told([&] {

@@ -18,7 +18,7 @@ using report::width_of;
 
 namespace {
 
-// "real_area_ratio" → "real_area_", "ratio": broken after "_" where more would be too wide.
+// "real_area_ratio" → "real_area_", "ratio": broken after "_" where the line would be too wide.
 std::vector<std::string> broken(std::string_view name, std::size_t width) {
   std::vector<std::string> lines;
   while (!name.empty()) {
@@ -136,7 +136,7 @@ void RowWriter::add(std::span<const OutputValue> cells) {
 void RowWriter::add_csv(std::span<const OutputValue> cells) {
   Text& text = output_.text();
   append(text, id_);
-  std::size_t next = 0;  // the scene's columns are in the order of all
+  std::size_t next = 0;  // columns_ has the same order as all_
   std::string_view reason;
   for (const Column& column : all_) {
     text.push_back(',');

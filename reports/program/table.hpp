@@ -35,8 +35,8 @@ constexpr std::size_t width_of_words(std::span<const std::string_view> words) {
   return width;
 }
 
-// One column: "real_area_ratio" is written over several lines, its unit last: "[m]", "[-]" for a
-// number without one, "" for words.
+// The head of one column. A name such as "real_area_ratio" takes several lines. The unit stands
+// below it: "[m]", "[-]" for a number without a unit, "" for words.
 class ColumnHead {
  public:
   ColumnHead(std::string_view name, std::string_view unit, std::size_t least_width);
@@ -59,7 +59,7 @@ void append_row(Text& to, const std::vector<ColumnHead>& heads,
 // A title, underlined.
 void append_title(Text& to, std::string_view title);
 
-// A column of rows, under the name that CSV and JSON have for it too.
+// A column of rows. Tables, CSV and JSON have the same name for it.
 struct Column {
   std::string_view name;
   std::string_view unit = {};  // empty: dimensionless
@@ -80,11 +80,11 @@ class RowWriter {
     std::string_view schema, rows;
   };
 
-  // format: "table", "csv" or "json". `columns`: all that a scene has, as CSV has one header.
+  // format: "table", "csv" or "json". `columns`: those of all scenes, as CSV has one header.
   RowWriter(std::string_view format, OutputStream& output, std::vector<Column> columns,
             Document document, Reasons reasons = Reasons::below);
 
-  // The next rows are about this scene, with these of the columns.
+  // The next rows are about this scene, and have these of the columns.
   void begin(std::string_view id, std::string_view title, std::vector<Column> columns);
   // Says below the table of this scene why it has no such column.
   void note(std::string_view name, std::string_view reason) {
@@ -106,7 +106,7 @@ class RowWriter {
   std::vector<Column> all_, columns_;
   Reasons reasons_;
   std::string id_;           // in CSV quoted
-  std::string_view before_;  // the next row
+  std::string_view before_;  // the text in front of the next row
   std::vector<ColumnHead> heads_;
   std::vector<std::pair<std::string_view, std::string_view>> notes_;  // name and reason
 };

@@ -29,7 +29,7 @@ std::string quantity_text(double value, std::string_view unit, int digits = 3) {
   return fmt::format("{:.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
 }
 
-// A number of the limit; that of a field as scenes have it.
+// The text of a limit's value or bound. For a field it is written as in scenes.
 std::string number_of(const Validity& limit, double number) {
   if (limit.field.empty() || (limit.value_follows && number == limit.value))
     return quantity_text(number, limit.unit);
@@ -37,7 +37,7 @@ std::string number_of(const Validity& limit, double number) {
          std::string(limit.unit);
 }
 
-// The limit's number, with more digits where it would read as the bound that it is beyond.
+// The text of the value, with more digits if it would read like the bound that it is beyond.
 std::string value_text(const Validity& limit) {
   std::string text = number_of(limit, limit.value);
   const bool reads_as_bound =
@@ -46,7 +46,7 @@ std::string value_text(const Validity& limit) {
   return reads_as_bound ? quantity_text(limit.value, limit.unit, 6) : text;
 }
 
-// The bounds, as "at most 4 GPa", or of a range "1e-05 Pa·s to 10 Pa·s".
+// The bounds, such as "at most 4 GPa" or "1e-05 Pa·s to 10 Pa·s".
 std::string bounds_text(const Validity& limit) {
   const std::string least = number_of(limit, limit.least);
   const std::string greatest = number_of(limit, limit.greatest);

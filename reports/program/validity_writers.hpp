@@ -20,7 +20,7 @@ std::string passed_text(const Validity& limit, bool is_short = false);
 
 // The table of a scene: assumption, value here, limit, whether it holds, and the word to accept it.
 void append_validity(Text& to, std::string_view id, const std::vector<Validity>& limits);
-// A row of it as JSON, in SI units.
+// The same rows as JSON, in SI units.
 nlohmann::ordered_json validity_json(const std::vector<Validity>& limits);
 
 // The limits that the scenes of a command pass and do not accept.
@@ -29,8 +29,8 @@ class Warnings {
   // `source`: the file, as messages name it. `id`: of the scene.
   void add(std::string_view source, std::string_view id, const std::vector<Validity>& passed);
   bool any() const { return !scenes_.empty(); }
-  // Says all of them in short in one line on stderr; nothing where there are none. `where` says
-  // where these limits are explained.
+  // Writes all of them in their short form, in one line on stderr; nothing if there are none.
+  // `where` says where these limits are explained.
   void tell(std::string_view where) const;
   // The member `warnings` of a document: an empty list where there are none.
   nlohmann::ordered_json json() const;

@@ -25,7 +25,7 @@ using verification::QuantityResult;
 
 const char* verdict(const QuantityResult& result) { return result.passed() ? "held" : "FAILED"; }
 
-// "24", "32 × condition", or the greater of both, as the contract has it.
+// "24"; or "24 or 32 × cond." if the contract allows the greater of both.
 std::string allowed(const QuantityResult& result) {
   if (result.allowed_ulp_per_condition == 0) return fmt::format("{}", result.allowed_ulp);
   return fmt::format("{} or {} × cond.", result.allowed_ulp, result.allowed_ulp_per_condition);
@@ -224,7 +224,7 @@ Command add_verify(CLI::App& program) {
   update->needs("--baseline");
   app->add_flag("--force", subject.baseline.force, "with --update-baseline: what is worse, too")
       ->needs(update);
-  app->option_defaults()->group("Options");  // of what is added from here on, as by default
+  app->option_defaults()->group("Options");  // of the options added from here on, as by default
   return {app, [arguments](OutputStream& output) { return verify(*arguments, output); },
           [arguments] { return ignored_by(*arguments); }};
 }

@@ -50,7 +50,7 @@ struct SubjectVerdict {
   std::optional<conformance::BaselineChanges> changes;  // changes against that file
 };
 
-// By what a subject is judged.
+// What a subject is judged by.
 struct JudgedBy {
   conformance::Tolerance tolerance;
   conformance::AskedWays ways;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Puts the example subjects to the tests."""
+"""Helpers of the tests that ask subjects: their command lines, altered answers, and checks of JUnit files."""
 
 import os
 import pathlib
@@ -18,7 +18,7 @@ def subject(script, *words):
     return " ".join([PYTHON, "-B", str(SUBJECTS / script), *words])
 
 
-# A right solver whose answers, and whose end, are changed.
+# A program that answers like a right solver, but changes each answer, and runs other code at its end.
 ALTERED = """
 import json, math, os, signal, sys
 sys.path.insert(0, {folder!r})
@@ -49,7 +49,7 @@ JUNIT = {"testsuite": "NAME TESTS FAILURES ERRORS skipped time", "properties": "
 
 
 def junit_suite(path):
-    """The suite of a JUnit file, which has no other elements and attributes than those of JUNIT, and counts rightly."""
+    """The suite of a JUnit file. Asserts that JUNIT has all its elements and attributes, and that its counts are right."""
     suite = ElementTree.parse(path).getroot()
     for element in suite.iter():
         words = JUNIT[element.tag].split()

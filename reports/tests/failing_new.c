@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Preloaded into the program by test_sweep_ranks.py: there is no memory for the object of C++ that is the
-   FAILING_NEW-th of those of a kilobyte or more. Objects count from the first line of main() on: some of the
-   libraries make theirs before it, on some processors alone, where nobody could tell the failure by a line. */
+/* test_sweep_ranks.py preloads this into the program. The FAILING_NEW-th call of operator new for 1024 bytes or
+   more throws std::bad_alloc. Calls are counted from the start of main() on: before it some libraries allocate,
+   on some processors only, and the program could not yet report the failure by a line. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdlib.h>

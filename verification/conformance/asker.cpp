@@ -25,7 +25,7 @@ constexpr const char* may_not_flush =
 constexpr const char* half_a_line =
     "; half a line has come: it does not flush its output after each line";
 
-// The part of an answer that was asked for, or why it is not there.
+// The members that were asked for, or that say why they are missing; long ones are cut.
 json asked_part(const json& answer, const TestCase& asked) {
   json part{{"id", asked.id}};
   const auto keep = [&](const std::string& name) {
@@ -118,7 +118,7 @@ void Patience::note_failure(const Questions& questions, std::size_t question,
   end_ = end;
 }
 
-// A hint on what may be wrong stands behind a semicolon of the end.
+// A hint may follow a semicolon in `end_`. It stays the last part of the reason.
 std::string Patience::reason() const {
   const std::size_t hint = std::min(end_.find(';'), end_.size());
   return fmt::format("it {} {} times in a row without an answer{}", end_.substr(0, hint), in_a_row_,
@@ -168,7 +168,7 @@ std::string Asker::why_never_answered() const {
   return why;
 }
 
-// Starts a process. False: it started none, because it gave up some or all of the cases.
+// Starts a process. Returns false if it gave up some or all questions instead.
 bool Asker::start() {
   if (!any_answer_ && silent_failures_ >= most_silent_failures) {
     give_up("it never answers");
@@ -233,21 +233,21 @@ void Asker::step() {
 
 std::chrono::milliseconds Asker::limit() const {
   const Limits& limits = questions_.limits;
-  // The line for the last case was broken: nothing more has to come.
+  // The last case has a broken answer already. A good one may still come, but need not.
   if (!broken_.empty() && asked_.size() == 1 && to_ask_.empty())
     return std::min(limits.one_case, std::chrono::milliseconds(1000));
   if (account.answers_at_end_of_input) return limits.all_cases;
   return usual_limit(limits, has_answered_);
 }
 
-// Where all cases were sent at once, a subject that reads on makes progress.
+// If all cases were sent at once, it counts as progress that the subject reads them.
 void Asker::note_reading() {
   const std::size_t unread = process_->unread();
   if (at_once_ && unread < unread_) last_progress_ = Clock::now();
   unread_ = unread;
 }
 
-// An output line answers the case whose id it has. Earlier cases that still wait get no answer.
+// An output line answers the case whose id it has. Earlier cases without an answer are missing.
 void Asker::hear(const std::string& line) {
   json answer = read_answer_line(line);
   if (!answer.is_object()) return hear_garbage(line);
@@ -276,16 +276,16 @@ void Asker::hear(const std::string& line) {
   take(line.size() > longest_kept_answer ? asked_part(answer, asked) : std::move(answer));
 }
 
-// Answers that come after the end of the input in blocks that break lines, or all together, were
-// kept in a buffer.
+// Notes if the subject kept its answers in a buffer until its input ended: they then come all
+// together, or in blocks that end within a line.
 void Asker::note_block() {
   if (has_answered_ || !at_once_) return;
   if (process_->is_within_a_line() || process_->lines_at_hand() + 1 >= asked_.size())
     account.answers_at_end_of_input = true;
 }
 
-// Where the answer was given (Reply::place). A plug-in's process tells it in the member `place`,
-// which this takes out of the answer.
+// Where the answer was given (Reply::place). The process of a plug-in says it in the member `place`
+// of the answer. This member is removed.
 std::string Asker::place_of(json& answer) const {
   const auto told = answer.find("place");
   if (questions_.limits.flushes && told != answer.end() && told->is_string()) {
@@ -313,7 +313,7 @@ void Asker::take(json answer) {
   if (!any_answer_) note_first_answer(question);
 }
 
-// From here on the order in which one process would be asked is known.
+// Fixes the order in which one process would be asked, and shares the questions out.
 void Asker::note_first_answer(std::size_t question) {
   any_answer_ = true;
   questions_.greeting_case = questions_.case_of(question);
@@ -370,7 +370,7 @@ void Asker::stray(std::size_t place, const std::string& what) {
 
 void Asker::flooded() { fail(Outcome::garbage, "it floods its output", "floods its output"); }
 
-// The case gets no answer; its outcome is garbage if a broken line was meant as the answer.
+// The next case gets no answer. Its outcome is garbage if a broken line was meant as its answer.
 void Asker::settle_without_answer(Outcome outcome, const std::string& reason) {
   if (broken_.empty()) return settle(outcome, {}, reason);
   settle(Outcome::garbage, {}, broken_);
@@ -395,7 +395,7 @@ void Asker::settle(Outcome outcome, json fields, std::string reason) {
   questions_.note_settled();
 }
 
-// The next case is to blame. The cases that were sent after it are asked again, of a new process.
+// Ends the process and blames the next case. A new process is asked the cases sent after it.
 void Asker::fail(Outcome outcome, const std::string& reason, const std::string& end) {
   const bool any_asked = !asked_.empty();
   const std::size_t question = any_asked ? asked_.front() : questions_.greeting();
@@ -432,8 +432,8 @@ void Asker::died() {
   fail(Outcome::died, fmt::format("it {}", end), end);
 }
 
-// All cases are answered: the subject's input ends, and it should end too, with exit code 0. A
-// subject that does not is killed, and the result tells it.
+// Closes the input after the last answer. The subject should then end with exit code 0. Any other
+// end is noted in the account, and so is a subject that stays; run() then kills it.
 void Asker::hear_the_end() {
   if (!process_) return;
   process_->close_input();

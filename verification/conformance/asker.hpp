@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks a subject a share of the questions, one process of it at a time. Where a process ends or
-// falls silent, another one is started; where that leads nowhere, the questions are given up.
+// Asks a subject a share of the questions, with one process of it at a time. If a process ends or
+// falls silent, another one is started. After too many failures the questions are given up.
 #pragma once
 
 #include <chrono>
@@ -23,13 +23,13 @@ namespace tribo::conformance {
 
 using Clock = std::chrono::steady_clock;
 
-inline constexpr std::size_t most_violations = 20;  // so many are told, all are counted
+inline constexpr std::size_t most_violations = 20;  // only so many are reported; all are counted
 inline constexpr int most_starts = 25;
-std::string too_many_starts();  // the reason of cases that are not asked after so many starts
+std::string too_many_starts();  // why cases are not asked after most_starts starts
 
-// All questions to a subject, and their replies. A question is a number: below the count of cases
-// it asks that case, from there on it asks a case again, and the last one, the greeting, asks a
-// case that another process has answered. Askers that run at the same time share only the greeting.
+// All questions to a subject, and their replies. A question is an index: of n cases and m repeats,
+// those below n ask the cases, the next m ask cases again, and n + m is the greeting. It asks a
+// case that another process has answered. Askers that run at once share only the greeting.
 class Questions {
  public:
   Questions(const std::string& subject, const std::vector<TestCase>& all, const Limits& times,
@@ -39,13 +39,13 @@ class Questions {
   std::size_t greeting() const { return cases.size() + again.size(); }
   std::size_t case_of(std::size_t question) const;
   const TestCase& asked(std::size_t question) const { return cases[case_of(question)]; }
-  // Failures in a row are counted within each function; all repeats together are like one function.
+  // The function that is asked, or "" for a repeat. Failures in a row are counted within one group.
   std::string group(std::size_t question) const;
   Reply& reply(std::size_t question);  // not for the greeting: it keeps none
-  // Whether the question would ask a case again that cost the process the first time, or that was
-  // given up then: such a question is left out.
+  // Whether the question asks a case again at which the process ended or was late the first time,
+  // or that was given up then. Such a question is not asked.
   bool is_moot(std::size_t question) const;
-  // The questions that ask again those of these cases that are to be asked twice, the last first.
+  // The questions that ask cases of `some` again, the last case first.
   std::vector<std::size_t> repeats_of(const std::vector<std::size_t>& some) const;
 
   const std::string& command;
@@ -55,12 +55,12 @@ class Questions {
   const std::function<void()> note_settled;
   const Clock::time_point deadline;
   std::vector<Reply> answers, second_answers;
-  std::vector<std::size_t> places;  // of the questions, in the order that one process is asked
+  std::vector<std::size_t> places;  // rank of each question in the order of one process
   std::size_t greeting_case = 0;
 };
 
-// Patience with a subject that ends or falls silent where it owes an answer: after the third time
-// in a row within one function, the other questions to this function are given up.
+// Counts how often in a row the subject ends or falls silent while it owes an answer. After the
+// third time within one function, the other questions to this function are given up.
 class Patience {
  public:
   void note_answer() { in_a_row_ = 0; }
@@ -83,7 +83,7 @@ struct Heard {
   std::string text;
 };
 
-// The end of a process, or its silence, where it owed an answer.
+// How a process failed while it owed an answer.
 struct Breakdown {
   std::string end;     // "exits with code 3"
   std::string errors;  // the end of its stderr
@@ -94,32 +94,32 @@ struct Account {
   std::vector<Heard> violations;  // the first few
   std::size_t violation_count = 0, print_count = 0;
   std::optional<Heard> first_print;
-  std::map<std::size_t, Breakdown> breakdowns;  // by their questions
+  std::map<std::size_t, Breakdown> breakdowns;  // by question
   std::string final_errors;                     // the end of the last process's stderr
   std::string bad_end;                          // "it exits with code 3 after its last answer"
   bool stays = false, answers_at_end_of_input = false;
   std::string never_answered;
   int exit_code_without_answer = -1;
-  std::map<std::string, double> seconds;  // of each function
+  std::map<std::string, double> seconds;  // wall time of each function
   double cpu_seconds = 0;
 };
 
-// The reason where no answer came in time. The limit is another one before a process has answered.
-// `hint`, which ends the text, says what may be wrong with the subject.
+// The reason of a case without an answer in time. A process has another limit for its first answer.
+// `hint` is the end of the text: it says what may be wrong with the subject.
 std::string late_text(const Limits& limits, bool has_answered, const std::string& hint);
 
 class Asker {
  public:
-  // Takes those questions that other askers are to ask out of the list of unsent questions.
+  // Removes from the list of unsent questions those that other askers are to ask.
   using Share = std::function<void(std::deque<std::size_t>&)>;
 
-  // With `share`, which is called at the first answer, this asker finds out whether the subject
-  // ever answers. Without `share` another asker has found that the subject does.
+  // With `share`, this asker finds out whether the subject ever answers; it calls `share` at the
+  // first answer. Without `share`, another asker has had an answer before.
   Asker(Questions& questions, std::deque<std::size_t> to_ask, Share share = {});
 
-  // Asks all questions. `is_greeted`: the greeting is asked first, so that the process is like one
-  // that has been asked before, and what it wrote until then is not reported. Returns false where
-  // the greeting got no answer: then nothing else was asked.
+  // Asks all questions. `is_greeted`: asks the greeting first, so that the process is no fresh one
+  // when it gets the others. The account leaves out what it wrote until then. Returns false if the
+  // greeting got no answer; then nothing else was asked.
   bool run(bool is_greeted);
 
   Account account;
@@ -163,8 +163,8 @@ class Asker {
   Clock::time_point last_progress_;
   Patience patience_;
   std::size_t settled_ = 0;
-  std::size_t stray_ = 0;                  // since its last answer
-  std::size_t prints_ = 0;                 // since its last answer
+  std::size_t stray_ = 0;                  // wrong ids since its last answer
+  std::size_t prints_ = 0;                 // other lines since its last answer
   std::size_t unread_ = 0;                 // bytes
   bool has_answered_ = false;              // this process
   std::optional<std::size_t> last_heard_;  // the case that this process answered last
@@ -175,7 +175,7 @@ class Asker {
   int silent_failures_ = 0;  // before any answer
   bool any_answer_;
   bool at_once_ = false;  // all cases in one go, then the end of input
-  std::string broken_;    // why the line that was to answer the next case is no answer
+  std::string broken_;    // why a line that names the next case is no JSON object; or empty
   std::string broken_line_;
   std::string first_garbage_;
   std::string last_end_;

@@ -19,7 +19,7 @@ constexpr std::size_t lines_ahead = 256;    // lines asked and not yet answered
 constexpr std::chrono::milliseconds glance{100};
 constexpr std::size_t kept_error_lines = 5;
 
-// The lines that ask: some of each function, then the next ones of each, without an end.
+// An endless stream of questions: some lines of each function, then the next lines of each.
 class QuestionStream {
  public:
   explicit QuestionStream(const std::vector<TestCase>& cases) {
@@ -33,7 +33,7 @@ class QuestionStream {
       round_ += std::min(lines.size(), cases_in_a_row);
   }
 
-  std::size_t round() const { return round_; }  // lines until each function was asked
+  std::size_t round() const { return round_; }  // the number of its lines
 
   const std::string& next() {
     const std::vector<std::string>& lines = functions_[function_];

@@ -13,22 +13,22 @@
 namespace tribo::conformance {
 
 struct BusySettings {
-  std::chrono::milliseconds work{1000};     // of answers, from the first one on
+  std::chrono::milliseconds work{1000};     // how long it shall answer, from its first answer on
   std::chrono::milliseconds limit{600000};  // of the whole run
-  bool answers_at_end_of_input = false;     // if so, it gets one round of cases, no more
-  std::function<bool()> stopped;            // asked often: shall the run end at once?
+  bool answers_at_end_of_input = false;     // true: it gets only one round of cases
+  std::function<bool()> stopped;            // called often; true ends the run at once
 };
 
 struct BusyRun {
   std::size_t answers = 0;
   bool was_stopped = false;
   std::string failure;                   // why the run failed; empty: it did not
-  std::vector<std::string> error_lines;  // where it failed: its last lines on stderr
+  std::vector<std::string> error_lines;  // if it failed: the last lines of its stderr
 };
 
-// Runs the program and asks it some cases of the first function, some of the next one and so on, in
-// rounds, until it has worked for `work` and has got cases of each function. Then closes its input
-// and waits for its end. Throws std::system_error where the program cannot be started.
+// Runs the program and asks it cases in rounds; a round has some cases of each function. After at
+// least one round and the time `work`, closes its input and waits for its end. There must be a
+// case, and `stopped` must be set. Throws std::system_error if the program cannot be started.
 BusyRun keep_busy(const std::vector<std::string>& command, const std::vector<TestCase>& cases,
                   const BusySettings& settings);
 

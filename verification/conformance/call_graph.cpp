@@ -17,9 +17,9 @@ struct Place {
     return std::tie(function, line) < std::tie(other.function, other.line);
   }
 };
-using Shares = std::map<Place, double>;  // parts of 1; what is missing belongs to nobody
+using Shares = std::map<Place, double>;  // their sum is at most 1; the rest is left out
 
-// Finds the lines of the solver to which the cost of each library function belongs, by parts.
+// Shares the cost of each library function out among the lines of the solver.
 class Owners {
  public:
   explicit Owners(const CallGraph& graph)
@@ -32,7 +32,7 @@ class Owners {
 
   const Shares& of(std::size_t function) {
     if (states_[function] != State::unknown) return shares_[function];
-    states_[function] = State::begun;  // a call from a function that is begun is a recursion
+    states_[function] = State::begun;  // a call from a function in this state is a recursion
     Shares shares;
     double whole = 0;
     for (const CallGraph::Call* const call : calls_of_[function]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a profiler: functions, the cost of each line of them, and who called whom. From it
-// follow the lines of a solver that cost most.
+// The result of a profiler: functions, the cost of each of their lines, and the calls between them.
+// hot_lines() finds the lines of a solver that cost most.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace tribo::conformance {
 
 struct CallGraph {
   enum class Kind : std::uint8_t {
-    own,      // of the solver
-    library,  // of others; its cost belongs to the line of the solver that has called it
-    apart,    // of reading questions, writing answers or loading code: left out, with its part of
-              // the libraries
+    own,      // code of the solver
+    library,  // other code; its cost counts for the line of the solver that calls it
+    apart,    // reads questions, writes answers or loads code; is left out, and so is the cost of
+              // the libraries for its calls
   };
   using Line = std::pair<std::string, std::uint64_t>;  // file and number; 0: not known
   struct Function {
@@ -28,9 +28,9 @@ struct CallGraph {
     std::map<Line, double> cost;  // of each line, without what it calls
   };
   struct Call {
-    std::size_t caller = 0, callee = 0;  // in `functions`
+    std::size_t caller = 0, callee = 0;  // indices in `functions`
     Line line;                           // of the caller
-    double cost = 0;                     // of the callee with all that it calls
+    double cost = 0;                     // of these calls, with all that the callee calls
   };
 
   std::vector<Function> functions;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The format: https://valgrind.org/docs/manual/cl-format.html. Lines `fn=(7) name` say what the
-// costs below them belong to; a name is given once, and its number alone from then on. Costs are
-// `LINE INSTRUCTIONS`; after `calls=COUNT LINE` comes the cost of the calls, at the caller's line.
+// The format: https://valgrind.org/docs/manual/cl-format.html. `fn=(7) name` begins the costs of a
+// function; later lines have only its number, `fn=(7)`. A cost is `LINE INSTRUCTIONS`. The cost
+// after `calls=COUNT LINE` is that of the calls, at the caller's line.
 #include "conformance/callgrind_file.hpp"
 
 #include <charconv>
@@ -50,7 +50,7 @@ class Reader {
     return value;
   }
 
-  // "(7) name" or "(7)", which a list of names knows; "name" where names are not numbered.
+  // The name in "(7) name", in a later "(7)", or in "name" if names are not numbered.
   static const std::string& name_of(Names& names, std::string_view text) {
     const std::size_t close = text.starts_with('(') ? text.find(')') : text.npos;
     const std::string_view key = close == text.npos ? text : text.substr(0, close + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file that valgrind's callgrind leaves, with the instructions of each line.
+// Reads the file that valgrind's callgrind writes: the instructions of each source line.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace tribo::conformance {
 
-// `kind_of` tells, by its path, whether an object (a program or a shared library) is the solver's
-// own. Throws std::runtime_error with one line where the text is no such file.
+// `kind_of` gives the kind of an object (a program or a shared library) by its path. Throws
+// std::runtime_error with one line if the text is no such file.
 CallGraph read_callgrind(std::istream& text,
                          const std::function<CallGraph::Kind(const std::string&)>& kind_of);
 

@@ -39,7 +39,7 @@ void lead(int from, int to, int mode) {
   lead(streams.input, STDIN_FILENO, O_RDONLY);
   lead(streams.output, STDOUT_FILENO, O_WRONLY);
   lead(streams.errors, STDERR_FILENO, O_WRONLY);
-  std::signal(SIGPIPE, SIG_DFL);  // this program ignores it, others expect it
+  std::signal(SIGPIPE, SIG_DFL);  // ignored here, but other programs expect the default
   ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
   ::execvp(command[0], command);
   const int error = errno;
@@ -171,7 +171,7 @@ void close_ends(Ends& pipe) {
   close_end(pipe.writing);
 }
 
-// Appends to a text what can be read now, and closes the pipe at its end or at an error.
+// Appends what can be read now to `to`. Closes the pipe at its end or at an error.
 void read_more(int& descriptor, std::string& to) {
   std::array<char, 65536> block{};
   const ssize_t count = ::read(descriptor, block.data(), block.size());
@@ -217,7 +217,7 @@ GuardedChild::GuardedChild(std::vector<std::string> command, const ChildStreams&
   refuse(error);
 }
 
-// The guard stays a zombie until end(): as long as it is one, no other process gets its number.
+// An ended guard stays a zombie until end(), so that no other process gets its process id.
 bool GuardedChild::ended(int options) {
   if (has_ended_ || guard_ < 0) return true;
   siginfo_t info{};
@@ -356,7 +356,7 @@ ChildProcess::Event ChildProcess::next_line(std::string& line, Time longest) {
     if (take_line(line)) return line.size() > longest_line ? Event::too_long_line : Event::line;
     if (received_.size() > longest_line) return Event::too_long_line;
     if (output_ < 0) return Event::end_of_output;
-    // Once the child has ended, its output that is there is read, but no more is waited for.
+    // Once the child has ended, the output that is there is read without waiting for more.
     const bool was_gone = has_ended();
     const auto left = std::chrono::ceil<Time>(deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0 && !was_gone) return Event::nothing;

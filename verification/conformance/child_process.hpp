@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another program as a child process, with all processes that it starts. They all end when the
-// program, the object here or this process ends, in whatever way: a process in between, the guard,
-// adopts the processes that the program leaves behind, even in another session, and ends them.
+// Another program as a child process. When the program, the object here or this process ends, in
+// whatever way, the program and all that it started end. The guard, a process in between, adopts
+// the processes that the program leaves behind, even in another session, and ends them.
 #pragma once
 
 #include <sys/types.h>
@@ -23,9 +23,9 @@ struct ChildStreams {
 
 class GuardedChild {
  public:
-  // The program, the first word, is looked for in PATH unless its name has a slash. It gets a
-  // process group of its own. Throws std::system_error where it cannot be started. The thread that
-  // calls this is to live as long as the object: its end counts as the end of this process.
+  // The first word is the program. It is looked for in PATH unless it has a slash, and gets a
+  // process group of its own. Throws std::system_error if it cannot be started. The calling thread
+  // must live as long as the object, because its end counts as the end of this process.
   GuardedChild(std::vector<std::string> command, const ChildStreams& streams);
   GuardedChild(const GuardedChild&) = delete;
   GuardedChild& operator=(const GuardedChild&) = delete;
@@ -34,14 +34,14 @@ class GuardedChild {
   // Has the program ended, and all that it had started?
   bool has_ended() { return ended(WNOHANG); }
   void wait();
-  // Ends the program and all that it has started; takes some milliseconds, and 3 s at the most.
+  // Ends the program and all that it has started. This takes some milliseconds, and at most 3 s.
   void end();
 
   int exit_code() const { return exited_ ? status_ : -1; }             // of a normal end, else −1
   int signal() const { return has_ended_ && !exited_ ? status_ : 0; }  // that ended it, or 0
   // CPU time of the program and of all that it had started; known after end().
   double cpu_seconds() const { return cpu_seconds_; }
-  // The process above the program and all that it starts.
+  // The guard: the parent of the program.
   pid_t guard_id() const { return guard_; }
 
  private:
@@ -56,13 +56,13 @@ class GuardedChild {
 
 inline constexpr std::size_t longest_line = std::size_t{1} << 20;
 
-// A program whose lines are read; whatever it does, no call here waits longer than its limit.
+// A program whose output is read line by line. No call waits longer than its limit.
 class ChildProcess {
  public:
   using Time = std::chrono::milliseconds;
   enum class Pipes : std::uint8_t {
     all,     // lines go to its stdin and come from its stdout, and the end of its stderr is kept
-    output,  // it reads /dev/null, and its errors go where ours go
+    output,  // it reads /dev/null, and its stderr is ours
   };
   // Starts the program as GuardedChild does. Throws std::system_error where it cannot be started.
   ChildProcess(std::vector<std::string> command, Pipes pipes);
@@ -70,10 +70,10 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();  // kills it
 
-  // Queues a line for the child, which is written as fast as the child reads.
+  // Queues a line for the child. The line is written as fast as the child reads.
   void send(std::string_view line);
   std::size_t unread() const;         // bytes that the child has not read yet
-  std::size_t lines_at_hand() const;  // that next_line() gives without waiting
+  std::size_t lines_at_hand() const;  // complete lines that have come
   bool is_within_a_line() const { return !received_.empty() && received_.back() != '\n'; }
   void close_input();  // once all is written
 
@@ -82,21 +82,21 @@ class ChildProcess {
   // end_of_output: the child's stdout is closed, or the child has ended and all its output is read.
   Event next_line(std::string& line, Time longest);
 
-  // All that the child writes until it ends; empty where it has not ended within the limit. A limit
-  // of 0 is none.
+  // All that the child writes until it ends; empty if it does not end within the limit. 0: there is
+  // no limit.
   std::optional<std::string> rest_of_output(Time limit);
 
   bool refuses_input() const { return refuses_input_; }
   void kill();
-  // How the child has ended: "exits with code 3", "is killed by signal 11 (SIGSEGV, Segmentation
-  // fault)", the latter with ", as its exit code 139 says" where a shell reports the signal by its
-  // exit code. Or "is still running".
+  // How the child has ended: "exits with code 3", or "is killed by signal 11 (SIGSEGV, Segmentation
+  // fault)". If a shell reports the signal by its exit code, ", as its exit code 139 says" follows.
+  // If the child has not ended: "is still running".
   std::string end_text();
   bool has_ended() { return child_->has_ended(); }
   int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
   int signal() { return has_ended() ? child_->signal() : 0; }         // that ended it, or 0
   const std::string& last_errors() const { return errors_; }    // the last 16 kB of its stderr
-  pid_t guard_id() const { return child_->guard_id(); }         // as of GuardedChild
+  pid_t guard_id() const { return child_->guard_id(); }         // that of the GuardedChild
   double cpu_seconds() const { return child_->cpu_seconds(); }  // known after kill()
 
  private:
@@ -127,7 +127,7 @@ struct ChildEnd {
 };
 
 // Runs a program to its end with Pipes::output. A program that has not ended within `limit` is
-// killed, with all that it has started. A limit of 0 is none.
+// killed, with all that it has started. 0: there is no limit.
 ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit = {});
 
 }  // namespace tribo::conformance

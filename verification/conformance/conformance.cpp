@@ -32,12 +32,12 @@ double unit_in_last_place(double value) {
 // The judgement on the answer to one quantity of a case. The defaults are the judgement on an
 // answer that is no number.
 struct Measured {
-  std::string reason = {};  // where it fails
+  std::string reason = {};  // why it fails
   Failure how = Failure::wrong;
   double got = none;
   double part_of_bound = infinity;
   double relative = infinity;
-  double per_condition = 0;  // the relative error over the condition; 0 where it plays no part
+  double per_condition = 0;  // relative error over the condition; 0 if the value is too small
 };
 
 Measured measured_if(bool holds, const std::string& reason) {
@@ -73,13 +73,13 @@ Measured measure(const TestCase& asked, const Expected& expected, const nlohmann
   return measure_number(asked, expected, value, tolerance);
 }
 
-// The subject ended while this case was the next one, or it was late.
+// The subject ended, or was late, when it had to answer this case.
 bool is_loss(const Reply& answer) {
   return answer.outcome == Outcome::died || answer.outcome == Outcome::late;
 }
 
-// The worse of two answers to a case, field by field. Where a case was answered first and is
-// skipped when it is asked again, the first answer stands.
+// The worse of two answers to a case, field by field. If a case was answered first and is skipped
+// when it is asked again, the first answer stands.
 Reply worse_of(const TestCase& asked, Reply first, const Reply& second,
                const Tolerance& tolerance) {
   const bool has_answer = second.outcome == Outcome::answered || second.outcome == Outcome::skipped;
@@ -160,9 +160,8 @@ class Offers {
     }
   }
 
-  // A field is not offered where answers of its function came, but none has the field. A function
-  // is not offered where all cases are skipped except those that the subject's end or silence has
-  // cost.
+  // A field is not offered if its function has answers, but none of them has the field. A lost case
+  // (is_lost) counts as not offered if its function has skipped cases and no answers.
   bool has(const AskedQuantity& of) const {
     const std::string& function = of.asked.function;
     if (fields_.contains(function + '.' + of.expected.field)) return true;
@@ -175,7 +174,7 @@ class Offers {
   std::set<std::string> fields_;              // "hertz_point.radius"
 };
 
-// The judgement on an answer. Empty where the case was skipped or the quantity is not offered: then
+// The judgement on an answer. Empty if the case was skipped or the quantity is not offered; then
 // `why_not` gets the reason.
 std::optional<Measured> measured(const AskedQuantity& of, const Offers& offers,
                                  const Tolerance& tolerance, std::string& why_not) {
@@ -242,7 +241,7 @@ std::vector<QuantityVerdict> verdicts_on(const std::vector<TestCase>& cases,
   const Offers offers(cases, answers);
   std::vector<QuantityVerdict> verdicts;
   std::map<std::string, std::size_t> places;
-  // Lost cases are added last: the reason and the worst case are rather those of another failure.
+  // Lost cases are added last, so that another failure, if any, gives the reason and worst case.
   for (const bool lost : {false, true})
     for (std::size_t i = 0; i < cases.size(); ++i)
       for (const Expected& expected : cases[i].expected) {
@@ -255,7 +254,7 @@ std::vector<QuantityVerdict> verdicts_on(const std::vector<TestCase>& cases,
   return verdicts;
 }
 
-// The cases that were given up are one loss for each reason.
+// All cases that were given up for the same reason are one loss.
 std::vector<Loss> losses_of(const std::vector<TestCase>& cases, const std::vector<Reply>& answers,
                             const Tolerance& tolerance) {
   std::vector<Loss> losses;

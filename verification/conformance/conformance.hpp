@@ -21,9 +21,8 @@ struct Tolerance {
   std::map<std::string, double> quantity;  // other relative errors, by quantity
 };
 Tolerance strict_tolerance();
-// Allows an error of 1e-6 of the value, times its condition, and never less than 1e-30; and leaves
-// out cases that are beyond engineering (TestCase::is_extreme): for code that uses quadrature or
-// fits.
+// For code that uses quadrature or fits. Allows a relative error of 1e-6 times the condition, but
+// at least an error of 1e-30. Leaves out cases beyond engineering (TestCase::is_extreme).
 Tolerance engineering_tolerance();
 // The tolerance "strict", "engineering", or that of the file with this path. A line of the file has
 // a quantity, or "default" for all quantities that are not named, and a relative error above 0 and
@@ -35,8 +34,8 @@ double allowed_error(const TestCase& asked, const Expected& expected, const Tole
 
 enum class Verdict : std::uint8_t {
   held,  // every case
-  // Every case of contacts on earth (Expected::is_physical), but not all others. Never with the
-  // strict tolerance, which asks for all of them.
+  // Every case of contacts on earth (Expected::is_physical), but not all others. With the strict
+  // tolerance this is a failure.
   held_physically,
   partly_held,  // every case that was answered, but some were skipped
   failed,
@@ -61,7 +60,7 @@ struct FailedCase {
 
 struct HeldCase {
   std::string id;
-  double error;  // relative, over the condition; 0 where the value is too small to play a part
+  double error;  // relative, over the condition; 0 if the value is too small to matter
 };
 
 // One quantity of one case: its question, the expected answer, and the given one.
@@ -70,17 +69,17 @@ struct Example {
   nlohmann::json request;  // the line that asked, as it was sent
   Expected expected;
   double allowed = 0;                 // how far off it may be, absolute
-  std::optional<nlohmann::json> got;  // in the answer's field; none: there is no such field
+  std::optional<nlohmann::json> got;  // in the answer's field; empty: no such field
   std::string reason;                 // why there is no answer, or no such field
   double part_of_bound = 0;  // error over the bound; infinite: no number; 0: nothing was judged
 };
 
-// "3.2e-08 m, give or take 3.2e-14", or the word, or that it is undefined there.
+// "3.2e-08 m, give or take 3.2e-14", or the expected word.
 std::string expected_text(const Expected& expected, double allowed);
 // "2.3e-08 m", or "nothing" and the reason.
 std::string got_text(const Example& example);
-// "99.2 times as far off as is allowed", or "0.5 of the error that is allowed"; empty where there
-// is no number.
+// "99.2 times as far off as is allowed", or "0.5 of the error that is allowed"; empty if there is
+// no number.
 std::string error_text(const Example& example);
 
 struct QuantityVerdict {
@@ -89,22 +88,22 @@ struct QuantityVerdict {
   std::size_t asked = 0, held = 0, failed = 0, skipped = 0;
   std::size_t held_physical = 0, failed_physical = 0;  // of these, in the physical range
   double worst_relative = 0;
-  Example worst{};  // of the cases that held or failed; the first case where all were skipped
+  Example worst{};  // of the cases that held or failed; the first case if all were skipped
   std::vector<HeldCase> held_cases;
   std::vector<FailedCase> failed_cases;
-  std::string first_reason;   // of the first failure, or of the first skip
+  std::string first_reason;   // of the first (physical) failure, else of the first skip
   std::string first_skipped;  // the first case that was skipped, and why: "h0012: no root"
-  // By how much an answer changed at most when its case was asked again, relative, over the
-  // condition; infinite where one of the two answers is no number. For this quantity, and for all
-  // quantities of its function.
+  // The greatest change of an answer when its case was asked again: relative, over the condition;
+  // infinite if one of the two answers is no number. For this quantity, and for all quantities of
+  // its function.
   double change_asked_again = 0, change_of_function = 0;
 
   std::size_t judged() const { return held + failed; }
-  // Whether cases fail, and each of them only because the subject ended or was silent.
+  // Whether cases failed, and all of them because the subject ended or was silent.
   bool fails_by_losses_alone() const;
 };
 
-// "hertz_point" of "hertz_point.radius"; a function with one result is called as its quantity.
+// "hertz_point" for "hertz_point.radius". A function's only quantity has the function's name.
 std::string function_of(const std::string& quantity);
 
 // A case at which the subject ended, or gave no answer in time; or the first of the cases that were
@@ -113,7 +112,7 @@ struct Loss {
   std::string id;        // of the case
   std::string function;  // that was asked
   std::string reason;    // "it is killed by signal 11 (SIGSEGV, Segmentation fault)"
-  // Contacts on earth have such inputs, or the tolerance is the strict one.
+  // Whether a quantity of the case is physical (Expected), or the tolerance is the strict one.
   bool is_physical = true;
 };
 // "at case m0499 (gaussian_moment) and at 8 more: it is killed by signal 11 (SIGSEGV, Segmentation
@@ -134,17 +133,17 @@ struct ConformanceResult {
   std::vector<Unsteady> unsteady;  // the quantities whose answers change
   // Where a case was asked twice, its answer is the worse of both.
   Conversation conversation;
-  // Notes on the answers for the user: lines between them, and fields that are no results, as
-  // misspelt ones. Each note is one line.
+  // Notes for the user, one line each: on lines that are no answers, on a subject that did not end,
+  // and on fields that are no results, for example misspelt ones.
   std::vector<std::string> notes;
 };
 
 ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
                         Conversation conversation, const Tolerance& tolerance);
 
-// The cases that a tolerance asks for: all but the strict one leave out the extreme cases. Where
-// `sample` is not 0, at most so many cases of each function remain: the first one, and others that
-// are spread evenly.
+// The cases that a tolerance asks for. Only the strict one asks for the extreme cases. If `sample`
+// is not 0, at most so many cases of each function remain: the first one, and others that are
+// spread evenly.
 std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance,
                                 std::size_t sample = 0);
 

@@ -39,7 +39,7 @@ int worth(const std::string& status) {
   throw std::runtime_error(fmt::format("{} is no status", status));
 }
 
-// A right formula whose operations are in another order may round as much.
+// A right formula with its operations in another order may have this rounding error.
 constexpr double least_error = 4 * std::numeric_limits<double>::epsilon();
 
 bool is_beyond_ratchet(double now, double before) { return now > greatest_as_before(before); }
@@ -90,8 +90,8 @@ std::size_t held_without_mended(const QuantityVerdict& now, const json& before) 
                     [&](const HeldCase& one) { return !failed.contains(one.id); }));
 }
 
-// The worst of the cases that held before, too. Empty where it is not known which these are,
-// because more cases hold now: some of them were skipped before.
+// The worst of the cases that held before, too. If more cases hold now, some of them were skipped
+// before. The file does not name these, so the result is empty.
 std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& before) {
   const json& failed = before.at("failed");
   if (held_without_mended(now, before) > before.at("held").get<std::size_t>()) return std::nullopt;
@@ -102,9 +102,9 @@ std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& bef
 // takes other instructions. That is rounding, and no loss.
 bool is_more_than_rounding(double change) { return is_beyond_ratchet(change, 0); }
 
-// Whether answers of the function change when they are asked again. The member stands in the rows
-// of all quantities of the function, because now one of them changes and now another one. A row
-// without the member is of a steady function.
+// Whether answers of the function change when they are asked again. The member is in the rows of
+// all quantities of the function, because any of them may change next time. A function without the
+// member is steady.
 bool is_unsteady(const json& row) { return row.value("unsteady", false); }
 void put_unsteady(json& row, bool is_so) {
   if (is_so)
@@ -123,8 +123,8 @@ json row_of(const QuantityVerdict& one) {
   return row;
 }
 
-// The row of a quantity that became better. Numbers of it that became worse meanwhile, but not by
-// so much as to be red, stay as they were, so that a baseline does not get worse step by step.
+// The row of a quantity that became better. Its numbers that became worse, but within the ratchet,
+// stay as they were, so that a baseline does not get worse step by step.
 json merged_row(const QuantityVerdict& now, const json& before) {
   json row = row_of(now);
   put_unsteady(row, is_unsteady(before));  // one run in which it is steady proves nothing
@@ -144,7 +144,7 @@ std::string cases_text(std::size_t count) {
   return fmt::format("{} {}", count, count == 1 ? "case" : "cases");
 }
 
-// How a quantity differs from its row of the baseline; the text is empty where it does not.
+// How a quantity differs from its row of the baseline; the text is empty if it does not.
 struct Difference {
   std::string text = {};
   std::string fact = {};
@@ -196,8 +196,8 @@ Difference better_cases(const QuantityVerdict& now, const json& failed_before) {
   return found;
 }
 
-// "; the first case without an answer is h0012: no root"; empty where no more cases are skipped
-// than before. The file does not tell which cases were skipped then.
+// "; the first case without an answer is h0012: no root"; empty if no more cases are skipped than
+// before. The file does not name the cases that were skipped then.
 std::string lost_answers(const QuantityVerdict& now, const json& before) {
   const auto skipped = before.at("skipped").get<std::size_t>();
   if (now.skipped <= skipped) return {};
@@ -218,7 +218,7 @@ Difference what_is_worse(const QuantityVerdict& now, const json& before) {
             std::move(cases.cases)};
   }
   if (!cases.text.empty()) return cases;
-  // A case that failed and now holds does not stand for one that held and is lost.
+  // A case that failed and now holds does not make up for one that held and is lost.
   const auto held = before.at("held").get<std::size_t>();
   if (const std::size_t still = held_without_mended(now, before); still < held)
     return {fmt::format("{} held, {} hold{}", cases_text(held), still, lost_answers(now, before)),
@@ -254,12 +254,12 @@ Difference what_is_better(const QuantityVerdict& now, const json& before) {
 
 // --- Cases that the subject's end or silence has cost.
 
-// The quantity as it would be if those lost cases that did not fail before had held.
+// The quantity as if the lost cases that did not fail before had held.
 QuantityVerdict without_losses(const QuantityVerdict& now, const json& before) {
   QuantityVerdict mended = now;
   mended.change_asked_again = 0;  // the loss may be the change
   mended.failed_cases.clear();
-  bool is_as_before = true;  // all that still fails failed before
+  bool is_as_before = true;  // all other failures are old ones
   for (const FailedCase& one : now.failed_cases) {
     const bool failed_before = before.at("failed").contains(one.id);
     if (one.is_lost && !failed_before) {
@@ -363,8 +363,8 @@ bool is_asked(const std::string& quantity, const ConformanceResult& result) {
                      [&](const QuantityVerdict& one) { return one.quantity == quantity; });
 }
 
-// Another version of this program may ask for other quantities. Files of the oldest schema do not
-// tell theirs.
+// Another version of this program may ask for other quantities. Files of the oldest schema have no
+// version.
 bool is_of_version(const json& baseline) { return version_of(baseline) == version; }
 bool is_of_other_version(const json& baseline) {
   return baseline.contains("version") && !is_of_version(baseline);

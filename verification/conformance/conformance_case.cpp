@@ -97,8 +97,8 @@ json certified_scene(const ReferenceRow& row) {
   return scene;
 }
 
-// Adds regime and inlet, from the shares and films of the same point, except within 1e-6 of a
-// border; a collapsed film without shares gets no regime.
+// Adds the words of regime and inlet, which follow from the shares and films of the point. Within
+// 1e-6 of a border a word is not asked. A collapsed film without shares gets no regime.
 void add_words(TestCase& point) {
   std::map<std::string, double> value;
   for (const Expected& one : point.expected) value[one.field] = one.high;
@@ -123,8 +123,8 @@ std::string point_function(const ReferenceRow& row) {
   return std::string(operating_point_functions[place]);
 }
 
-// Rows p0000.0 to p0000.8 are the outputs of one point. An output that is undefined, as nothing
-// balances the load of a collapsed film, is not asked: solvers may give its limit, or nothing.
+// Rows p0000.0 to p0000.8 are the outputs of one point. An output is undefined if nothing balances
+// the load of a collapsed film. It is not asked, because a solver may give its limit, or nothing.
 std::vector<TestCase> operating_points(const std::vector<ReferenceRow>& rows) {
   std::vector<TestCase> cases;
   for (const ReferenceRow& row : rows) {
@@ -138,7 +138,7 @@ std::vector<TestCase> operating_points(const std::vector<ReferenceRow>& rows) {
   return cases;
 }
 
-// A case that is asked once more without inputs that have their defaults: "f0000d".
+// The case "f0000" once more, as "f0000d", without inputs that have their defaults.
 TestCase asked_without(const TestCase& one, json inputs) {
   TestCase made = one;
   made.id += 'd';
@@ -146,9 +146,9 @@ TestCase asked_without(const TestCase& one, json inputs) {
   return made;
 }
 
-constexpr std::size_t most_without_defaults = 2;  // of each function or word, of each default
+constexpr std::size_t most_without_defaults = 2;  // cases that omit the same inputs
 
-// The first cases of each word that have a default, without it: a solver has its own default there.
+// Cases once more, without inputs that have their defaults: a solver then uses its own default.
 std::vector<TestCase> without_defaults(const catalogue::Function& function,
                                        const std::vector<TestCase>& cases) {
   std::vector<TestCase> made;
@@ -174,7 +174,7 @@ std::vector<TestCase> without_defaults(const catalogue::Function& function,
   return made;
 }
 
-// The points without the fields that have their defaults, until each field has been left out.
+// Points without their default fields, until each field is omitted twice in each kind of point.
 std::vector<TestCase> without_defaults(const std::vector<TestCase>& points) {
   std::vector<TestCase> made;
   std::map<std::pair<std::string, std::string_view>, std::size_t> count;  // by kind and field
@@ -198,7 +198,7 @@ std::vector<TestCase> without_defaults(const std::vector<TestCase>& points) {
   return made;
 }
 
-// How many inputs are other ones, or are in one of both alone.
+// How many inputs differ, or are in only one of the two.
 std::size_t count_of_others(const json& flat, const json& other) {
   std::size_t count = 0;
   for (const auto& [path, value] : flat.items())
@@ -207,10 +207,10 @@ std::size_t count_of_others(const json& flat, const json& other) {
   return count;
 }
 
-// Puts each case without defaults behind another one of its function, the one that gives most of
-// what it leaves out otherwise: a solver that keeps these inputs answers it wrong. Cases that
-// differ from the one before in one input, as a solver that forgets this input is found by, stay
-// together.
+// Puts each case without defaults behind another case of its function: the one that gives other
+// values to most of the omitted inputs. A solver that keeps these values then answers wrong.
+// Neighbours that differ in only one input stay together, because they show a solver that forgets
+// this input.
 void put_between(std::vector<TestCase>& cases, std::vector<TestCase> without) {
   std::map<std::string, const json*> whole;  // the inputs with their defaults, by the case's name
   std::vector<json> given;
@@ -253,7 +253,7 @@ void put_between(std::vector<TestCase>& cases, std::vector<TestCase> without) {
   cases = std::move(put);
 }
 
-// The fields that are not as usual, and the model of the contact.
+// The fields that do not have their defaults, the asperity model, and the speed.
 json published_scene(const Scene& scene, double speed) {
   json made;
   for (std::size_t place = 0; place < scene_fields().size(); ++place) {
@@ -269,8 +269,8 @@ json published_scene(const Scene& scene, double speed) {
   return made;
 }
 
-// The paper's six surfaces at speeds over its range, by long double. 1e-12, as their conditions are
-// not certified.
+// The paper's six surfaces at speeds over its range, computed in long double. The strict bound is
+// 4504 ulp, a relative error of 1e-12, because the conditions of these points are not certified.
 std::vector<TestCase> paper_points(const std::string& folder) {
   std::vector<TestCase> cases;
   for (const char* const stem :
@@ -304,11 +304,11 @@ std::vector<TestCase> paper_points(const std::string& folder) {
   return cases;
 }
 
-// Asperities, or a film, that carry less of the load play no part in a point.
+// Asperities or a film with a smaller share of the load do not matter in a point.
 constexpr double least_share = 1e-9;
 
-// The fields of a case that follow from its function and inputs: their names among all quantities,
-// units and places, and whether they are in the physical range.
+// Completes the expected fields by what follows from the case's function and inputs: quantity,
+// unit, place, and whether they are physical.
 void complete(TestCase& one) {
   const Question question = question_of(one);
   const std::vector<ResultName> results = results_of(question.function);

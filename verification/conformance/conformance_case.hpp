@@ -15,34 +15,34 @@
 
 namespace tribo::conformance {
 
-// One field of an answer. value = high + low; or a word, for regime and inlet.
+// What is expected of one field of an answer: high + low, or a word for regime and inlet.
 struct Expected {
   std::string field;
   double high = 0, low = 0;
   double condition = 1;
   std::string word{};
-  // The inputs are such as contacts on earth have (catalogue.hpp), and the value is not so small
-  // that it plays no part.
+  // Whether a contact on earth can have the inputs (catalogue.hpp), and the value is large enough
+  // to matter.
   bool is_physical = true;
-  // "gaussian_moment", "hertz_point.radius", "operating_point.film": a function's only field is not
+  // "gaussian_moment", "hertz_point.radius", "operating_point.film". A function's only field is not
   // named.
   std::string quantity{};
   std::string_view unit{};             // empty: dimensionless
-  std::optional<std::size_t> place{};  // in Numbers (question.hpp); empty: it is no result
+  std::optional<std::size_t> place{};  // index in Numbers (question.hpp); empty: no result
 };
 
-// Films and shares of engineering are never as small; moments beyond d = 11 are.
+// No film or share in engineering is as small as this; moments beyond d = 11 are.
 inline constexpr double least_of_engineering = 1e-30;
 
 struct TestCase {
   std::string id;
   std::string function;   // "gaussian_moment", …, or a kind of operating point
-  nlohmann::json inputs;  // the line that asks, but for its id
+  nlohmann::json inputs;  // the members of the question without its id
   Contract contract;      // of the strict tolerance
   std::vector<Expected> expected;
   bool is_extreme;  // beyond what code for engineering is made for
-  const catalogue::Function* in_catalogue = nullptr;  // none: an operating point
-  // The inputs of the case before, where this one leaves out what that one gives; else null.
+  const catalogue::Function* in_catalogue = nullptr;  // null: an operating point
+  // If the case before gives inputs that this one omits: the inputs of that case. Else null.
   nlohmann::json before = nullptr;
 
   nlohmann::json request() const;  // the inputs with the id
@@ -50,7 +50,7 @@ struct TestCase {
 };
 
 // Operating points of circles with the default film law, of circles with another one, of ellipses
-// and of lines are functions of their own, as a solver may offer some of them.
+// and of lines are functions of their own, because a solver may offer only some of them.
 inline constexpr std::array<std::string_view, 4> operating_point_functions{
     "operating_point", "operating_point_of_other_film", "operating_point_of_ellipse",
     "operating_point_of_line"};
@@ -60,10 +60,10 @@ inline bool is_operating_point(std::string_view function) {
 
 struct CaseSources {
   std::string exact;      // the folder of certified tables
-  std::string published;  // of the paper's scenes and independent.tsv
+  std::string published;  // the folder of the paper's scenes and of independent.tsv
 };
-// The cases of these functions (TestCase::function), or of all where none is named. Throws
-// std::runtime_error with one line, as where there is no such function.
+// The cases of these functions (TestCase::function), or of all if none is named. Throws
+// std::runtime_error with one line, for example if there is no such function.
 std::vector<TestCase> read_cases(const CaseSources& sources,
                                  const std::vector<std::string>& functions = {});
 

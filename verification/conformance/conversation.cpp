@@ -62,8 +62,8 @@ std::string with_quoted_non_numbers(const std::string& line) {
 
 constexpr std::size_t most_error_lines = 20;
 
-// Cases that follow each other are dealt together: a function that never answers is noticed by each
-// asker, and one that is slow is shared.
+// So many neighbouring cases are dealt to one asker. Each asker then notices a function that never
+// answers, and all askers share a slow one.
 constexpr std::size_t dealt_together = 8;
 
 std::vector<std::vector<std::size_t>> dealt(const std::vector<std::size_t>& cases, int askers) {
@@ -94,8 +94,8 @@ class Helpers {
     }
   }
 
-  // Waits for all helpers. Where a helper could not start, or its process gave no answer, perhaps
-  // because another process was running, its share is asked now, when no other process runs.
+  // Waits for all helpers. If a helper could not start, or its process did not answer the greeting,
+  // perhaps because another process was running, its share is asked now, with no other process.
   std::vector<Account> accounts() {
     for (Helper& one : helpers_)
       if (one.thread.joinable()) one.thread.join();
@@ -122,15 +122,15 @@ class Helpers {
   };
 
   Questions& questions_;
-  std::deque<Helper> helpers_;  // which stay where they are
+  std::deque<Helper> helpers_;  // a deque, because threads keep their addresses
 };
 
 // --- One conversation of all accounts.
 
-// The limits of patience hold for one process that is asked everything in order. Each asker saw
-// only a part of the failures, and so asked more than that process would be asked: the replies
-// beyond are dropped. Returns the number of starts, and leaves the failures that count in
-// `breakdowns`.
+// Applies the limits of patience as if one process at a time were asked everything in order. Each
+// asker saw only a part of the failures, and may have asked more than that process would be asked.
+// Replies to such questions are dropped. Returns the number of starts. Only the failures that count
+// stay in `breakdowns`.
 int settle_in_order(Questions& questions, std::map<std::size_t, Breakdown>& breakdowns,
                     bool is_shared) {
   std::vector<std::size_t> order(questions.greeting());
@@ -200,7 +200,7 @@ std::vector<std::string> error_lines(const Conversation& conversation) {
 
 bool is_before(const Heard& one, const Heard& other) { return one.place < other.place; }
 
-// The first account is that of the asker that found out whether the subject answers at all.
+// The first account is of the asker that found out whether the subject answers at all.
 Conversation told(Questions& questions, const std::vector<Account>& accounts) {
   const Account& first = accounts.front();
   Conversation made;
@@ -226,7 +226,7 @@ Conversation told(Questions& questions, const std::vector<Account>& accounts) {
   }
   if (made.never_answered.empty())
     made.starts = settle_in_order(questions, breakdowns, accounts.size() > 1);
-  // An error of the process that ran at the end, or else of the last one that failed.
+  // The errors are those of the first asker's last process, or else of the last one that failed.
   if (first.final_errors.empty()) {
     std::size_t latest = 0;
     for (const auto& [question, breakdown] : breakdowns)

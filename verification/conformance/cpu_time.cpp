@@ -30,7 +30,7 @@ double seconds_on(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Empty where it cannot be read; a process may end meanwhile.
+// The start of a file. Empty if it cannot be read, as when a process has just ended.
 std::string content_of(const std::string& path) {
   std::array<char, 1024> text{};
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -40,8 +40,8 @@ std::string content_of(const std::string& path) {
   return {text.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
 }
 
-// From a line of /proc/<id>/stat: "12 (a name) S 7 …". Its parent stays 0 where the process is
-// gone.
+// Reads the line of /proc/<id>/stat: "12 (a name) S 7 …". If the process is gone, all members of
+// the result are 0.
 Process read_process(const std::string& id) {
   const std::string text = content_of("/proc/" + id + "/stat");
   Process found;
@@ -100,7 +100,7 @@ void texts() {
   [[maybe_unused]] volatile double kept = sum;
 }
 
-constexpr double units = 1024;  // of one pass
+constexpr double units = 1024;  // of work in one pass
 
 }  // namespace
 

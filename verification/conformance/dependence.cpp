@@ -17,16 +17,16 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr std::size_t fewest_values = 12;  // different ones of the variable
+constexpr std::size_t fewest_values = 12;  // different values of the variable
 constexpr std::size_t fewest_of_form = 4;
 constexpr double same_factor = 1e-6;  // of the range of the logarithms of the factors
-// Greatest roughness() of a curve: of the factors' logarithms, and of their ranks, so that a few
-// cases do not decide.
+// The greatest roughness() of a curve: of the logarithms of the factors, and of their ranks. By
+// ranks a few extreme cases cannot decide.
 constexpr double most_rough = 2e-3, most_rough_ranks = 0.1;
 constexpr double as_good = 4;  // an earlier variable may be rougher by this factor
 
 struct Sample {
-  double x, y;   // the variable, or its logarithm; the logarithm of the factor
+  double x, y;   // x: the variable or its logarithm; y: the logarithm of the factor
   double value;  // the variable
 };
 
@@ -67,7 +67,7 @@ std::vector<Sample> ranks_of(std::vector<Sample> samples) {
 struct Curve {
   std::string symbol;
   std::function<double(const Question&)> value;
-  // The scale is logarithmic, of x plus this; empty: it is linear, as x may be below 0.
+  // The scale is ln(x + log_offset). Empty: it is linear, because x may be below 0.
   std::optional<double> log_offset = {};
   std::vector<Sample> samples = {};
   double rough = INFINITY;
@@ -75,7 +75,7 @@ struct Curve {
   double scaled(double x) const { return log_offset ? std::log(x + *log_offset) : x; }
 };
 
-// Empty: cases with the same value have different factors, or there are too few values.
+// Empty: too few values, a factor not above 0, different factors at one value, or a rough curve.
 std::optional<Curve> curve_of(const Part& part, const Variable& variable) {
   Curve curve{variable.symbol, variable.value};
   double least = INFINITY, greatest = -INFINITY;  // of the logarithms of the factors
@@ -113,8 +113,8 @@ std::optional<Curve> curve_of(const Part& part, const Variable& variable) {
   return curve;
 }
 
-// By a cubic through four samples about the value; at an end of the curve through the last four.
-// NaN beyond the ends.
+// The factor by a cubic through the four samples around the value, or the four at an end of the
+// curve. NaN beyond the ends.
 double factor_at(const Curve& curve, double value) {
   const double x = curve.scaled(value);
   const auto& samples = curve.samples;
@@ -148,13 +148,13 @@ std::string text_of(const Curve& curve, bool is_only_input) {
                      at(0), at(curve.samples.size() / 2), at(curve.samples.size() - 1));
 }
 
-// Forms of x with two numbers a and b, such that Y(y) = a + b X(x) is a straight line.
+// A form of x with two numbers a and b: Y(y) = a + b X(x), a straight line in X and Y.
 struct Form {
   double (*of_x)(double);
   double (*of_y)(double);
   double (*y_of)(double);
   bool is_power;     // Y = ln y: the first number is e^a
-  const char* text;  // of the numbers and x
+  const char* text;  // {0}: a or e^a, {1}: b, {2}: x
 };
 double same(double x) { return x; }
 double reciprocal(double x) { return 1 / x; }
@@ -166,7 +166,7 @@ constexpr std::array forms{Form{same, same, same, false, "{1} {2}{0}"},
                            Form{same, logarithm, exponential, true, "{0}e^({1} {2})"},
                            Form{same, reciprocal, reciprocal, false, "1/({1} {2}{0})"}};
 
-// The form through the ends, if it is that of all points and both numbers have few digits.
+// The form through the two end points, if it fits all points and both numbers have few digits.
 std::string form_through(const std::vector<Sample>& points, std::string symbol) {
   if (symbol.find('/') != std::string::npos) symbol = '(' + symbol + ')';
   constexpr double closeness = 1e-6;

@@ -30,7 +30,7 @@ struct PowerLaw {
   std::vector<double> exponents;  // of each parameter; 0 for those that were held fixed
   double constant = 0;            // with its sign
   double residual = 0;            // the greatest error of the logarithm
-  std::string held = {};          // "k = 1" where the fit is of those cases alone
+  std::string held = {};          // "k = 1" if only those cases are fitted
 };
 
 // The value that is fitted for a number: the answer, the expected value, a mistake's value, or a
@@ -54,7 +54,7 @@ std::vector<std::size_t> powers_of(const catalogue::Function& function) {
 
 std::optional<PowerLaw> fit(const std::vector<FittedNumber>& samples,
                             std::vector<std::size_t> places, std::size_t parameters) {
-  // An input that is the same everywhere says nothing.
+  // An input with the same value everywhere has no exponent to fit.
   std::erase_if(places, [&](std::size_t place) {
     return std::all_of(samples.begin(), samples.end(), [&](const FittedNumber& one) {
       return one.of->input(place) == samples.front().of->input(place);
@@ -146,7 +146,7 @@ std::string powers_in_words(const catalogue::Function& function,
   return text;
 }
 
-// --- Where and how numbers are wrong
+// --- Words
 
 // The inputs that are numbers: neither words nor the order of a moment.
 std::vector<std::size_t> number_inputs(const Part& part) {
@@ -158,8 +158,6 @@ std::vector<std::size_t> number_inputs(const Part& part) {
       inputs.push_back(i);
   return inputs;
 }
-
-// --- Words
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
@@ -181,10 +179,10 @@ std::string known_factor(double ratio) {
                      factor->name, factor->origin);
 }
 
-// " It is h/R = 1.9 U^+0.67 …" of a film that is a law in U, G and W with E′ = 2E*.
+// " It is h/R = 1.9 U^+0.67 …" for a film that is a law in U, G and W with E′ = 2E*; else empty.
 std::string film_in_groups(const catalogue::Function& function, const PowerLaw& got) {
   if (function.film_law == nullptr) return {};
-  // of u, η₀, α (not of soft bodies), F or F/L, E*, R
+  // The exponents of u, η₀, α (not for soft bodies), F or F/L, E*, R.
   const std::vector<double>& e = got.exponents;
   const bool is_soft = function.parameters[2].name != "pressure_viscosity";
   const std::size_t load = is_soft ? 2 : 3;
@@ -197,7 +195,7 @@ std::string film_in_groups(const catalogue::Function& function, const PowerLaw& 
                      got.constant * std::pow(2, a - b + c), a, std::round(b * 1e5) / 1e5 + 0.0, c);
 }
 
-// A known mistake whose exponents these are, with another constant.
+// A sentence on a known mistake with the same exponents, but another constant; else empty.
 std::string same_exponents(const Part& part, const PowerLaw& got,
                            const std::vector<Mistake>& mistakes) {
   for (const Mistake& mistake : mistakes) {
@@ -260,7 +258,7 @@ std::string exponents_in_words(const Part& part, const std::vector<Mistake>& mis
                             powers_in_words(function, extra), got->constant / law->constant);
 }
 
-// "3.14 in place of π", to some power, where that is the factor; else empty.
+// A sentence if the factor is that of "3.14 in place of π", to some power; else empty.
 std::string rough_pi(double factor) {
   struct RoughPi {
     double value;
@@ -297,10 +295,10 @@ std::string constant_factor(const Part& part) {
   return known_factor(least);
 }
 
-// "All answers are too large by 1e-09, large or small as they are: a sum is added."; also by a
-// number times one input.
+// "All answers are too large by 1e-09, large or small as they are: a sum is added." The sum may
+// also be a number times one input. Empty: there is no such sum.
 std::string constant_sum(const Part& part) {
-  constexpr double one_sum = 1e-6, of_double = 1e-15;  // of the sum, of the answers
+  constexpr double one_sum = 1e-6, of_double = 1e-15;  // relative to the sum, to the answer
   if (part.wrong.size() < fewest_cases) return {};
   const auto off = [](const Part::Number& one) { return one.answered->error(); };
   const auto is_by = [&](const std::function<double(const Part::Number&)>& sum) {
@@ -392,8 +390,8 @@ std::vector<std::string> different_inputs(const AnsweredCase& one, const Answere
   return found;
 }
 
-// "cut off there", where all wrong answers are those of one value of the input, and all of its
-// values beyond that one are wrong. Empty: they are not.
+// A sentence if all wrong answers are those of one value of the input, and nearly all answers at
+// values beyond it are wrong: the input is cut off there. Else empty.
 std::string cut_at(const Part& part, const std::string& input, const std::vector<double>& given) {
   const catalogue::Function* const function = part.function();
   const bool is_one =
@@ -411,7 +409,7 @@ std::string cut_at(const Part& part, const std::string& input, const std::vector
       wrong += one.answered->is_left() ? 1 : 0;
       is_cut = is_cut && (is_beyond || !one.answered->is_left());
     }
-    if (is_cut && 10 * wrong >= 9 * beyond)  // next to the cut the answers may be near enough
+    if (is_cut && 10 * wrong >= 9 * beyond)  // close to the cut, answers may be within their bounds
       return fmt::format(
           "The answers are those of {} = {:.6g} wherever it is {}: it is cut off there", input,
           given.front(), is_below ? "less" : "greater");
@@ -419,14 +417,14 @@ std::string cut_at(const Part& part, const std::string& input, const std::vector
   return {};
 }
 
-// Empty, unless each wrong answer is the right one of a case that differs in the same input alone,
-// or in no other than the same two.
+// A sentence if each wrong answer is the right one of another case, which differs only in inputs of
+// one set for all; the set has at most `most_inputs` inputs. Else empty.
 std::string kept_answers(const Part& part, std::size_t most_inputs) {
   constexpr std::size_t fewest_of_two = 3;
   std::set<std::string> inputs;
   std::set<double> answers;
   std::string example;
-  std::vector<double> given;  // the input of these cases, where it is one
+  std::vector<double> given;  // the input of these cases, if it is only one
   for (const Part::Number& wrong : part.all) {
     if (!wrong.answered->is_left()) continue;
     const bool is_kept =
@@ -463,9 +461,9 @@ std::string kept_answers(const Part& part, std::size_t most_inputs) {
       input, example, input);
 }
 
-// A sentence where wrong answers are only in cases that differ from the case before in one input,
-// which would hardly be so by chance, with the inputs at whose change they begin. So errs a solver
-// with a cache inside, which keeps a part of the answer and looks for it without these inputs.
+// A sentence if only cases that differ from the case before in one input are wrong, and hardly by
+// chance; else empty. It names the inputs at whose change wrong answers begin. A solver errs so if
+// it keeps a part of the answer in a cache and looks for it without these inputs.
 std::string kept_from_before(const Part& part) {
   std::vector<std::vector<std::string>> changed(part.all.size());
   double alike = 0, log_chance = 0, count = static_cast<double>(part.all.size());
@@ -506,7 +504,7 @@ Description described(const Part& part, const std::vector<Mistake>& mistakes, bo
     return fmt::format(" The answers are the right ones with {} ({} of {} wrong answers).", misread,
                        part.wrong.size(), part.wrong.size());
   };
-  // A cache, too, gives answers to other questions; the default is the simpler cause.
+  // Another default comes first: it is a simpler cause than a cache, which may give the same.
   if (const std::string other = other_default(part); !other.empty())
     return {text + '.' + with(other), true, other, {}};
   for (const std::size_t inputs : {1, 2})

@@ -11,7 +11,7 @@
 
 namespace tribo::conformance {
 
-inline constexpr double rounding = 1e-5;  // of logarithms; so much counts as rounding
+inline constexpr double rounding = 1e-5;  // an error of a logarithm that counts as rounding
 
 // "27.5 % low everywhere": how the wrong numbers are off.
 std::string pattern(const Part& part);
@@ -19,17 +19,17 @@ std::string pattern(const Part& part);
 struct Description {
   std::string text;
   bool is_cause;           // it says what the numbers are, not only where and how far they are off
-  std::string cause = {};  // what other functions may have, too; empty: nothing of this kind
-  // For questions in the place where answers are wrong; empty: no place is told.
+  std::string cause = {};  // a cause that other functions may share; empty: none
+  // True of questions in the place where answers are wrong. Empty: the text names no place.
   std::function<bool(const Question&)> is_in_place = {};
-  std::function<void(Question&)> change = {};  // what is misread; empty: nothing of a question is
+  std::function<void(Question&)> change = {};  // misreads a question; empty: no input is misread
 };
-// The pattern of a part that no known mistake gives, where it is wrong, and its law if it has one.
-// Where the function rests on a wrong one, its errors tell nothing of its own numerics.
+// Describes a part that no known mistake gives: its pattern, where it is wrong, and its law if any.
+// `rests_on_wrong`: a function below is wrong, so the errors say nothing about numerics.
 Description described(const Part& part, const std::vector<Mistake>& mistakes, bool rests_on_wrong);
 
-// The factor of the wrong answers, where it is a product of powers of the inputs, or a constant;
-// empty where it is none.
+// The factor of the wrong answers, if it is a product of powers of the inputs, or a constant.
+// Empty: it is neither.
 std::function<double(const Question&)> power_factor(const Part& part);
 
 }  // namespace tribo::conformance

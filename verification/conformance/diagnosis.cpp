@@ -27,12 +27,12 @@ namespace {
 
 // The end of a text without a cause.
 constexpr const char* unknown = " None of the known mistakes gives these ";
-constexpr int most_causes = 3;     // told one after the other
+constexpr int most_causes = 3;     // reported one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr std::size_t fewest_followed = 3;
 constexpr double closeness_of_misread = 1e-4;
-// The least number of points with other wrong results that are described by themselves, beside the
-// points whose wrong result is computed first; and their least share of the latter.
+// Points in which only other results are wrong are described by themselves if there are at least so
+// many, and at least this part of the points in which the result that is computed first is wrong.
 constexpr std::size_t fewest_others = 3;
 constexpr double part_of_others = 0.25;
 
@@ -81,7 +81,7 @@ class Diagnoser {
 
   const std::set<const TestCase*>& cases_with_wrong_numbers() const { return with_wrong_numbers_; }
 
-  // The function as others that are computed from it see it.
+  // This function, for the diagnosis of functions that are computed from it.
   WrongFunction as_below() const {
     return {function_, as_answered_.empty() ? cases_ : as_answered_, named()};
   }
@@ -127,8 +127,8 @@ class Diagnoser {
     for (auto& [cause, of_branches] : causes) tell(std::move(cause), of_branches);
   }
 
-  // Whether something that is misread gives all wrong answers, which tells more than a mistake that
-  // gives them roughly.
+  // Whether a misread input or number gives all wrong answers. This says more than a mistake that
+  // gives them only roughly.
   bool is_another_read() const {
     const std::vector<Part> parts = parts_left(cases_);
     return !is_operating_point(function_) &&
@@ -139,7 +139,7 @@ class Diagnoser {
 
   bool any_left() const { return std::any_of(cases_.begin(), cases_.end(), has_left); }
 
-  // The result that most of these numbers are of, with them as its wrong ones.
+  // The part of the result that has most of these numbers. They become its `wrong`.
   Part shown(const std::vector<AnsweredNumber*>& explained) const {
     std::map<std::size_t, Part> parts;
     for (const AnsweredCase& one : cases_)
@@ -158,8 +158,8 @@ class Diagnoser {
 
   // --- What follows from functions below
 
-  // A wrong function that an answer is computed from, and points in which it is as the subject has
-  // it; null: it is not known well enough there.
+  // A wrong function from which an answer is computed, and the mistake that points have by it.
+  // Null: the function is not known well enough there.
   struct Used {
     const WrongFunction* below;
     const Mistake* at_points;
@@ -180,12 +180,12 @@ class Diagnoser {
   struct Followed {
     AnsweredCase* of;
     Question question;  // with the functions below as the subject has them
-    Numbers numbers;    // that follow
-    double closeness;   // of these
+    Numbers numbers;    // the results that follow
+    double closeness;   // how closely they are known
     std::vector<Used> from;
   };
 
-  // Empty: some wrong function of these is not known well enough.
+  // Empty: one of these wrong functions is not known well enough.
   static std::optional<Followed> followed(AnsweredCase& one, std::vector<Used> used) {
     Mistakes together;
     Question question = one.question;
@@ -209,8 +209,8 @@ class Diagnoser {
            std::max(number.allowed, followed.closeness * std::min(change, std::abs(given)));
   }
 
-  // Answers of points that are right once functions below are as the subject has them follow from
-  // these. The others are judged by what would follow.
+  // Explains the answers of points that are right if the functions below are as the subject has
+  // them. The other answers are then judged by the numbers that follow from these functions.
   void follow_by_number() {
     if (below_.empty() || !any_left()) return;
     FollowedPoints points = all_followed(false);
@@ -247,8 +247,8 @@ class Diagnoser {
       numbers[i] = law.value(law.results[i], asked.arguments);
     return numbers;
   }
-  // Axes that are as the wrong ratio of an ellipse's axes gives them follow from it, and the other
-  // results are judged by it, too.
+  // Explains the results of an ellipse that follow from its wrong ratio of axes. The other results
+  // are then judged by this ratio, too.
   void follow_by_ellipticity() {
     constexpr std::size_t ratio = 2;
     if (function_ != "hertz_ellipse" || !any_left()) return;
@@ -282,7 +282,7 @@ class Diagnoser {
   struct FollowedPoints {
     std::vector<Followed> all;
     std::vector<AnsweredNumber*> met;
-    std::size_t lost = 0;  // right answers that would not be right
+    std::size_t lost = 0;  // right answers that would be wrong
   };
   FollowedPoints all_followed(bool is_shared_alike) {
     FollowedPoints points;
@@ -315,7 +315,7 @@ class Diagnoser {
     for (AnsweredNumber* const one : met) one->is_explained = true;
   }
 
-  // Expects of a number what follows.
+  // Judges a number by what follows from the wrong functions below, unless it is explained.
   void shift(AnsweredNumber& number, const Followed& followed) {
     const double given = followed.numbers[number.place];
     if (number.is_explained || !std::isfinite(given)) return;
@@ -331,8 +331,8 @@ class Diagnoser {
     return below.name() != "starvation_ratio" || number.expected->field != "film_flooded";
   }
 
-  // Wrong answers left that use a function below where it is wrong rest on it. They are told, and
-  // left out of what is still to be told. Returns whether there were some, and others are left.
+  // Reports the wrong answers left that use a function below where it is wrong, and removes their
+  // cases. Returns whether there were some, and other wrong answers are left.
   bool follow_by_use() {
     if (below_.empty() || !any_left()) return false;
     std::map<std::size_t, Part> parts;
@@ -427,7 +427,7 @@ class Diagnoser {
     });
   }
 
-  // Judges a result by what the mistakes give, because they change it and something else does, too.
+  // Judges a result by what the mistakes give, because something else changes it as well.
   void expect_with(const Mistakes& mistakes, std::size_t place) {
     for (AnsweredCase& one : cases_)
       for (AnsweredNumber& number : one.numbers)
@@ -438,7 +438,7 @@ class Diagnoser {
 
   // --- Wrong answers that no known mistakes give
 
-  // "… is off by at most 1e-13 of its value …": errors that are no wrong formula. Empty where they
+  // "… is off by at most 1e-13 of its value …": errors too small for a wrong formula. Empty if they
   // are larger.
   std::string precision_text(const std::string& quantity, const Part& part) const {
     double greatest = 0;  // relative error
@@ -454,7 +454,7 @@ class Diagnoser {
     return digits.empty() ? digits : text + ". " + digits;
   }
 
-  // Branches that are off in the same way are told at once.
+  // Branches that are off in the same way share a sentence.
   std::string described_by_branch(const std::string& quantity, std::size_t place,
                                   const std::vector<Part>& parts, Description& last) const {
     std::string& cause = last.cause;
@@ -488,9 +488,9 @@ class Diagnoser {
     return text + unknown + (found_.empty() ? "numbers." : "others.");
   }
 
-  // Describes the result with most wrong answers, and other results whose cause is another one. Of
-  // points it describes the result that is computed first, if enough points are wrong in other
-  // results alone; those points are then described by themselves.
+  // Describes the result with most wrong answers, and other results that have another cause. If
+  // enough points are wrong only in other results, it first describes the result that is computed
+  // first, and then those points by themselves.
   void describe_rest() {
     std::vector<Part> parts = parts_left(cases_);
     if (parts.empty()) return;
@@ -509,7 +509,7 @@ class Diagnoser {
         if (is_wrong_elsewhere(0)) describe_rest();
         return;
       }
-      // A wrong number inside is known by the result that is computed from it first.
+      // A wrong number inside of points shows first in the result that is computed first from it.
       std::sort(parts.begin(), parts.end(),
                 [](const Part& a, const Part& b) { return a.place < b.place; });
       for (const Part& part : parts)
@@ -519,7 +519,7 @@ class Diagnoser {
       });
     }
     explain_by(describe(parts, parts.front().place).change, parts.front().place);
-    // Other results of the function have a line of their own where their cause is another one.
+    // Other results of the function have a line of their own if they have another cause.
     std::set<std::size_t> told{parts.front().place};
     for (const Part& part : parts)
       if (std::any_of(part.wrong.begin(), part.wrong.end(),
@@ -535,7 +535,7 @@ class Diagnoser {
       }
   }
 
-  // Whether some points more than these are wrong.
+  // Whether enough points are wrong besides the `told` ones that are reported.
   bool is_wrong_elsewhere(std::size_t told) const {
     const auto wrong =
         static_cast<std::size_t>(std::count_if(cases_.begin(), cases_.end(), has_left));
@@ -543,7 +543,7 @@ class Diagnoser {
            static_cast<double>(wrong - told) >= part_of_others * static_cast<double>(told);
   }
 
-  // Other results that are as the same misreading gives them need no words.
+  // Marks other results as explained if the same misreading gives them.
   void explain_by(const std::function<void(Question&)>& change, std::size_t place) {
     for (AnsweredCase& one : cases_) {
       if (!change || !has_left(one)) continue;
@@ -556,7 +556,8 @@ class Diagnoser {
     }
   }
 
-  // Leaves out the points in which a result that is told is wrong, or that are in its place.
+  // Removes points in which result `place` is wrong, and wrong points for which `is_in_place`
+  // holds.
   void leave_out(std::size_t place, const std::function<bool(const Question&)>& is_in_place) {
     std::erase_if(cases_, [&](const AnsweredCase& one) {
       const bool is_told = std::any_of(
@@ -578,7 +579,7 @@ class Diagnoser {
     return last;
   }
 
-  // Numbers inside of points that are wrong, alone or beside a known mistake of the same result.
+  // Reports wrong numbers inside of points, alone or beside a known mistake. False: there are none.
   bool tell_insides(const Part& part) {
     if (!is_operating_point(function_)) return false;
     const std::vector<Mistake> solved = solved_insides(part);
@@ -594,15 +595,15 @@ class Diagnoser {
 
   std::string function_;
   std::vector<AnsweredCase> cases_;
-  std::vector<AnsweredCase> as_answered_;  // before they were judged by a wrong result of their own
+  std::vector<AnsweredCase> as_answered_;  // before follow_by_ellipticity() judged them
   const std::vector<Mistake>& mistakes_;
-  std::vector<const WrongFunction*> below_;  // that this function needs and that are wrong
-  std::deque<Expected> shifted_;             // what follows from them is expected
-  std::deque<std::vector<Mistake>> solved_;  // of insides
-  const std::map<std::string, std::string>& named_before_;  // mistakes, with their functions
+  std::vector<const WrongFunction*> below_;  // wrong functions that this one needs
+  std::deque<Expected> shifted_;             // expected numbers that follow from them
+  std::deque<std::vector<Mistake>> solved_;  // of numbers inside of points
+  const std::map<std::string, std::string>& named_before_;  // names, and their functions
   std::size_t wrong_ = 0;
   std::set<const TestCase*> with_wrong_numbers_;
-  bool is_followed_ = false;           // some answers follow by number
+  bool is_followed_ = false;           // some answers follow from functions below
   std::vector<const Mistake*> named_;  // of the first choice of each cause
   std::vector<Diagnosis> found_;
 };
@@ -621,7 +622,7 @@ void add(std::vector<Diagnosis>& found, Diagnosis&& one) {
       same->mistakes.push_back(std::move(mistake));
 }
 
-// Where the cause is found in several functions, as they share a helper.
+// A sentence if several functions have the cause, perhaps by a shared helper; else empty.
 std::string shared_text(const Diagnosis& one) {
   if (one.functions.size() == 1) return {};
   const std::vector<std::string> others(one.functions.begin() + 1, one.functions.end());
@@ -646,7 +647,7 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
   std::vector<Diagnosis> found;
   std::vector<WrongFunction> wrong;
   std::map<std::string, std::string> named;
-  std::vector<Mistake> of_points;  // solved ones, which other points may have, too
+  std::vector<Mistake> of_points;  // solved for; other kinds of points may have them, too
   for (const std::string& function : functions) {
     std::vector<Mistake> mistakes =
         is_operating_point(function) ? of_points : std::vector<Mistake>();

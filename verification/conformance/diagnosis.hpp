@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a subject's numbers are off: which known mistakes give just these, or how they are off.
+// Why a subject's numbers are off: the known mistakes that give these numbers, or how they are off.
 #pragma once
 
 #include <string>
@@ -11,22 +11,22 @@
 namespace tribo::conformance {
 
 struct Diagnosis {
-  std::string quantity;                     // the one that shows it most
-  std::vector<std::string> functions = {};  // whose answers it explains, that of `quantity` first
-  std::vector<std::string> mistakes;  // names; none: only how the numbers are off. Several: any of
-                                      // these gives the same numbers. "a + b": both at once
-  std::size_t explained;              // wrong answers that it gives to the digit
+  std::string quantity;                     // that with most of these wrong answers
+  std::vector<std::string> functions = {};  // that have this cause; that of `quantity` first
+  std::vector<std::string> mistakes;  // names; each gives the same numbers. "a + b": both at once.
+                                      // Empty: the text only says how the numbers are off
+  std::size_t explained;              // wrong answers that the mistakes give
   std::size_t wrong;                  // wrong answers of the function
   std::string text;                   // one sentence or two
-  // Functions with the same cause, as a wrong helper, become one diagnosis. Empty: no cause is
-  // known.
+  // Functions with the same cause, such as a wrong helper, become one diagnosis. Empty: no such
+  // cause is known.
   std::string cause = {};
 };
 
-// A diagnosis of each function that failed: the mistakes that give its numbers, alone or together
-// (mistake_search.hpp), of the whole function and then of its branches. Wrong answers that no known
-// mistakes give are described: by which powers of the inputs they are off, where, and how. Such
-// answers are not told if they are at most 3 for each 100 that named mistakes give.
+// Diagnoses each function that failed. Names the mistakes that give its numbers, alone or together
+// (mistake_search.hpp), in the whole function and then in its branches. Describes wrong answers
+// that no known mistakes give: where and how they are off, and by which powers of the inputs. These
+// are left out if they are at most 3 for each 100 wrong answers that named mistakes give.
 std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
                                 const Conversation& conversation, const Tolerance& tolerance,
                                 const std::vector<Mistake>& mistakes);

@@ -72,7 +72,7 @@ class Evaluation {
     known_[place] = true;
     return values_[place] = computed(law_.nodes[place]);
   }
-  // Another number of the law stands in one of these nodes.
+  // Forgets the values of these nodes, because a number of the law has changed.
   void compute_anew(const std::vector<std::size_t>& places) {
     for (const std::size_t place : places) known_[place] = false;
   }
@@ -150,8 +150,8 @@ struct Edit {
   std::optional<double> number = {};
   std::optional<std::size_t> part = {};
   std::optional<Call> called = {};
-  std::vector<Expression::Node> whole = {};  // in place of the node, and those added for it
-  std::size_t added_at = 0;                  // the place of the first one that is added
+  std::vector<Expression::Node> whole = {};  // the node's replacement, then nodes to add
+  std::size_t added_at = 0;                  // the place of the first added node
 
   void apply(Expression& law) const {
     Expression::Node& of = law.nodes[node];
@@ -217,7 +217,7 @@ class Edits {
     }
   }
   std::vector<Edit> take() { return std::move(all_); }
-  // The same change of two nodes that are written alike, as of (1 − ν²)/E of both bodies.
+  // The same change in two nodes of one form, such as (1 − ν²)/E of both bodies.
   std::vector<std::pair<Edit, Edit>> pairs_alike() const {
     std::map<std::size_t, std::vector<Edit>> by_node;
     std::map<std::string, std::vector<std::size_t>> alike;
@@ -260,7 +260,7 @@ class Edits {
     if (inner.kind != Op::product && inner.kind != Op::sum) return;
     const std::size_t called = law_.nodes.size();
     const double nothing = inner.kind == Op::product ? 1 : 0;
-    // Each part alone is left inside, and each part, or the number, alone is outside.
+    // One part, or the number, goes outside alone, or stays inside alone.
     for (std::size_t i = 0; i <= inner.parts.size(); ++i)
       for (const bool is_outside : {true, false}) {
         Expression::Node outside{inner.kind, nothing}, inside{inner.kind, nothing};
@@ -356,7 +356,7 @@ class Edits {
       put(place, {{Op::product,  // c x as x^c
                    std::copysign(1, node.number),
                    {{node.parts[0].of, std::abs(node.number)}}}});
-    // The whole upside down, wherever it is used.
+    // The inverse of the product, wherever the node is used.
     Expression::Node inverted = node;
     inverted.number = 1 / node.number;
     for (Operand& part : inverted.parts) part.number *= -1;
@@ -392,7 +392,7 @@ class Edits {
     std::vector<Of> terms;
     if (sum.number != 0) terms.push_back({sum.number, {}});
     for (const Operand& part : sum.parts) terms.push_back({part.number, part.of});
-    // Terms stand in any order, so that each of them may be the one that is multiplied.
+    // Terms may stand in any order, so each may be the one that is multiplied.
     for (std::size_t i = 0; terms.size() > 1 && i < terms.size(); ++i) {
       Expression::Node beside{Op::product, node.number}, left{Op::sum};
       for (std::size_t k = 0; k < node.parts.size(); ++k)
@@ -432,7 +432,7 @@ class Edits {
       put(place, {std::move(changed)});
     }
   }
-  // Another input of the same unit, or another number with a name, in place of a part.
+  // Another named node of the same unit in place of a named part.
   void of_parts(std::size_t place, const Expression::Node& node) {
     const std::vector<std::size_t> dependent = law_.dependent_on(place);
     for (std::size_t i = 0; i < node.parts.size(); ++i) {
@@ -559,26 +559,26 @@ namespace {
 
 constexpr double of_one_change = 1e-4, of_two_changes = 1e-6;
 constexpr double farthest_number = 5,
-                 first_step_of_number = 0.02;  // of a number, on a logarithmic scale
+                 first_step_of_number = 0.02;  // of ln(number)
 constexpr std::size_t fewest_of_two = 8, most_of_wholes = 600, most_probed = 6, most_told = 3;
 
 bool is_changed(const Part::Number& one, double given) {
   return !(std::abs(given - one.answered->expected->high) <= one.answered->allowed);
 }
 
-// Whether both edits can be made. Two edits that each put in another operand might make the law
-// refer to itself.
+// Whether both edits can be made together. Two edits that both replace an operand might make the
+// law refer to itself.
 bool can_stand_beside(const Edit& one, const Edit& other) {
   const bool is_same = one.node == other.node &&
                        (one.slot == other.slot || !one.whole.empty() || !other.whole.empty());
   return !is_same && !(one.part && other.part);
 }
 
-// How closely a number is one that a source prints. Where all answers are off by one factor, nearly
-// each number of the law gives it, and one in a hundred has four digits to 1e-6 by chance.
+// Relative tolerances of is_printed(). If all answers are off by one factor, nearly every number of
+// the law gives it, and one in a hundred has four digits to 1e-6 by chance.
 constexpr double closeness_of_numbers = 1e-6, closeness_of_factors = 1e-10;
 
-// Whether the answer is that of the changed law.
+// Whether the answer is wrong and is `given`, the value of the changed law.
 bool is_of_changed_law(const Part::Number& one, double given, double closeness) {
   const AnsweredNumber& answered = *one.answered;
   const double change = std::abs(given - answered.expected->high);
@@ -587,8 +587,8 @@ bool is_of_changed_law(const Part::Number& one, double given, double closeness) 
          std::abs(answered.got - given) <= std::max(closeness * own, answered.allowed_of(given));
 }
 
-// Whether a source may print the number: it has few digits, or is a third, a seventh or the root of
-// such a number, or has a factor π beside. `closeness`: how near, relatively, that has to be.
+// Whether a source may print the number: it has few digits, or a multiple of it (by 3, 7, π or 1/π)
+// or its square (also over π) has. `closeness` is the relative tolerance.
 bool is_printed(double number, double closeness) {
   const auto is_of = [&](double x, int digits) {
     return std::abs(of_digits(x, digits) / x - 1) < closeness;
@@ -600,7 +600,7 @@ bool is_printed(double number, double closeness) {
          is_of(number, 4) || is_of(3 * number, 4) || is_of(7 * number, 4);
 }
 
-// The changes of one number each with which the law gives the answer, by numbers that are printed.
+// Changes of one number each, to one that a source may print, with which the law gives the answer.
 std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one, std::size_t place,
                                  const std::vector<Expression::Place>& places,
                                  double closeness = closeness_of_numbers) {
@@ -652,7 +652,7 @@ std::vector<Edit> solved_numbers(const Expression& law, const Part::Number& one,
   return found;
 }
 
-// The changes by which a number with a name that the law computes is a constant: "0.6 in place of
+// Changes that put a constant in place of a named number that the law computes: "0.6 in place of
 // z".
 std::vector<Edit> solved_constants(const Expression& law, const Part::Number& one,
                                    std::size_t place) {
@@ -672,7 +672,7 @@ std::vector<Edit> solved_constants(const Expression& law, const Part::Number& on
   return found;
 }
 
-// The changes that some of these answers show.
+// The changes that alter the law's value in the case of at least one of these answers.
 std::vector<Edit> shown_by(const std::vector<Part::Number>& probes, std::size_t place,
                            const Expression& law, const std::vector<Edit>& all) {
   std::vector<Edit> shown;
@@ -782,7 +782,7 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
     return found;
   }
   if (all_wrong.size() < fewest_of_two) return found;
-  // Two changes: of those that the answers show at all, or one of these and a number.
+  // Two changes: both of those in `shown`, or one of them and a number that is solved for.
   const std::vector<Edit> shown = shown_by(probes, part.place, *law, all);
   const auto tell_both = [&](const Expression& changed, const Edit& one, const Edit& other) {
     if (gives(changed, of_two_changes) && found.size() < most_told)
@@ -811,8 +811,8 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
   for (std::size_t i = 0; i < shown.size() && found.empty() && !is_one_factor; ++i) {
     Expression first = *law;
     shown[i].apply(first);
-    // The answer that the first change leaves farthest off shows the number best, unless a root
-    // that is guarded is cut off there.
+    // The answer that is farthest off after the first change determines the number best, unless a
+    // guarded root is 0 there. So the median answer is tried, too.
     std::vector<std::pair<double, const Part::Number*>> left;
     for (const Part::Number& one : probes) {
       const double by = std::abs(std::log(std::abs(value_of(first, one) / one.answered->got)));

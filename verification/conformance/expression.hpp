@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws as sums and products, and what becomes of them where one or two of their terms, factors,
-// powers or inputs are left out, of the wrong sign, or others.
+// Laws as sums and products, and the same laws with one or two changes: a term, factor, power or
+// input is left out, has the wrong sign, or is replaced by another.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ class Expression {
  public:
   using Get = double (*)(const catalogue::Arguments& arguments);
   enum class Op : std::uint8_t {
-    given,    // an input, or a number that is computed from the inputs otherwise
+    given,    // an input, or a number that another function computes from the inputs
     sum,      // number + Σ number·part
     product,  // number · Π part^number
     power,    // part^part
@@ -49,26 +49,26 @@ class Expression {
     Op kind;
     double number = 0;  // of a sum or a product
     std::vector<Operand> parts = {};
-    std::function<double(const catalogue::Arguments&)> get = {};  // given; choice: which part
+    std::function<double(const catalogue::Arguments&)> get = {};  // a number; of a choice, a place
     Call called = Call::itself;
-    std::string name = {};       // "U"; empty: it is written out
+    std::string name = {};       // "U"; empty: the node is written out
     std::string_view unit = {};  // of an input
   };
 
-  // A number that the law has: a sum's or a product's own one, a coefficient, or an exponent.
+  // A number of the law: the own number of a sum or product, a coefficient, or an exponent.
   struct Place {
     std::size_t node;
-    int slot;  // of the part; −1: the node's own
+    int slot;  // the place of the part; −1: the node's own number
   };
 
   std::vector<Node> nodes;
-  std::vector<std::size_t> results;  // places among the nodes; those beyond the end are unknown
+  std::vector<std::size_t> results;  // places among the nodes; the law of later results is unknown
 
-  // Those that are not 0, in the order of the nodes; a product has its own one where it is not 1.
+  // The numbers that are not 0, without 1 and −1 before a product, in the order of the nodes.
   std::vector<Place> places_of_numbers() const;
   double& number_at(const Place& place);
   double value(std::size_t place, const catalogue::Arguments& arguments) const;
-  // "1 − 0.61 e^(−0.73 k)"; a node with a name by this, unless it is asked for `inside`.
+  // A node as text: "1 − 0.61 e^(−0.73 k)", or its name, unless `is_inside`.
   std::string in_words(std::size_t place, bool is_inside = false) const;
   // A factor or a term of a node: "U^0.67", "− 0.61 e^(−0.73 k)".
   std::string factor_in_words(const Operand& part) const;
@@ -77,8 +77,8 @@ class Expression {
   std::vector<std::size_t> dependent_on(std::size_t place) const;
 };
 
-// The law of a function by its terms and factors; empty: it is no such expression, as an integral
-// or a root is none.
+// The law of a function as terms and factors. Empty: the law has another form, for example an
+// integral or the root of an equation.
 std::optional<Expression> law_expression(const catalogue::Function& function);
 
 // The law with one or two changes: "no factor π, in π a²".
@@ -87,13 +87,13 @@ struct ChangedExpression {
   std::string text;
   std::function<double(const Question&, std::size_t place)> answer;
 };
-// Those of so many changes, 1 or 2, that give the wrong answers of the part; the caller looks
-// whether the right answers stay right. One of two may be a number that is solved for, but not
-// where all answers are off by one factor, as any number makes one.
+// The laws with 1 or 2 `changes` that give the wrong answers of the part. The caller checks that
+// the right answers stay right. One of two changes may be a number that is solved for. This is not
+// tried if all answers are off by one factor (`is_one_factor`), which almost any number can give.
 std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t changes,
                                                    bool is_one_factor);
 
-// The law with each single change that people make and that the wrong answers of the part show.
+// The law with each usual single change that alters its value in the case of a wrong answer.
 struct LawWithChange {
   Expression law;
   std::string text;

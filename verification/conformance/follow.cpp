@@ -17,7 +17,7 @@
 namespace tribo::conformance {
 namespace {
 
-// A slip is known to this part of its change: by its formula, and by factors between cases.
+// The error with which a slip is known, relative to its change: by a formula, by factors of cases.
 constexpr double closeness_of_formula = 1e-4, closeness_of_curve = 2e-2;
 constexpr double nearly_all = 0.97;  // of the wrong answers of a function
 
@@ -32,7 +32,7 @@ void add_moments(std::vector<Question>& inner, AsperityModel model, double argum
     inner.push_back(asked_of("gaussian_moment", {half_order_of(order), argument}));
 }
 
-// The answer of each wrong result, of one branch.
+// A wrong result in one branch, and the subject's answer.
 struct WrongResult {
   std::size_t place;
   std::string branch;
@@ -147,7 +147,7 @@ void WrongFunction::find_slip(const std::vector<AnsweredCase>& cases,
       if (result.answer) {
         closeness_ = std::max(closeness_, closeness_of_formula);
       } else {
-        // A branch of which nothing is known is known at no point.
+        // Without a known factor the result is NaN, so that at_points() is null in this branch.
         const auto depends = dependence_of(part);
         result.answer = times(depends ? depends->factor : [](const Question&) { return unsaid; });
         if (depends) closeness_ = closeness_of_curve;

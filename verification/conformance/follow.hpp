@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The questions to single functions that a question is computed from, and what becomes of a point
-// where one of these functions is wrong.
+// The questions to single functions from which the answer to a question is computed, and the
+// mistake in operating points if one of these functions is wrong.
 #pragma once
 
 #include <map>
@@ -14,8 +14,8 @@
 
 namespace tribo::conformance {
 
-// The questions to functions that the answer is computed from: of a point its contact, film, load
-// sharing, moments and inlet, as its words choose them; of load_sharing its moment.
+// The questions to functions from which the answer is computed. A point has its contact, film, load
+// sharing, moments and inlet, as its scene chooses them; load_sharing has its moment.
 std::vector<Question> inner_questions(const Question& question);
 
 // The question to Hertz' function of the scene's shape.
@@ -31,11 +31,11 @@ class WrongFunction {
   const std::string& name() const { return name_; }
   bool is_wrong_at(const Question& inner) const;
 
-  // The mistake that points have if this function is as the subject has it; null where it is not
-  // known well enough at this question to the function. `is_shared_alike`: a film law's wrong
-  // exponents are in the load sharing, too.
+  // The mistake in points that are computed with the subject's version of this function. Null: this
+  // version is not known well enough at `inner`. `is_shared_alike`: the wrong exponents of a film
+  // law are in the load sharing, too.
   const Mistake* at_points(const Question& inner, bool is_shared_alike = false) const;
-  // How closely at_points() is known, as a part of what it changes.
+  // The error of at_points(), relative to the change that it makes.
   double closeness() const { return closeness_; }
 
  private:
@@ -48,7 +48,7 @@ class WrongFunction {
   void find_slip(const std::vector<AnsweredCase>& cases, const std::vector<Mistake>& named);
 
   std::string name_;
-  std::map<std::string, std::vector<Branch>> branches_;  // the wrong ones, one for each result
+  std::map<std::string, std::vector<Branch>> branches_;  // by name; one for each wrong result
   std::optional<Mistake> slip_, at_points_, with_sharing_;
   double closeness_ = 0;
 };

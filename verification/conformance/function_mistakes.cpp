@@ -23,7 +23,7 @@ std::size_t place_of(const List& list, const std::string& name) {
   throw std::runtime_error(fmt::format("the function has no {}", name));
 }
 
-// 0.61 as 610000/1000000. The laws' numbers have three decimals at most.
+// 0.61 as 61/100. Throws if the number is above 1000 or has more than six decimals.
 Fraction fraction_of(double number) {
   constexpr int denominator = 1'000'000;
   const double numerator = std::round(number * denominator);
@@ -47,7 +47,7 @@ constexpr std::pair<std::string_view, int FilmLaw::*> law_moduli[] = {
     {"load_modulus", &FilmLaw::load_modulus},
     {"speed_multiple", &FilmLaw::speed_multiple}};
 
-// The numbers of a film law that an entry changes, and which of them do change.
+// What an entry changes in a film law.
 struct LawChange {
   std::vector<std::pair<Fraction FilmLaw::*, Fraction>> numbers;
   std::vector<std::pair<int FilmLaw::*, int>> moduli;
@@ -64,8 +64,8 @@ LawChange change_to(const FilmLaw& other) {
   return change;
 }
 
-// The change of a law in an entry: another law by name, or numbers: in place of the law's numbers,
-// or multiples of these, { times = -1 }.
+// Reads the change of a law: the name of another law, or a table of numbers. A number replaces the
+// law's own number; { times = -1 } multiplies it.
 LawChange law_change(const json& written, const FilmLaw& own) {
   if (written.is_string()) {
     const Function* const other = catalogue::function_named(written.get<std::string>());
@@ -136,7 +136,7 @@ constexpr std::pair<std::string_view, double SharingReading::*> sharing_numbers[
 struct ResultChange {
   std::size_t place;
   NumberChange change;
-  // Places of arguments; those of results follow after them.
+  // Places among the arguments, followed by the results.
   std::optional<std::size_t> by, over;
 };
 struct Condition {

@@ -108,7 +108,7 @@ void add_friction(std::vector<Inside>& all) {
                  {{"peak-for-mean-pressure", peak_text, of_contact(peak)}}});
 }
 
-// The argument of the scene's film law; laws of circles have R for R_x. Null: it has none.
+// The named argument of a film law; R_x is R in laws of circles. Null: the law has none.
 double* argument_of_film(Question& film, std::string_view name) {
   const auto& parameters = film.function->parameters;
   std::size_t place = catalogue::place_in(parameters, name);
@@ -151,7 +151,7 @@ void add_film(std::vector<Inside>& all) {
       {{"film-of-both-radii", "R of both axes",
         of_radii([](double x, double y) { return x * y / (x + y); })},
        {"film-of-radius-y", "R_y", of_radii([](double, double y) { return y; })}});
-  // The fits of k by its authors (readings.cpp), and the simplest one, by B. J. Hamrock, D. Brewe:
+  // Fits of k by authors of film laws (readings.cpp), and the simplest: B. J. Hamrock, D. Brewe:
   // Simplified solution for stresses and deformations. J. Lubr. Technol. 105 (1983) 171.
   add("k", "ellipticity",
       {{"film-of-ratio-of-radii", "R_y/R_x", of_radii([](double x, double y) { return y / x; })},
@@ -175,7 +175,7 @@ double film_of_oil(const Question& asked) {
              : contact.inlet_film_parameter(asked.scene->speeds[0]) * contact.summit_height_sd();
 }
 
-// The film over the flooded one.
+// The film divided by the flooded film; NaN if the inlet is flooded.
 double film_ratio(const Question& asked) {
   const MixedContact<double> contact(*asked.scene);
   return contact.supply() == SupplyKind::flooded
@@ -183,7 +183,7 @@ double film_ratio(const Question& asked) {
              : contact.inlet(contact.flooded(asked.scene->speeds[0])).film_ratio;
 }
 
-// Supplies so much oil that the film ratio is this one, above 0 and below 1.
+// Changes the supply to give this film ratio. At 0 or less it is dry, at about 1 or more flooded.
 void supply_for(Question& asked, double ratio) {
   const MixedContact<double> contact(*asked.scene);
   const double now = contact.inlet(contact.flooded(asked.scene->speeds[0])).flooded_over_inlet;
@@ -234,7 +234,7 @@ void add_stiffness(std::vector<Inside>& all) {
                  "closures.asperity"});
 }
 
-// --- Mistakes that are no other number of one kind
+// --- Mistakes that are not one other number
 
 Mistake of_points(std::string name, std::string text, std::vector<std::string> touches) {
   return {.function = std::string(operating_point_functions[0]),
@@ -243,7 +243,7 @@ Mistake of_points(std::string name, std::string text, std::vector<std::string> t
           .touches = std::move(touches)};
 }
 
-// The shares of the load at the film that a full inlet leaves, where the inlet is starved.
+// The load shares of the flooded film where the inlet is starved.
 Mistake shares_of_flooded_film() {
   Mistake mistake =
       of_points("shares-at-flooded-film",
@@ -254,7 +254,7 @@ Mistake shares_of_flooded_film() {
     const FloodedFilm<double> flooded = contact.flooded(asked.scene->speeds[0]);
     const InletState<double> inlet = contact.inlet(flooded);
     const LoadShares<double>& shares = flooded.shares;
-    // The template takes any shares.
+    // This overload takes any load shares, also those of another film.
     const FloodedFilm<long double> same{flooded.speed,
                                         {shares.film_parameter, shares.asperity, shares.fluid, 0}};
     const auto point = contact.in<long double>().complete(
@@ -285,8 +285,8 @@ Mistake without_floor() {
   return mistake;
 }
 
-// F_5/2 in the load of the asperities by Greenwood and Williamson, which have F_3/2. Nothing is
-// said of what follows from their load at a starved film, or where they carry all of it.
+// F_5/2 in place of F_3/2 in the asperity load of Greenwood and Williamson. If the film is starved,
+// or the asperities carry all the load, the results that follow from it are NaN.
 Mistake sharing_by_other_moment() {
   Mistake mistake = of_points(
       "points-by-other-moment",
@@ -345,7 +345,7 @@ Mistake power_of_roughness(const std::string& name, std::string text, double Que
   return mistake;
 }
 
-// A number of a scene where 0 is given, as where a program takes 0 for a field that is left out.
+// Another value where a scene gives 0, as by a program that takes 0 for a field that is left out.
 Mistake other_for_zero(const char* path, double value) {
   const auto field = *scene_detail::find_field(path);
   Mistake mistake =
@@ -395,7 +395,7 @@ const std::vector<Inside>& insides_of_points() {
     add_film(insides);
     add_stiffness(insides);
     add_inlet(insides);
-    // The a − b of a film law, of Uᵃ and Gᵇ.
+    // a − b of a film law with Uᵃ Gᵇ.
     insides.push_back({"the film's exponent in load sharing", Inner::constant, Output::film_flooded,
                        [](const Question& asked) {
                          return MixedContact<double>(*asked.scene).film().sharing_power.value;

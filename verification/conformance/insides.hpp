@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers inside of an operating point that its results are computed from, each of which a
-// solver may have wrong alone.
+// The numbers inside an operating point from which its results are computed. A solver may have any
+// one of them wrong.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ using Get = std::function<double(const Question&)>;  // NaN: this question has n
 
 struct Inside {
   enum class Kind {
-    cut_off,   // it may be cut off
+    cut_off,   // the number may be cut off
     factor,    // it may be cut off, or multiplied by a number
     constant,  // a printed number, which may be another one
     replaced,  // other numbers of the point may stand in its place, and nothing else is sought
@@ -34,7 +34,7 @@ struct Inside {
   Output place;  // the result that is computed from it first
   Get get;
   std::function<void(Question&, double)> set;
-  // The choice of a scene, one of whose laws alone may have it wrong; empty: there is none.
+  // A choice of the scene: the number may be wrong with one of its laws alone. Empty: no choice.
   std::string_view choice = {};
   std::vector<Other> others = {};
 };
@@ -43,11 +43,11 @@ const std::vector<Inside>& insides_of_points();
 // "x/2 in place of x, in friction" where x is "x in friction".
 std::string in_place_of(const std::string& other, const std::string& symbol);
 
-// Another value of the inside, where it is a number.
+// Puts `value` in place of the inside, where both are finite.
 Mistake mistake_of_inside(std::string name, std::string text, const Inside& inside, Get value);
 
-// A mistake for each number that may stand in place of an inside, mistakes inside of points that
-// are no other number, and the real area and the number of summits by the other asperity model.
+// The mistakes inside points: other numbers in place of insides, mistakes that are not one other
+// number, and the real area and the number of summits by another asperity model.
 std::vector<Mistake> mistakes_of_insides();
 
 }  // namespace tribo::conformance

@@ -13,7 +13,7 @@
 #include "tribo/viscosity_index.hpp"
 
 namespace tribo::conformance {
-// Laws are named as their functions here.
+// Each function below that returns an Expression is named after its law.
 namespace law_terms {
 namespace {
 
@@ -34,7 +34,7 @@ Term add(Expression& law, Expression::Node node) {
   return {&law, law.nodes.size() - 1};
 }
 
-// Adds the term's node times a number to a sum, or to the power of the number to a product.
+// Adds a term times `number` to a sum, or a factor to the power `number` to a product.
 void add_to(Expression::Node& node, const Term& term, double number) {
   if (!term.is_plain(node.kind)) return node.parts.push_back({term.place, number});
   if (node.kind == Op::sum)
@@ -51,7 +51,7 @@ Term product(const Term& a, const Term& b, double power) {
 }
 Term sum(double number, const Term& a, double times, const Term* b = nullptr) {
   Expression::Node node{Op::sum, number};
-  // A number before a product is the coefficient of the term.
+  // The own number of a product becomes the coefficient of the term.
   const auto add_term = [&](const Term& term, double by) {
     if (!term.is_plain(Op::product)) return add_to(node, term, by);
     Expression::Node bare = term.node();
@@ -130,7 +130,7 @@ class Writer {
     for (const Term& one : of) node.parts.push_back({one.place});
     return add(law_, std::move(node));
   }
-  // A node that is the model's own result, for where the law is no sum or product.
+  // A node with the model's own result, where the law is neither a sum nor a product.
   Term own() {
     return add(law_, {Op::given, 0, {}, [of = &function_](const Arguments& a) {
                         catalogue::Results results{};
@@ -145,7 +145,7 @@ class Writer {
   }
 
  private:
-  // The new place of a node that the law has; those that were written into others are left out.
+  // Copies a node that the law uses, and returns its new place. Merged nodes are not copied.
   std::size_t kept(std::size_t place) {
     const auto known = places_.find(place);
     if (known != places_.end()) return known->second;
@@ -231,7 +231,7 @@ Expression pull_off(Writer x) {
   const Term pull = x.pi() * x[1] * x[2];
   return x.with({x.choice({1.5 * pull, 2 * pull}, [](const Arguments& a) { return a[0]; })});
 }
-// Orders 0, 1/2 … 5/2; those of half orders are no such sums.
+// Orders 0, 1/2 … 5/2. Half orders are not such sums and are the model's own results.
 Expression moments(Writer x) {
   const Term density = x.given("φ(d)", [](const Arguments& a) {
     return std::exp(-a[1] * a[1] / 2) / std::sqrt(2 * std::numbers::pi);

@@ -44,8 +44,8 @@ std::optional<Numbers> only(double value) {
   return std::isfinite(value) ? std::optional(Numbers{value}) : std::nullopt;
 }
 
-// A law by its terms, whose numbers are these, each of them the next one of this size. Numbers that
-// have no few digits are fractions.
+// A law by its terms. Each number of `right` is the next number of this size in the law. Numbers
+// with many digits are written as fractions.
 LawOfNumbers law_by_terms(Expression law, std::vector<double> right) {
   struct Slot {
     Expression::Place place;
@@ -92,8 +92,8 @@ std::vector<double> numbers_of(Expression law) {
   return numbers;
 }
 
-// The numbers of a law that a source prints, and no 2 or 3/4: those with few digits, or whose
-// reciprocals have few.
+// The numbers of a law with few digits, or with few digits in the reciprocal. Simple fractions,
+// such as 2 or 3/4, are left out.
 std::vector<double> printed_numbers(const Expression& law) {
   std::vector<double> numbers = numbers_of(law);
   std::erase_if(numbers, [](double number) {
@@ -103,7 +103,7 @@ std::vector<double> printed_numbers(const Expression& law) {
   return numbers;
 }
 
-// C, a, b, c, m and n of h/R = C Uᵃ Gᵇ Wᶜ (1 − m e^{−nk}), of those that the law has.
+// Those of C, a, b, c, m and n in h/R = C Uᵃ Gᵇ Wᶜ (1 − m e^{−nk}) that the law has.
 std::vector<double> numbers_of_film(const FilmLaw& law) {
   std::vector<double> numbers;
   for (const Fraction& number : {law.constant, law.speed_exponent, law.material_exponent,
@@ -137,7 +137,7 @@ LawOfNumbers index_law_of_numbers() {
   return law;
 }
 
-// Numbers: 2.7 of Wolveridge's film ratio, and of 1/r = y + n₁ψ^{n₂} y^{−n₃}, where n₁ = 4√2/3.
+// Numbers: 2.7 of Wolveridge's y, then n₁ = 4√2/3, n₂ and n₃ of 1/r = y + n₁ψ^{n₂} y^{−n₃}.
 std::optional<Numbers> starved_film(const Arguments& a, Constants n) {
   const auto closure = static_cast<StarvationClosure>(static_cast<int>(a[0]));
   if (closure == StarvationClosure::damiens) return std::nullopt;
@@ -184,7 +184,7 @@ int digits_of(double number) {
   return digits;
 }
 
-// Whether a source may print the number in place of another one: it has few digits, or as many.
+// Whether a source may print the number in place of `other`: it has few digits, or as many.
 bool is_printed_like(double value, double other) {
   const int digits = digits_of(other);
   return is_of_few_digits(value) ||
@@ -278,8 +278,8 @@ struct Residuals : Eigen::DenseFunctor<double> {
       const Part::Number& one = (*wrong)[i];
       const double given = law->answer(one.of->question, steps, place);
       if (!std::isfinite(given)) return -1;
-      // Exponents change answers by orders: then the logarithm is nearly linear in them. An answer
-      // of the wrong sign is reached through 0, where the logarithm has a pole.
+      // The logarithm of an answer is nearly linear in exponents. It has a pole at 0, which the
+      // search must pass to reach an answer of the wrong sign.
       const double got = one.answered->got, right = one.answered->expected->high;
       left[static_cast<Eigen::Index>(i)] = given / got > 0 && right / got > 0
                                                ? std::log(given / got)
@@ -307,15 +307,15 @@ struct Residuals : Eigen::DenseFunctor<double> {
 };
 
 constexpr double of_answers = 1e-6;  // how closely the wrong ones have to be met
-constexpr double as_printed = 1e-6;  // a number that is nearer to its own is its own
+constexpr double as_printed = 1e-6;  // relative; a nearer number is the right one
 constexpr std::size_t most_in_pairs = 16, fewest_of_pairs = 4, fewest_of_three = 8;
-// A search that finds the numbers converges quadratically; a rest that some steps have not made so
-// much smaller is no rest of a number.
+// A search that finds the numbers converges quadratically. It is given up if some steps have not
+// made the residual so much smaller.
 constexpr int steps_at_most = 20, steps_that_show = 5, evaluations_at_most = 60;
 constexpr double smaller_by_then = 0.1;
 constexpr double probed = 1e-3;  // of a number, to see whether answers depend on it
 
-// The steps with which the law gives these wrong answers; empty: the search finds none from there.
+// The steps with which the law gives these wrong answers, sought from `steps`. Empty: not found.
 std::optional<Eigen::VectorXd> steps_to(const ChangedLaw& changed,
                                         const std::vector<Part::Number>& wrong, std::size_t place,
                                         Eigen::VectorXd steps) {
@@ -352,8 +352,8 @@ std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change>
   const Eigen::VectorXd none =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(changed.changes.size()));
   auto solved = steps_to(changed, wrong, place, none);
-  // Near a pole of the law the way to all answers leads through one of them, or, for two numbers,
-  // through those that are off least.
+  // Near a pole of the law the search for one number first fits one answer, and the search for two
+  // numbers those that are least off.
   for (std::size_t i = 0; i < 3 && !solved && changed.changes.size() == 1 && wrong.size() > 3; ++i)
     if (const auto one = steps_to(changed, {wrong[i * (wrong.size() - 1) / 2]}, place, none))
       solved = steps_to(changed, wrong, place, *one);
@@ -375,7 +375,7 @@ std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change>
     found.is_exchange =
         found.is_exchange && (one.is_input || has_exchanged_digits(value, one.right));
     found.values.push_back(value);
-    // The number as people write it is meant, and not what the search came near to.
+    // The rounded number that people write replaces the search's approximation.
     if (!one.is_input && is_printed_like(value, one.right))
       step = round_number(value) / one.right - 1;
     found.text += fmt::format("{}{} in place of {}", i == 0 ? "" : ", and ", now, one.symbol);
@@ -397,7 +397,7 @@ std::size_t inputs_that_vary(const std::vector<Part::Number>& numbers) {
   return count;
 }
 
-// Single numbers that give all wrong answers; inputs alone are no numbers of the law.
+// Single numbers that give all wrong answers. Factors of inputs are not tried.
 std::vector<FittedNumbers> singles(const LawOfNumbers& law, const std::vector<Change>& changes,
                                    const std::vector<Part::Number>& wrong, std::size_t place) {
   std::vector<FittedNumbers> found;
@@ -407,8 +407,8 @@ std::vector<FittedNumbers> singles(const LawOfNumbers& law, const std::vector<Ch
   return found;
 }
 
-// Two numbers of which each gives some wrong answers alone, as of two rows of a table: one is found
-// by the answers that some of its values give, and the other by the rest.
+// Two numbers that each give some of the wrong answers alone, such as those of two rows of a table.
+// The first is fitted to one answer, and the second to all answers that the first does not give.
 std::vector<FittedNumbers> one_after_the_other(const LawOfNumbers& law,
                                                const std::vector<Change>& changes,
                                                const std::vector<Part::Number>& wrong,
@@ -438,8 +438,8 @@ std::vector<FittedNumbers> one_after_the_other(const LawOfNumbers& law,
   return {};
 }
 
-// A number with two digits exchanged, and a known factor of an input beside it. Where all answers
-// are off by one factor, this is more than a factor of which nothing is known.
+// A number with two digits exchanged, and a familiar factor of an input. If all answers are off by
+// one factor, these two explain more than an unfamiliar factor does.
 std::vector<FittedNumbers> exchanges_with_factors(const LawOfNumbers& law,
                                                   const std::vector<Change>& changes,
                                                   const std::vector<Part::Number>& wrong,
@@ -462,7 +462,7 @@ std::vector<FittedNumbers> exchanges_with_factors(const LawOfNumbers& law,
   return found;
 }
 
-// The law with a known mistake beside it, or the formula of the mistake, if it has one with
+// The law with a known mistake beside it, or the mistake's own formula. Empty: this formula has no
 // numbers.
 std::optional<LawOfNumbers> with_mistake(const catalogue::Function& function,
                                          const LawOfNumbers& law, const Mistake& mistake) {
@@ -481,8 +481,8 @@ std::optional<LawOfNumbers> with_mistake(const catalogue::Function& function,
   return changed;
 }
 
-// One number, or a factor of an input, beside a known mistake, or two numbers of its own formula. A
-// film's law has numbers alone.
+// One number, or a factor of an input, beside a known mistake, or two numbers of the mistake's own
+// formula. Film laws are left out.
 std::vector<FittedNumbers> beside_mistakes(const catalogue::Function& function,
                                            const LawOfNumbers& law,
                                            const std::vector<Mistake>& mistakes,
@@ -587,7 +587,7 @@ std::vector<FittedNumbers> fitted_to_law(const Part& part, const std::vector<Par
                                         [](const FittedNumbers& one) { return one.is_plausible; });
   if (!is_plausible && is_one_factor)
     return exchanges_with_factors(*law, changes, wrong, part.place);
-  // Two numbers are not told apart by questions that differ in one of several inputs alone.
+  // Questions that differ in only one of several inputs do not tell two numbers apart.
   const std::size_t least = std::min<std::size_t>(2, function.parameters.size());
   if (is_plausible || wrong.size() < fewest_of_pairs || inputs_that_vary(wrong) < least)
     return found;
@@ -619,8 +619,8 @@ namespace {
 
 constexpr std::size_t most_screened = 8;
 
-// The law of a part by its terms, where its wrong answers are enough for several changes. Empty:
-// they are too few, or the function has no such law of one result.
+// The law of a part by its terms, if there are enough wrong answers for several changes. Empty:
+// they are too few or alike, or the function has several results or no such law.
 std::optional<Expression> terms_for_several(const Part& part,
                                             const std::vector<Part::Number>& wrong) {
   if (part.function() == nullptr || part.function()->results.size() > 1 ||
@@ -629,8 +629,8 @@ std::optional<Expression> terms_for_several(const Part& part,
   return law_expression(*part.function());
 }
 
-// The changes of a law, if they give the wrong answers by numbers that a source prints; few answers
-// rule out nearly all.
+// The fit of these changes, if it gives all wrong answers and is plausible. A first fit to few
+// answers rules out nearly all changes.
 std::optional<FittedNumbers> fitted_plausibly(const LawOfNumbers& law,
                                               const std::vector<Change>& changes,
                                               const std::vector<Part::Number>& wrong,
@@ -720,15 +720,15 @@ std::vector<FittedNumbers> number_beside_cut(const Part& part) {
 
 namespace {
 
-// Three numbers of a law, or two beside a change of it, and how much they leave of the wrong
-// answers' logarithms where these are sums of the numbers' steps.
+// Three numbers of a law, or two beside a change of it. `left` is the sum of squares of the
+// answers' logarithmic errors that stays, if the logarithms are linear in the numbers.
 struct Several {
   const LawWithChange* beside;  // null: no change
   std::vector<Eigen::Index> numbers;
   double left;
 };
 
-// The slopes of the answers' logarithms by each number, all of one length; 0: there is none.
+// The slopes of the answers' logarithms: for each number a column of length 1, or 0.
 Eigen::MatrixXd slopes_by_numbers(const LawOfNumbers& law, const std::vector<Change>& changes,
                                   const std::vector<Part::Number>& answers, std::size_t place) {
   Eigen::MatrixXd slopes(static_cast<Eigen::Index>(answers.size()),
@@ -747,9 +747,9 @@ Eigen::MatrixXd slopes_by_numbers(const LawOfNumbers& law, const std::vector<Cha
   return slopes;
 }
 
-// The part of the square of `off` that two or three columns of length 1 do not explain; `products`
-// are theirs with each other, `along` theirs with what is off. Infinite where the columns are alike
-// within rounding (their determinant is below least_apart), or are 0.
+// The part of `off`, the square of a vector, that two or three columns of length 1 do not explain.
+// `products` are the products of all columns, `along` those with the vector. Infinite if a column
+// is 0, or columns are alike within rounding (determinant or pivot below least_apart).
 constexpr double least_apart = 1e-9;
 double left_beyond(Eigen::Index i, Eigen::Index k, const Eigen::MatrixXd& products,
                    const Eigen::VectorXd& along, double off) {

@@ -27,9 +27,9 @@ namespace tribo::conformance {
 namespace {
 
 constexpr std::size_t fewest_wrong = 3, fewest_cut = 2;  // answers that decide
-constexpr double of_change = 1e-4;  // of what the misreading changes: how closely it has to be met
-constexpr double one_value = 1e-9;  // of values that are one and the same
-constexpr double missed = 0.02;     // of the answers
+constexpr double of_change = 1e-4;     // tolerance, relative to the change of the answer
+constexpr double one_value = 1e-9;     // relative tolerance of equal values
+constexpr double missed = 0.02;        // part of the answers that may be missed
 constexpr int digits_of_defaults = 2;  // at most, where one answer decides
 
 // --- Inputs
@@ -46,7 +46,7 @@ constexpr std::string_view dimensionless = "1";  // a function's inputs without 
 
 struct Input {
   std::string symbol;
-  // Inputs of one unit may be taken for each other; the name is of a single one in the question.
+  // Inputs of one unit may be taken for each other. `name` is for a single input of the question.
   std::string_view unit, name;
   std::function<double(const Question&)> get;  // NaN: this question has none
   std::function<void(Question&, double)> set;
@@ -170,8 +170,8 @@ std::vector<Input> inputs_of(const Part& part) {
   return all;
 }
 
-// The value of the input with which the right formula gives the answer, nearest to its own on a
-// logarithmic scale; empty: there is none within some orders.
+// The value of the input with which the right formula gives the answer, nearest to its own value on
+// a logarithmic scale. Empty: there is none within a factor of 2e7.
 std::optional<double> solved(const Part::Number& number, const Input& input, std::size_t place) {
   Question question = number.of->question;
   const double own = input.get(question), got = number.answered->got;
@@ -181,7 +181,7 @@ std::optional<double> solved(const Part::Number& number, const Input& input, std
   };
   const double start = off(0);
   if (!std::isfinite(start)) return std::nullopt;
-  constexpr double first_step = 0.1, farthest = 17;  // 1e7 times as much, or as little
+  constexpr double first_step = 0.1, farthest = 17;  // of ln(value/own): a factor of 2e7
   std::array before{0.0, 0.0}, off_before{start, start};
   std::array ended{false, false};
   for (double step = first_step; step < 2 * farthest; step *= 2)
@@ -212,11 +212,11 @@ std::optional<double> solved(const Part::Number& number, const Input& input, std
 
 constexpr int rank_of_familiar = 1, rank_of_familiar_factor = 4, rank_of_odd = 7;
 struct Misreading {
-  int rank;  // the simplest is the least
+  int rank;  // the simplest reading has the least
   std::string text;
   std::function<double(Question, std::size_t place)> answer;
   std::size_t fewest = fewest_wrong;  // wrong answers that decide
-  bool is_default = false;            // the input where it is left out
+  bool is_default = false;            // another value of an input that is left out
   std::function<void(Question&)> change = {};
 };
 
@@ -231,13 +231,13 @@ std::optional<std::string> familiar_times(double factor, const std::string& symb
   return factor > 1 ? fmt::format("{} {}", name, symbol) : fmt::format("{}/{}", symbol, name);
 }
 
-// Inputs of one unit may be taken for each other.
+// Whether one input may be taken for the other: both are single, and have one unit.
 bool is_of_unit(const Input& one, const Input& other) {
   return one.kind == Kind::single && other.kind == Kind::single && !one.unit.empty() &&
          one.unit == other.unit;
 }
 
-// Whether the question leaves the input out, which has a default then.
+// Whether the question leaves the input out, so that its default holds.
 bool is_without(const Input& input, const Question& question) {
   return !input.name.empty() && question.asked != nullptr &&
          is_left_out(question.asked->inputs, input.name);
@@ -251,12 +251,12 @@ double number_before(const Input& input, const Question& question) {
   return value.is_number() ? value.get<double>() : unsaid;
 }
 
-// Whether so many digits are the number, to 1e-6 of it.
+// Whether the number has at most so many digits, to a relative 1e-6.
 bool is_of_digits(double value, int digits) {
   return std::abs(of_digits(value, digits) - value) <= 1e-6 * std::abs(value);
 }
 
-// Adds readings of the input that give this one answer, from the value with which it is right.
+// Adds readings of the input that give one wrong answer, which is right with this `value`.
 void add_misreadings(const std::vector<Input>& inputs, const Input& input, const Question& asked,
                      double value, std::vector<Misreading>& found) {
   const double own = input.get(asked);
@@ -279,7 +279,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   if (input.kind == Kind::single || input.kind == Kind::each_times) {
     const double factor = value / own;
     const std::string text = times_in_words(factor, input.symbol);
-    if (text != input.symbol)  // a change that is told with more digits
+    if (text != input.symbol)  // else the factor is nearly 1
       add(familiar_times(factor, input.symbol) ? rank_of_familiar
           : is_of_few_digits(factor)           ? 5
                                                : 8,
@@ -345,8 +345,8 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
   }
 }
 
-// Adds that the input is rounded to whole steps, or that answers lie on straight lines between
-// those at whole steps, as in a table that spans the wrong answers.
+// Adds two readings for each step: the input is rounded to whole steps, or answers are interpolated
+// linearly between whole steps, as in a table that spans the wrong answers.
 void add_steps(const Input& input, const std::vector<Part::Number>& wrong,
                std::vector<Misreading>& found) {
   double least = INFINITY, greatest = -INFINITY;
@@ -385,13 +385,13 @@ void add_steps(const Input& input, const std::vector<Part::Number>& wrong,
     }
 }
 
-// Adds that the input is upside down, to another power, or without its sign. A number that is
-// solved for does not reach so far.
+// Adds that the input is inverted, has another power, or is without its sign. solved() does not
+// search so far from the right value.
 void add_forms(const Input& input, std::vector<Misreading>& found) {
   struct InputForm {
     double (*of)(double);
     const char* text;
-    bool is_about_one = false;  // for ratios: few cases are on the other side of 1
+    bool is_about_one = false;  // of a ratio; one answer decides
   };
   constexpr std::array input_forms{
       InputForm{[](double x) { return 1 / x; }, "1/{}"},
@@ -421,8 +421,8 @@ void add_forms(const Input& input, std::vector<Misreading>& found) {
   }
 }
 
-// Adds the readings by each input, from where answers are farthest off on both sides, which decide
-// the value best, and from a third one.
+// Adds the readings of each input, solved for at the answers with the least and the greatest ratio
+// to the right one, which determine the value best, and at a third one.
 void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part::Number>& wrong,
                         std::size_t place, std::vector<Misreading>& found) {
   const auto off = [](const Part::Number& one) {
@@ -446,7 +446,7 @@ void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part
       if (const auto value = solved(*from, input, place))
         add_misreadings(inputs, input, from->of->question, *value, found);
     if (input.kind == Kind::single) add_forms(input, found);
-    // An answer that hardly depends on the input there tells no value of it.
+    // Added without solving, because the answers may hardly depend on the input there.
     for (const Input& other : inputs)
       if (&other != &input && input.kind == Kind::single && is_of_unit(other, input))
         found.push_back({0, fmt::format("{} in place of {}", other.symbol, input.symbol),
@@ -458,8 +458,8 @@ void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part
   }
 }
 
-// Does the misreading give all wrong answers, and leave the right ones as they are? A few may be
-// otherwise, near a border.
+// Does the misreading give all wrong answers, and leave the right ones right? A few of the right
+// ones may become wrong, near a border.
 bool gives(const Misreading& one, const Part& part) {
   std::size_t met = 0, off = 0, changed = 0;
   const auto most = static_cast<std::size_t>(missed * static_cast<double>(part.all.size()));
@@ -480,12 +480,12 @@ bool gives(const Misreading& one, const Part& part) {
   return met >= one.fewest && changed >= met;
 }
 
-// Wrong answers that are not all off by one factor: such a factor any input may have.
+// Whether the wrong answers are off by different factors. Any input can have one common factor.
 bool vary(const Part& part) {
   double least = INFINITY, greatest = -INFINITY;
   for (const AnsweredNumber* const one : part.wrong) {
     const double ratio = one->got / one->expected->high;
-    if (!std::isfinite(ratio)) return part.wrong.size() > 1;  // others than 0
+    if (!std::isfinite(ratio)) return part.wrong.size() > 1;  // the right answer is 0
     least = std::min(least, ratio);
     greatest = std::max(greatest, ratio);
   }
@@ -505,7 +505,6 @@ double of_digits(double value, int digits) {
   return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
-// A number as people write it, with few digits, where that is within 1e-6 of it; else the number.
 double round_number(double value) {
   for (int digits = 1; digits <= 6; ++digits) {
     const double rounded = of_digits(value, digits);
@@ -551,7 +550,6 @@ std::string times_in_words(double factor, const std::string& symbol) {
 
 namespace {
 
-// "k = 1.03 where it is left out": the wrong answers are those to questions that leave this out.
 std::string default_of(const Part& part, const std::vector<Part::Number>& wrong,
                        const std::vector<Input>& inputs) {
   for (const Input& input : inputs) {
@@ -602,7 +600,7 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
   const auto find_simplest = [&] {
     std::stable_sort(all.begin(), all.end(),
                      [](const Misreading& a, const Misreading& b) { return a.rank < b.rank; });
-    // A round number that is all wrong answers is told itself, and not an odd input that gives it.
+    // If all wrong answers are one round number, an odd input that gives it is not reported.
     if (is_of_few_digits(wrong.front().answered->got) && floor_or_cap(part))
       std::erase_if(all, [](const Misreading& one) { return one.rank >= rank_of_odd; });
     for (const Misreading& one : all) {
@@ -615,8 +613,8 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
   };
   if (!is_one) add_numbers(fitted_numbers(part, mistakes, is_one_factor));
   add_misreadings_of(*inputs, wrong, part.place, all);
-  // One factor is that of each input: those alone are told that people know, behind what the law
-  // itself gives.
+  // Any input can have one common factor. So only familiar factors of inputs stay, and they come
+  // after changes of the law.
   if (is_one_factor) {
     std::erase_if(all, [](const Misreading& one) {
       return one.change && (one.rank > rank_of_familiar || one.is_default);
@@ -624,7 +622,7 @@ std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake
     for (Misreading& one : all)
       if (one.change) one.rank = rank_of_familiar_factor;
   }
-  // Another right value, as of the other axis, is simpler than a law that gives it.
+  // Another right value, as of the other axis, is a simpler cause than a changed law.
   const bool is_of_law = !is_one && other_value(part).empty();
   if (is_of_law) add_changes(1);
   find_simplest();
@@ -661,7 +659,7 @@ std::vector<Mistake> solved_insides(const Part& part) {
   struct Solved {
     const Inside* inside;
     double number;                 // a factor, or the number in place of a constant
-    std::optional<double> choice;  // of a law; empty: all of them
+    std::optional<double> choice;  // the law's place in `inside->choice`; empty: all laws
     std::size_t count = 0;         // of answers
   };
   constexpr std::size_t most_solved = 100, fewest_alike = 2;
@@ -749,7 +747,7 @@ std::string end_in_words(const Part& part, const std::vector<Part::Number>& wron
                      end->number + 0.0, end->is_floor ? "floor" : "cap");
 }
 
-// Another function that needs no other inputs, of which these are the answers.
+// A sentence if the wrong answers are those of another function that needs no other inputs.
 std::string other_function(const catalogue::Function& own, const std::vector<Part::Number>& wrong) {
   for (const catalogue::Function& other : catalogue::functions()) {
     if (&other == &own || other.results.size() > 1) continue;
@@ -810,7 +808,7 @@ std::string other_value(const Part& part) {
   std::vector<Numbers> right;
   for (const Part::Number& one : wrong) right.push_back(right_numbers(one.of->question));
   std::vector<ResultName> names = results_of(part.function());
-  names.resize(std::min(names.size(), right.front().size()));  // behind the numbers stand words
+  names.resize(std::min(names.size(), right.front().size()));  // words follow the numbers
   for (std::size_t place = 0; place < names.size(); ++place) {
     if (place == part.place) continue;
     bool is_other = true;

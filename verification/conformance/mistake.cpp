@@ -52,7 +52,7 @@ std::runtime_error not_allowed(std::string_view name, const json& value) {
   return std::runtime_error(fmt::format("{}: {} is not allowed", name, value.dump()));
 }
 
-// Takes members out of an entry one by one; what is left over has a name that means nothing.
+// Takes members out of an entry one by one. finish() refuses those that are left, as unknown.
 class Members {
  public:
   explicit Members(json object) : object_(std::move(object)) {
@@ -124,8 +124,8 @@ NumberChanges scene_changes_of(const json& written) {
   return changes;
 }
 
-// An entry is of one kind; changes of arguments and of results may stand together, and beside a law
-// or a formula.
+// An entry has one kind of change. Changes of arguments, results, sharing, and a law or a formula
+// are one kind, and may stand together.
 void check_kinds(const MistakeEntry& entry) {
   const bool is_of_function = !entry.input.empty() || !entry.result.empty() ||
                               !entry.where.empty() || !entry.law.is_null() ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Known mistakes: what an answer is when one of them, or several at once, are made. Each is a
-// formula that people have written, not a guess at a number. They stand in reference/mistakes.toml.
+// Known mistakes, and the answers if one or several of them are made. Each is a formula that people
+// have written, not a guess at a number. They are listed in reference/mistakes.toml.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace tribo::conformance {
 
-// A mistake changes what is read, what is computed, or what is answered; mistakes of which no two
-// touch the same thing can be made together. Factors touch nothing.
+// A mistake changes the question, the formula or the results. Mistakes can be made together if no
+// two of them touch the same thing. Factors touch nothing.
 struct Mistake {
   std::string function;              // whose cases it is about
   std::string name;                  // "hertz-radius-halved"
@@ -25,10 +25,10 @@ struct Mistake {
   // Each of these may be empty.
   std::function<bool(const Question&)> applies = {};  // without it: everywhere
   std::function<void(Question&)> before = {};         // misreads the question
-  // Another formula. Empty: it says nothing of this question.
+  // Another formula. Its result is empty if it says nothing of the question.
   std::function<std::optional<Numbers>(const Question&)> instead = {};
   std::function<void(const Question&, Numbers&)> after = {};  // changes the results
-  // The numbers of the other formula, if it has some, and the formula of any in their place.
+  // The numbers of the other formula, if it has some, and this formula with any numbers.
   std::vector<double> numbers = {};
   std::function<std::optional<Numbers>(const catalogue::Arguments&, std::span<const double>)>
       of_numbers = {};
@@ -40,7 +40,7 @@ struct Mistake {
 std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
                                     const Question& question);
 
-// Whether the function is the film law of certified operating points.
+// Whether the function is a film law of scenes with fixed exponents a ≠ b of Uᵃ Gᵇ.
 bool is_film_of_points(std::string_view function);
 
 // All mistakes of the file, for single functions and for operating points, and those of

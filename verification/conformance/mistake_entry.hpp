@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The entries of reference/mistakes.toml, and the mistakes that they make: in single functions, and
-// in operating points, where the model answers a scene that was misread or with one part of it gone
-// wrong.
+// The entries of reference/mistakes.toml, and their mistakes in single functions and in operating
+// points. For a point, the scene is misread, or one part of the model is wrong.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -22,8 +21,8 @@ struct NumberChange {
   double times = 1;
   bool is_inverted = false;
   std::optional<nlohmann::json> is;  // the number or word that is taken in its place
-  std::optional<double> value = {};  // the same as a number: of a word its place in the list
-  std::string by, over;              // arguments that a result is multiplied or divided by
+  std::optional<double> value = {};  // `is` as a number; a word by its place in the list
+  std::string by, over;              // inputs or results that multiply or divide a result
 
   double of(double number) const {
     return value ? *value : (is_inverted ? 1 / number : number) * times;
@@ -87,12 +86,12 @@ FunctionFormula find_formula(std::string_view function, std::string_view name, s
 // function has no such formula among those of mistakes.
 std::pair<FunctionFormula, std::span<const double>> formula_of_law(std::string_view function);
 
-// The functions of an entry: the one that it names; of film_laws all film laws that have the
-// arguments and exponents that the entry changes. Throws std::runtime_error where there is none.
+// The functions of an entry: the one that it names, or for film_laws all film laws with the
+// arguments and exponents that it changes. Throws std::runtime_error if there is none.
 std::vector<const catalogue::Function*> functions_of(const MistakeEntry& entry);
 
-// The mistakes of an entry: one; with `swapped` one for each pair of words, with the law `another`
-// one for each other film law. Throws std::runtime_error that says what is wrong with the entry.
+// The mistakes of an entry: one, or with `swapped` one for each pair of words, or with the law
+// `another` one for each other film law. Throws std::runtime_error with what is wrong in the entry.
 std::vector<Mistake> mistakes_of(const catalogue::Function& function, const MistakeEntry& entry);
 
 // The entry with the two words in its name and text: "inlet-{given}-for-{asked}".
@@ -119,14 +118,14 @@ void scale_area(Scene& scene, double factor);
 // Returns the factor that takes the number of summits back to what it was.
 double scale_stiffness(Scene& scene, double factor);
 
-// A mistake that several film laws have, in the film of an operating point by any of them.
+// The mistake of several film laws, in the film of an operating point with any of these laws.
 Mistake with_film(const std::vector<Mistake>& laws);
 
-// The same of one law, whose exponents of U and G are in the load sharing, too.
+// The same for one law, with its wrong exponents of U and G in the load sharing, too.
 Mistake with_film_and_sharing(const Mistake& law);
 
-// A wrong function of Hertz in the points that have its contact: their area and pressure, and of an
-// ellipse the ratio of its axes in the film.
+// A wrong function of Hertz in the points with its contact. It changes their area and pressure, and
+// the ellipticity in the film.
 Mistake with_contact(const Mistake& wrong);
 
 }  // namespace tribo::conformance

@@ -23,7 +23,7 @@ using catalogue::Arguments;
 using Constants = std::span<const double>;
 using Value = std::optional<double>;
 
-// --- Reduced radius: arguments R₁x, R₂x, R₁y and R₂y. Wrong results may be below 0.
+// --- Reduced radius: arguments R₁x, R₂x, R₁y and R₂y. Wrong formulas may give results below 0.
 
 double in_parallel(double a, double b) { return 1 / (1 / a + 1 / b); }
 Numbers radii(double x, double y) { return {x, y, in_parallel(x, y)}; }
@@ -36,7 +36,7 @@ Numbers right_radii(const Arguments& a) {
 // α ≥ 1, the greater radius over the smaller one.
 double radii_ratio(const Arguments& a) { return std::max(a[2], a[3]) / std::min(a[2], a[3]); }
 
-// K and E of the parameter 1 − 1/k².
+// The shape with this k, and K and E of the parameter 1 − 1/k².
 EllipseShape<double> shape_of(double k) {
   const auto [b, d] = detail::associated_integrals(k);
   return {k, b + d, b + d / k / k};
@@ -63,7 +63,7 @@ Numbers ellipse_with(const Arguments& a, double reduced) {
 }
 Numbers right_ellipse(const Arguments& a) { return ellipse_with(a, in_parallel(a[2], a[3])); }
 
-// Integrals of q^power, not of q = 1 − 1/k². 1/2: the modulus √q was taken for q; 2: q for √q.
+// Integrals of q^power, not of q = 1 − 1/k². 1/2: the modulus √q is taken for q; 2: q for √q.
 EllipseShape<double> integrals_of_power(double k, double power) {
   const double q = (k - 1) * (k + 1) / (k * k), wrong = std::pow(q, power);
   // 1 − q^p without the cancellation of long ellipses
@@ -75,7 +75,7 @@ EllipseShape<double> integrals_of_power(double k, double power) {
   return shape;
 }
 
-// The shape of a ratio of radii with those integrals.
+// The shape for a ratio of radii that is solved with these integrals.
 EllipseShape<double> shape_of_power(double ratio, double power) {
   double low = 1, high = 4 * ratio;
   for (double middle = 0; (middle = std::sqrt(low * high)) > low && middle < high;) {
@@ -116,7 +116,7 @@ double simpson(double order, double d, double to, int intervals) {
   return sum * h / 3;
 }
 
-// F of any order from 0 to 3.5; those past 5/2 by Simpson's rule.
+// F of any order from 0 to 3.5; above 5/2 by Simpson's rule.
 Value moment_of(double order, double d) {
   if (order < 0 || order > 3.5) return std::nullopt;
   if (order > 2.5) return simpson(order, d, std::max(d, 0.0) + 14, 4000);
@@ -187,7 +187,7 @@ Value d341(const Arguments& a, const Of& y, const OfTemperature& x, const Invers
   return std::isfinite(found) ? Value(found) : std::nullopt;
 }
 double natural_log(double x) { return std::log(x); }
-// The number is the one that is added to the viscosity.
+// The offset is added to the viscosity in mm²/s.
 auto log_log(Constants offset) {
   return [=](double viscosity) { return std::log(std::log(viscosity + offset[0])); };
 }
@@ -197,7 +197,7 @@ auto without_log_log(Constants offset) {
 
 // --- Viscosity index: arguments ν at 40 and at 100 °C
 
-// Where U is below H, by `above` of H/U and Y; else the right index.
+// The index `above`(H/U, Y) where U is below H; else the right index.
 template <class Above>
 Value index_of(const Arguments& a, const Above& above) {
   const double hundred = detail::index_oils(a[1]).hundred, u = 1e6 * a[0];
@@ -232,7 +232,7 @@ struct NamedFormula {
 
   std::string_view function, name;
   std::size_t numbers;
-  std::span<const double> right;  // with these the formula is the law; empty: it is never
+  std::span<const double> right;  // with these the formula is the law; empty: it never is
   FunctionFormula formula;
 };
 
@@ -401,7 +401,7 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants) {
        return a[1] > 0 ? Value(*moment_of(a[0], a[1]) / std::sqrt(a[1])) : std::nullopt;
      }},
-    // Fits say nothing outside of the arguments that they were made for: c (d₁ − d)^e, c e^{−bd}.
+    // The fits c (d₁ − d)^e and c e^{−bd} say nothing outside their ranges of d.
     {"gaussian_moment", "moment_power_fit", 3,
      [](const Arguments& a, Constants numbers) -> Value {
        if (a[1] < 0 || a[1] > numbers[1]) return std::nullopt;
@@ -418,7 +418,7 @@ constexpr NamedFormula formulas[] = {
        return *moment_of(a[0], 0) * std::erfc(a[1]);
      }},
 
-    // Closure, r and γ; with Crook's constant of a circular contact.
+    // Arguments closure, r and γ. The first formula has Crook's constant of a circular gap.
     {"starvation_ratio", "inlet_with_circular_gap", 0,
      [](const Arguments& a, Constants) {
        const auto closure = static_cast<StarvationClosure>(static_cast<int>(a[0]));
@@ -437,7 +437,7 @@ constexpr NamedFormula formulas[] = {
        const double ratio = 1 + 2 / (3 * a[3]);
        return right_regime(a) * std::pow(ratio, 4);
      }},
-    // Numbers: the power of k that is taken for R_y/R_x.
+    // Number: the power of k that is taken for R_y/R_x.
     {"regime_film", "regime_with_power_of_ellipticity", 1,
      [](const Arguments& a, Constants power) {
        return right_regime({a[0], a[1], a[2], std::pow(a[4], power[0]), a[4]});
@@ -447,7 +447,7 @@ constexpr NamedFormula formulas[] = {
        const double ratio = (1 + 2 / (3 * a[3])) / (1 + 2 * a[3] / 3);
        return right_regime(a) * ratio * ratio;
      }},
-    // Numbers: of the rigid, isoviscous law, and of the ellipse in the others.
+    // Numbers: two of the isoviscous rigid law's arctan term, then those of k or α in others.
     {"regime_film", "regime_of_numbers", regime.size(),
      [](const Arguments& a, Constants n) {
        const auto side = [&](double weight, double decay, double of) {
@@ -500,7 +500,7 @@ constexpr NamedFormula formulas[] = {
        return 1 / rolling(rolling_heat(a, a[2] * a[2]), 1 / numbers[0], numbers[1]);
      }},
 
-    // Numbers: a³ = 3R/(4E*) [F + n πwR + m √(6πwRF + (3πwR)²)]; no radius where that is not above 0.
+    // Numbers n and m: a³ = 3R/(4E*) [F + n πwR + m √(6πwRF + (3πwR)²)]; empty unless a³ > 0.
     {"jkr_radius", "jkr_of_loads", 2,
      [](const Arguments& a, Constants numbers) {
        const double adhesive = std::numbers::pi * a[1] * a[3];
@@ -515,7 +515,7 @@ constexpr NamedFormula formulas[] = {
        return radius * radius * radius;
      }},
 
-    // Numbers: the exponent, times n and plus a number, over a number or, where that is 0, over a.
+    // Numbers x, y and z of the exponent (x n + y)/z; where z is 0, it is (x n + y)/a.
     {"carreau_yasuda_viscosity", "carreau_of_exponent", 3,
      [](const Arguments& a, Constants numbers) {
        const double divisor = numbers[2] == 0 ? a[4] : numbers[2];
@@ -538,7 +538,7 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants factor) {
        return std::erf(factor[0] * relative_pressure(a));
      }},
-    // Numbers: the factor, and where the area ends.
+    // Numbers: the factor of the relative pressure, and the greatest area.
     {"persson_contact_area", "persson_linear", 2,
      [](const Arguments& a, Constants numbers) {
        return std::min(numbers[1], numbers[0] * relative_pressure(a));
@@ -547,7 +547,7 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants) {
        return std::erfc(std::numbers::sqrt2 * relative_pressure(a));
      }},
-    // Numbers: the factor of the exponential, and of H in it.
+    // Numbers: the factor of the exponential, and the factor of H in it.
     {"patir_cheng_pressure_flow", "flow_of_numbers", 2,
      [](const Arguments& a, Constants numbers) {
        return 1 - numbers[0] * std::exp(-numbers[1] * a[0]);
@@ -555,7 +555,7 @@ constexpr NamedFormula formulas[] = {
      patir_cheng},
     {"patir_cheng_pressure_flow", "flow_shortage", 2,
      [](const Arguments& a, Constants numbers) { return numbers[0] * std::exp(-numbers[1] * a[0]); }},
-    // Numbers: (m (Rq₁ⁿ + Rq₂ⁿ))^(1/n): n and m.
+    // Numbers n and m of (m (Rq₁ⁿ + Rq₂ⁿ))^(1/n).
     {"lambda_ratio", "lambda_of_norm", 2,
      [](const Arguments& a, Constants numbers) {
        const double sum = std::pow(a[1], numbers[0]) + std::pow(a[2], numbers[0]);
@@ -580,7 +580,7 @@ constexpr NamedFormula formulas[] = {
      [](const Arguments& a, Constants) { return std::pow(a[0], a[1] * a[2]); }},
     {"barus_viscosity", "barus_linear", 0,
      [](const Arguments& a, Constants) { return a[0] * (1 + a[1] * a[2]); }},
-    // Numbers: p_R, what ln η₀ is multiplied by, z over αp_R/(ln η₀ + 9.67), and this 9.67.
+    // Numbers p, f, g and c: p_R = p and z = g α p/(f ln η₀ + c); the law has f = g = 1.
     {"roelands_viscosity", "roelands_of_numbers", roelands.size(),
      [](const Arguments& a, Constants numbers) {
        const double scale = std::log(a[0]) * numbers[1] + numbers[3];
@@ -638,7 +638,7 @@ constexpr NamedFormula formulas[] = {
        if (!(u >= oils.hundred && u < oils.zero)) return viscosity_index(a[0], a[1]);
        return (std::pow(10, power) - 1) / 0.00715 + 100;
      }},
-    // Numbers: what is raised to the power N, what is added, and what it is divided by.
+    // Numbers b, c and d of the index (bᴺ − 1)/d + c.
     {"viscosity_index", "index_of_power", 3,
      [](const Arguments& a, Constants numbers) {
        return index_of(a, [&](double ratio, double y) {
@@ -646,7 +646,7 @@ constexpr NamedFormula formulas[] = {
          return (std::pow(numbers[0], power) - 1) / numbers[2] + numbers[1];
        });
      }},
-    // Numbers: what Y is multiplied by where N is made.
+    // Number: the factor of Y in N = ln(H/U)/ln Y.
     {"viscosity_index", "index_of_other_unit", 1,
      [](const Arguments& a, Constants unit) {
        return index_of(a, [&](double ratio, double y) {
@@ -660,7 +660,7 @@ constexpr NamedFormula formulas[] = {
        });
      }},
 
-    // Numbers: of which moments the root is taken.
+    // Numbers: not 0 for each moment in whose place its root is taken.
     {"summits_from_spectral_moments", "summits_of_roots", 3,
      [](const Arguments& a, Constants are_roots) {
        Arguments misread = a;
@@ -669,7 +669,7 @@ constexpr NamedFormula formulas[] = {
        const Numbers results = right_summits(misread);
        return results[0] > 0 ? std::optional(results) : std::nullopt;
      }},
-    // Numbers: whether √m₀ is answered for σ_s, and whether the offset is over it.
+    // Numbers, not 0 if so: √m₀ is answered for σ_s; the offset is divided by √m₀, not by σ_s.
     {"summits_from_spectral_moments", "summits_of_all_heights", 2,
      [](const Arguments& a, Constants where) {
        Numbers results = right_summits(a);

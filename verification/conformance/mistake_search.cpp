@@ -62,12 +62,12 @@ class Search {
     });
   }
 
-  // Whether all wrong answers are one number, which says too little for several mistakes: a guard
-  // gives it.
+  // Whether all wrong answers are one number, as a guard gives it. Such answers do not show several
+  // mistakes.
   bool is_one_number() const { return is_one_number_; }
 
-  // Whether the probes, but for one, are as the mistakes give them: few evaluations rule out
-  // nearly all causes.
+  // Whether the mistakes give the answers of all probes, or of all but one. These few evaluations
+  // rule out nearly all causes.
   bool is_likely(const Mistakes& mistakes) const {
     std::size_t met = 0, unmet = 0;
     for (const AnsweredCase* const probe : probes_) {
@@ -84,8 +84,8 @@ class Search {
     return met > 0;
   }
 
-  // Whether one of the mistakes alone would make right numbers of the probes wrong: others then
-  // take its effect back there, and some factor in one result says the same more simply.
+  // Whether one of the mistakes alone makes right numbers of the probes wrong. The other mistakes
+  // then undo its effect there, and a factor in one result is a simpler cause.
   bool is_taken_back(const Mistakes& mistakes) const {
     return std::any_of(mistakes.begin(), mistakes.end(), [&](const Mistake* const mistake) {
       return std::any_of(probes_.begin(), probes_.end(), [&](const AnsweredCase* const probe) {
@@ -100,8 +100,8 @@ class Search {
     });
   }
 
-  // Does it explain a tenth of the wrong answers of some result? A mistake that fits only beyond a
-  // border says little where answers on this side are wrong too.
+  // Does the fit explain a tenth of the wrong answers of some result? A mistake that fits only on
+  // one side of a border says little if answers on the other side are wrong, too.
   bool is_worth_telling(const Fit& made) const {
     std::map<std::size_t, std::size_t> explained, wrong;
     for (const AnsweredNumber* const one : made.explains) ++explained[one->place];
@@ -186,8 +186,8 @@ void sort_by_what_they_explain(std::vector<Fit>& fits) {
   });
 }
 
-// The causes with the fewest mistakes, that which explains most answers first. `is_quick`: only
-// causes that give the answers of nearly all probes are looked at.
+// The causes with the fewest mistakes, sorted by the number of answers that they explain, from most
+// to least. `is_quick`: only causes that give the answers of nearly all probes are looked at.
 std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mistakes,
                            std::size_t most, bool is_quick = false) {
   std::vector<Fit> best;
@@ -221,9 +221,9 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
   const catalogue::Function* const function = cases.front().question.function;
   // Three at once of an operating point's many mistakes would take seconds.
   std::vector<Fit> best = best_fits(search, mistakes, function == nullptr ? 2 : 3);
-  // One of several results may be wrong in a way that nobody knows, which would hide the mistakes
-  // in all others. One that is right has a formula of its own at most: it does not speak against
-  // one mistake elsewhere, but against two.
+  // Each result is left out in turn: a mistake in it that nobody knows would hide the mistakes in
+  // the others. A result without wrong answers may have a formula of its own. It then allows one
+  // mistake elsewhere, not two.
   const bool is_point = function == nullptr;
   const std::size_t results = !is_point      ? function->results.size()
                               : best.empty() ? number_count

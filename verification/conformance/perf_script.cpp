@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The format (`man perf-script`): a line with the period of the sample, in nanoseconds of the
-// clock, then the frames of its stack, the innermost one first, each a line "ADDRESS NAME (OBJECT)"
-// that begins with a tab; then an empty line.
+// The format (`man perf-script`): a line with the period of the sample in nanoseconds, then a line
+// for each frame of its stack, the innermost one first, then an empty line. The line of a frame is
+// "ADDRESS NAME (OBJECT)" after a tab.
 #include "conformance/perf_script.hpp"
 
 #include <charconv>
@@ -26,7 +26,7 @@ std::string_view without_blanks(std::string_view text) {
   return first == text.npos ? std::string_view() : text.substr(first);
 }
 
-// A name can also have blanks and brackets, but in an object no bracket has a blank before it.
+// A name can have blanks and brackets. An object is taken to have no blank before a bracket.
 Frame frame_of(std::string_view text) {
   Frame frame;
   const auto [end, error] =
@@ -75,7 +75,7 @@ class Samples {
       function = frame.function;
       time += *period_;
     }
-    period_.reset();  // the sample is told
+    period_.reset();  // the sample is counted
   }
 
   const std::function<CallGraph::Kind(const std::string&)>& kind_of_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text that `perf script` makes of a recording, with the time of each line.
+// Reads the text of `perf script`: the time of each line of a solver's code.
 #pragma once
 
 #include <array>

@@ -23,12 +23,12 @@ std::string stretch_in_words(const std::string& symbol, double low, double high)
                        : fmt::format("from {} = {} to {}", symbol, first, last);
 }
 
-// Part of the cases, and of the right or the wrong ones, that may lie on the wrong side of a
-// border.
+// The parts that may lie on the wrong side of a border: of all cases, and of the right or the wrong
+// ones, whichever are fewer.
 constexpr double stray = 0.02, stray_of_few = 0.1;
 constexpr std::size_t fewest_right = 3, most_single = 2;
-// Chances that a condition may have to be met by accident: where it tells all wrong answers from
-// all right ones, and where right answers are on both sides of it.
+// The greatest chance that the wrong answers meet a condition by accident: if it divides wrong
+// answers from right ones, and if right answers are on both sides of it.
 constexpr double chance_of_exact = 1e-2, chance_of_needed = 1e-3;
 constexpr std::size_t most_conditions = 3, most_alike = 3;
 
@@ -118,8 +118,7 @@ std::vector<Circumstance> conditions_of(const catalogue::Function& function) {
   return all;
 }
 
-// Fields that say how a point is asked: words and whole numbers; and whether a field is given at
-// all.
+// Conditions of points: a field has one of its words or whole numbers, or is given at all.
 std::vector<Circumstance> conditions_of_points(const CountedNumbers& numbers) {
   std::vector<Circumstance> all;
   for (std::size_t place = 0; place < scene_fields().size(); ++place) {
@@ -244,8 +243,8 @@ std::optional<Found> exact_condition(const CountedNumbers& numbers,
   return best;
 }
 
-// "wrong only where `surface.offset_planes` is 2: in 96 of 130 such cases": wrong answers need one
-// or several conditions, but may be right there, too.
+// "wrong only where `surface.offset_planes` is 2: in 96 of 130 such cases": all wrong answers meet
+// one or several conditions, which right answers may meet, too.
 std::optional<WrongPlace> needed_conditions(CountedNumbers numbers,
                                             const std::vector<Circumstance>& conditions) {
   const std::size_t wrong = count_wrong(numbers);
@@ -302,8 +301,8 @@ struct Sorted {
   bool is_wrong;
 };
 
-// The stretch [first, last) in which answers are right (or wrong), and how many cases it misplaces:
-// the best of all stretches, by the greatest sum of a run.
+// A stretch [first, last) in which answers are right (or wrong), and the number of cases that do
+// not fit. best_stretch() finds the one with the fewest, by the greatest sum of a run.
 struct Stretch {
   std::size_t first = 0, last = 0;
   std::size_t misplaced = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where answers are wrong: at a word or a number of the question, where two inputs are alike, or
-// from a border of one input, or of one group of inputs, on.
+// Where answers are wrong: at one word or number of the question, where two inputs are alike, or in
+// a range of one input or of one group of inputs.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace tribo::conformance {
 
 struct WrongPlace {
   std::string text;                            // "right up to d = 5, wrong from 5.2 on"
-  std::function<bool(const Question&)> holds;  // true of questions there; may be empty
+  std::function<bool(const Question&)> holds;  // whether a question lies there; may be empty
 };
 
 // Empty where nothing divides wrong answers from right ones. Wrong answers that are explained are

@@ -41,7 +41,7 @@ std::string stem_of(const std::string& path) {
   return stem;
 }
 
-// One line of text: it becomes part of the names in tables.
+// At most 60 bytes, without control characters and slashes, for names in tables.
 std::string cleaned(std::string_view text) {
   std::string result;
   for (const char c : text.substr(0, 60)) {
@@ -130,7 +130,7 @@ FunctionBatch function_batch(decltype(&tribocheck_function) function,
   };
 }
 
-// One of the words, by its place. False: the code means nothing.
+// Reads a code as the place of a word. False: the code means nothing.
 template <class Word>
 bool read_word(int code, std::span<const std::string_view> words, WordResult<Word>& to) {
   using Kind = typename WordResult<Word>::Kind;
@@ -154,20 +154,20 @@ Answer<PointResult> point_answer(int status, const tribocheck_point& point) {
   return answer_of(status, result);
 }
 
-// The bytes of a scene: by these, scenes with NaN can be equal too.
+// The bytes of a scene, by which scenes with NaN can be equal.
 auto bytes_of(const tribocheck_scene& scene) {
   static_assert(sizeof(tribocheck_scene) == 15 * sizeof(double) + 6 * sizeof(int), "no padding");
   return std::bit_cast<std::array<std::byte, sizeof(tribocheck_scene)>>(scene);
 }
 
-// Neighbours of the same scene go to the plug-in together.
+// Adjacent questions with the same scene go to the plug-in together.
 Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) function) {
   if (function == nullptr) return {};
   return [=](std::span<const Scene> scenes, std::span<Answer<PointResult>> answers) {
     std::vector<double> speeds;
     for (std::size_t first = 0; first < scenes.size(); first += speeds.size()) {
       speeds.clear();
-      // The header knows circles with the default film law alone.
+      // The plug-in's header has only circles with the default film law.
       const auto is_of_header = [](const Scene& scene) {
         return scene.closures.film == FilmFormula::hamrock_dowson_central &&
                scene.bodies.shape() == ContactShape::circle;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A shared library made for tribocheck_plugin.h, loaded into this process.
 //
-// A plug-in as a solver, and as a process that answers JSON lines, so that a plug-in can break only
-// its own process.
+// The plug-in is used as a solver, or in a process of its own that answers JSON lines, so that it
+// can break only this process.
 #pragma once
 
 #include <stdexcept>
@@ -29,9 +29,8 @@ struct PluginRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Loads the library for the rest of the process; code that the library runs while it is loaded,
-// runs in this process. A path without a slash is a file in the working directory. Throws
-// PluginRefused.
+// Loads the library until the process ends. Code that the library runs on loading runs in this
+// process. A path without a slash is a file in the working directory. Throws PluginRefused.
 Plugin load_plugin(const std::string& path);
 
 // Calls the plug-in with the cases as arrays.

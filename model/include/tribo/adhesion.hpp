@@ -15,7 +15,7 @@
 namespace tribo {
 
 inline constexpr Contract pull_off_contract{4, 0};
-// Next to the pull-off digits cancel under the root.
+// Near the pull-off, digits cancel under the root.
 inline constexpr Contract jkr_contract{6, 4};
 
 enum class Adhesion : std::uint8_t { jkr, dmt };

@@ -28,9 +28,9 @@ constexpr Order load_order(AsperityModel model) {
   return model == AsperityModel::greenwood_tripp ? Order::five_halves : Order::three_halves;
 }
 
-// The exponent q of A = (K F_p)^q: n → nγ₂, E → E/γ₂, F → F/γ₂ (paper, 1.19) keep E/F and turn K,
-// which is proportional to n² (GT) or n (GW), into Kγ₂² or Kγ₂. With A = 1/γ₂ this gives q = 1/2 or
-// 1.
+// The exponent q of A = (K F_p)^q. n → nγ₂, E → E/γ₂ and F → F/γ₂ (paper, 1.19) keep E/F and turn
+// K, proportional to n² (GT) or n (GW), into Kγ₂² or Kγ₂. This K times F_p is 1; with A = 1/γ₂ it
+// gives q = 1/2 or 1.
 template <class T>
 T sharing_exponent(AsperityModel model) {
   return model == AsperityModel::greenwood_tripp ? ratio<T>(1, 2) : T(1);

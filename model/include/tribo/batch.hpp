@@ -54,7 +54,7 @@ std::string_view instruction_set();
 // Does this instruction set have fused multiply-add? All sets that have it give the same bits, and
 // all sets that lack it give the same bits as each other.
 bool is_fused();
-// "FMA" or "no FMA": what results and parts name it.
+// "FMA" or "no FMA": the word for it in results and parts of sweeps.
 std::string_view arithmetic();
 // The instruction sets that this machine has, the best first. The setting
 // GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA in the environment switches sets off, for

@@ -23,9 +23,9 @@ struct SurfaceNumbers {
   T hazard;          // −d ln A/dλ at the floor: positive; 0 if there is no floor
   T floor_up_to;     // λ = λ_b to half an ulp for λ₀ from 0 to here
   T film_from;       // λ = λ₀ to half an ulp for λ₀ from here on; below 0: smooth, always
-  // λ₀/u^a. For a law without fixed exponents it is a logarithm at 1 m/s: ln(λ/Ĥ), but for a law
-  // that joins limits at a point ln λ by the limit H₀₀. NaN where the contact is beyond the
-  // kernels' range.
+  // λ₀/u^a. For a law without fixed exponents it is a logarithm at 1 m/s: ln(λ/Ĥ) or, for a law of
+  // points that joins limits, ln λ by the limit H₀₀. NaN where the contact is beyond the kernels'
+  // range.
   T film_at_unit_speed;
 };
 
@@ -51,7 +51,7 @@ struct ContactNumbers {
   T roelands_scale, roelands_exponent;  // ln η₀ + 9.67 and z
   // The smooth contact: a_x (b of a line), A_nom, p̄ and the approach, which a line does not have.
   T semi_axis_x, nominal_area, mean_pressure, approach;
-  FilmNumbers<T> film;  // 0 of a law of fixed exponents
+  FilmNumbers<T> film;  // 0 for a law of fixed exponents
 };
 
 // The numbers of a scene that a contact is prepared from, in the units of scene.hpp. Where the
@@ -101,12 +101,12 @@ InletLaw<T> inlet_law(const ContactWords& words, const Numbers<T>& numbers) {
 ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
 
-// Smooth bodies have no summits, n = 0, so that K and A are 0. In place of their σ_s stands this
-// unit of λ, a power of two, which leaves all digits of a film as they are. m
+// Smooth bodies have no summits: n = 0, so that K and A are 0. Their λ is h over this unit in m, in
+// place of σ_s. It is a power of two, so that all digits of h are kept.
 inline constexpr double smooth_height_unit = 0x1p-24;
 
-// The numbers of a scene as they are given, without the ellipse. A sweep writes its values into
-// them (Access::number of scene/schema.hpp): a field is handed on unchanged.
+// The numbers of a scene as they are given, without the ellipse. No field is converted, because a
+// sweep writes its values directly into these numbers (Access::number of scene/schema.hpp).
 inline SceneNumbers<double> given_numbers(const Scene& scene) {
   const Surface& surface = scene.surface;
   const Bodies& bodies = scene.bodies;

@@ -4,9 +4,9 @@
 //
 //   h/R = C U^a G^b W^c (1 − m e^{−nk}),   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²)
 //
-// R is R_x, along the direction of entrainment, E_HD is 2E*, and u the mean of the speeds of the
-// two surfaces; but readings of a law may take E* or the sum. A line has W = (F/L)/(E_HD R), which
-// is W of a point with F = (F/L) R, and m = 0.
+// R is R_x, along the direction of entrainment. E_HD is 2E*, and u is the mean of the speeds of the
+// two surfaces. Readings of a law may take E* instead of 2E*, or the sum of the speeds. A line has
+// m = 0 and W = (F/L)/(E_HD R), which is W of a point with F = (F/L) R.
 //
 // The default is Hamrock and Dowson's central film (paper, eqs 1.20 to 1.22, with 0.61 for the
 // misprinted 0.6): B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point
@@ -23,9 +23,9 @@ namespace tribo {
 
 inline constexpr Contract film_contract{20, 0};
 
-// Does load sharing take this law? It takes laws without fixed exponents, laws with a = b, whose
-// film does not change with γ, and laws with 0.01 ≤ a − b ≤ 0.7 whose exponents have at most three
-// decimals.
+// Does load sharing take this law? It takes laws without fixed exponents, and laws with a = b:
+// their film does not change with γ. It takes other laws if 0.01 ≤ a − b ≤ 0.7 and the exponents
+// have at most three decimals.
 constexpr bool is_law_of_load_sharing(const FilmLaw& law) {
   if (!law.has_fixed_exponents() || law.sharing_exponent.p == 0) return true;
   return law.sharing_power.value >= 0.01 && law.sharing_power.value <= 0.7 &&

@@ -28,8 +28,8 @@ template <class T>
 T roelands_log_viscosity() {
   return ratio<T>(967, 100);  // 9.67
 }
-// ln η₀ + 9.67 > 0, which is a denominator, bounds η₀ from below: e^−9.67 = 6.31499e-5
-// Pa·s.
+// ln η₀ + 9.67 is a denominator and has to be above 0. This bounds η₀ from below: e^−9.67 =
+// 6.31499e-5 Pa·s.
 inline constexpr double least_roelands_viscosity = 6.315e-5;
 
 // ln(η/η₀) at pressure p ≥ 0 in Pa:
@@ -61,7 +61,7 @@ T fluid_shear_stress(FluidShear law, const T& eyring_stress, const T& viscosity,
   if (sliding_speed == 0) return T(0);
   T x = viscosity / eyring_stress * (sliding_speed / separation) * exp(log_viscosity_ratio);
   T log_x = 0;
-  if (!(x > 0 && x < 1 / epsilon<T>())) {  // a factor may be beyond T where x is not
+  if (!(x > 0 && x < 1 / epsilon<T>())) {  // x may be in the range of T, a factor not
     log_x = log(viscosity) - log(eyring_stress) + log(sliding_speed) - log(separation) +
             log_viscosity_ratio;
     x = exp(log_x);

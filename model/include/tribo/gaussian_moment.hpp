@@ -5,7 +5,7 @@
 //
 // Source: J. A. Greenwood, J. H. Tripp (1970; see asperity_contact.hpp), their F_n.
 //
-// All forms are sums of positive terms. With S_n(d) = e^{d²/2} F_n(d) for d ≥ 0 and F_n(d) below:
+// No digits cancel. The forms give S_n(d) = e^{d²/2} F_n(d) for d ≥ 0, and F_n(d) for d < 0:
 //   |d| large        asymptotic series, cut where its terms fall below ε
 //   half-integer n   F_n = (1/√2π) ∫_{−∞}^{∞} x^{2n+1} e^{−(x²+d)²/2} dx (s = x² + d), by the
 //                    trapezoidal rule: the integrand is entire, so the error falls as
@@ -14,8 +14,8 @@
 //                    F_{n+1} + d F_n − n F_{n−1} = 0); for |d| < 1 the Taylor series about d = 1;
 //                    reflection
 //
-// Error bound: in double gaussian_moment_contract, one unit where the result is subnormal; in T in
-// general 500 ε on [−40, 37]. F_n(+∞) = 0, F_n(−∞) = ∞ (1 for n = 0), NaN gives NaN.
+// Error bound in double: gaussian_moment_contract, and one unit where the result is subnormal. In
+// other types: 500 ε on [−40, 37]. F_n(+∞) = 0, F_n(−∞) = ∞ (1 for n = 0), NaN gives NaN.
 //
 // The templates serve every number type but double. For double the functions are polynomials in
 // pieces (src/gaussian_moment-inl.hpp); they are declared near the end of this file.
@@ -62,8 +62,8 @@ T gamma_of_order_plus_one(Order n) {
   return value;
 }
 
-// e^{−d²/2} = (first)(second): neither underflows where their product does not. d is split as
-// high + low with high² exact, so that the rounding of d² costs nothing.
+// e^{−d²/2} as first · second. No factor underflows where the product does not. d is split as high
+// + low with high² exact, so that the rounding of d² costs nothing.
 template <class T>
 struct GaussianFactor {
   T first, second;
@@ -79,8 +79,8 @@ GaussianFactor<T> gaussian_factor(const T& d) {
   return {root, root * exp(-(d - high) * (d + high) / 2)};
 }
 
-// For |d| from this value on, the terms of the asymptotic series fall below ε before the series
-// diverge: e^{−d²/2} ≪ ε.
+// From this |d| on, e^{−d²/2} ≪ ε, and the terms of the asymptotic series fall below ε before they
+// begin to grow.
 template <class T>
 T asymptotic_from() {
   using std::sqrt;
@@ -107,7 +107,7 @@ T far_above(Order n, const T& d) {
   return gamma_of_order_plus_one<T>(n) / sqrt_two_pi<T>() * power(inverse, n) * inverse * sum;
 }
 
-// F_n(−D) ~ Dⁿ Σ n(n−1)…(n−2k+1)/(k! (2D²)^k); finite for integer n.
+// F_n(−D) ~ Dⁿ Σ n(n−1)…(n−2k+1)/(k! (2D²)^k). For integer n the sum is finite.
 template <class T>
 T far_below(Order n, const T& distance) {
   using std::abs;
@@ -126,8 +126,8 @@ T far_below(Order n, const T& distance) {
   return power(distance, n) * sum;
 }
 
-// S_n(d), half-integer n, |d| < asymptotic_from: trapezoidal rule with a step h that puts the error
-// of the rule below ε: so says the bound above for y = π/(h·(2|d| + 2.3√L)), with L = ln(1/ε) + 4.
+// S_n(d) for half-integer n and |d| < asymptotic_from(), by the trapezoidal rule. The step h keeps
+// its error below ε: the bound above has y = π/(h·(2|d| + 2.3√L)), with L = ln(1/ε) + 4.
 template <class T>
 T half_integer_moment(Order n, const T& d) {
   using std::exp;
@@ -151,9 +151,9 @@ T half_integer_moment(Order n, const T& d) {
   return 2 * step * sum / sqrt_two_pi<T>();
 }
 
-// S_0, S_1 and S_2 for 1 ≤ d < asymptotic_from: I_n = √2π S_n obeys I_{n+1} = n I_{n−1} − d I_n and
-// 1 = d I_0 + I_1; backward, I_n/I_{n−1} = n/(d + I_{n+1}/I_n). If the recurrence starts at n = N,
-// the error of I_1/I_0 is about exp(−2d√N).
+// S_0, S_1 and S_2 for 1 ≤ d < asymptotic_from(). I_n = √2π S_n obeys I_{n+1} = n I_{n−1} − d I_n
+// and 1 = d I_0 + I_1. The recurrence runs backward, I_n/I_{n−1} = n/(d + I_{n+1}/I_n). If it
+// starts at n = N, the error of I_1/I_0 is about exp(−2d√N).
 template <class T>
 T integer_moment_above_one(Order n, const T& d) {
   using std::sqrt;
@@ -172,8 +172,8 @@ T integer_moment_above_one(Order n, const T& d) {
   return integral / sqrt_two_pi<T>();
 }
 
-// The ratios I_k/I_{k−1} at d = 1 for k = 1, 2, …, by the same recurrence; element 0 is I_0. The
-// recurrence starts beyond the last ratio, by the distance in √k that the first ratio alone needs.
+// The ratios I_k/I_{k−1} at d = 1 for k = 1, 2, …, by the same recurrence; element 0 is I_0. The √k
+// of its start is that of the last ratio plus the √k that the first ratio alone needs.
 inline constexpr std::size_t ratios_at_one = 256;
 template <class T>
 std::array<T, ratios_at_one> integral_ratios_at_one() {
@@ -191,8 +191,8 @@ std::array<T, ratios_at_one> integral_ratios_at_one() {
   return ratios;
 }
 
-// S_0, S_1 or S_2 for |d| < 1 (F for d < 0): I_n = ∫_0^∞ uⁿ e^{−u²/2−ud} du, so its Taylor series
-// about d = 1 in 1 − d has the coefficients I_{n+k}(1)/k!, all positive.
+// S_0, S_1 or S_2 for |d| < 1 (F for d < 0). I_n = ∫_0^∞ uⁿ e^{−u²/2−ud} du has a Taylor series
+// about d = 1: its coefficients in powers of 1 − d are I_{n+k}(1)/k!, all positive.
 template <class T>
 T integer_moment_near_zero(Order n, const T& d) {
   using std::exp;
@@ -213,7 +213,7 @@ T integer_moment_near_zero(Order n, const T& d) {
 
 }  // namespace detail
 
-// S_n(d) = e^{d²/2} F_n(d) for d ≥ 0, F_n(d) for d < 0: never underflows on [−40, 1e100].
+// S_n(d) = e^{d²/2} F_n(d) for d ≥ 0, F_n(d) for d < 0. It does not underflow on [−40, 1e100].
 template <class T>
 T scaled_gaussian_moment(Order n, const T& d) {
   if (d != d) return d;
@@ -239,14 +239,14 @@ detail::GaussianFactor<T> factored_product(const T& c, const T& scaled, const T&
   return {c * factor.first, scaled * factor.second};
 }
 
-// c·F_n(d) from S_n(d), without an underflow of F_n that c would undo.
+// c·F_n(d) from S_n(d). It does not underflow where F_n alone would and the product does not.
 template <class T>
 T unscaled_product(const T& c, const T& scaled, const T& d) {
   const detail::GaussianFactor<T> product = factored_product(c, scaled, d);
   return product.first * product.second;
 }
 
-// c·F_n(d) from d, without such an underflow.
+// c·F_n(d) from d, with the same property.
 template <class T>
 T moment_product(const T& c, Order n, const T& d) {
   return unscaled_product(c, scaled_gaussian_moment(n, d), d);
@@ -262,7 +262,7 @@ T gaussian_moment(Order n, const T& d) {
 double scaled_gaussian_moment(Order n, double d);
 double gaussian_moment(Order n, double d);
 
-// ln F_n(d); does not underflow: −∞ only at d = +∞ (or where d² overflows).
+// ln F_n(d), without underflow. It is −∞ only at d = +∞ or where d² overflows.
 template <class T>
 T log_gaussian_moment(Order n, const T& d) {
   using std::log;

@@ -17,14 +17,14 @@ struct HertzPoint {
   T nominal_area;   // A_nom = πa², m²
   T mean_pressure;  // p̄ = F/A_nom, Pa
   T peak_pressure;  // 3p̄/2, Pa
-  T approach;       // a²/R, m: of the two bodies
+  T approach;       // a²/R of the two bodies, m
 };
 
 // load F > 0 in N, effective_modulus E* > 0 in Pa (1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂, not 2E*),
 // reduced_radius R > 0 in m. Error: hertz_contract; overflow gives ∞ or NaN, underflow 0.
 template <class T>
 HertzPoint<T> hertz_point(const T& load, const T& effective_modulus, const T& reduced_radius) {
-  using Wide = WiderType<T>;  // all its roundings together are less than one of T
+  using Wide = WiderType<T>;  // roundings of Wide together are less than one of T
   const Wide wide_load = load;
   const Wide radius =
       cube_root(Wide(3 * wide_load * reduced_radius / (4 * Wide(effective_modulus))));

@@ -11,18 +11,18 @@ namespace tribo {
 
 template <class T>
 struct HertzContact {
-  T semi_axis_x;    // a_x, m: along the direction of entrainment; of a line half its width, b
-  T semi_axis_y;    // a_y, m: across it; of a line half its length
+  T semi_axis_x;    // a_x, m: along the direction of entrainment; for a line half its width, b
+  T semi_axis_y;    // a_y, m: across entrainment; for a line half its length
   T nominal_area;   // A_nom = πa_xa_y, of a line 2bL, m²
   T mean_pressure;  // p̄ = F/A_nom, Pa
   T peak_pressure;  // 3p̄/2, of a line 4p̄/π, Pa
-  T approach;       // m: of the two bodies; NaN of a line: it depends on the whole bodies
+  T approach;       // of the two bodies, m; NaN for a line, where the whole bodies set it
 };
 
-// Hertz' contact from a scene's load F, E*, R_x, and R_y or L, in SI units and above 0; the axes of
-// an ellipse have to be set (SceneNumbers::set_ellipse). Error of each number: for a circle
-// hertz_contract, else 6 ulp, as the axes of an ellipse are rounded before; overflow gives ∞ or
-// NaN, underflow 0. Sources: in the headers of the three shapes.
+// Hertz' contact from a scene's load F, E*, R_x, and R_y or L, in SI units and above 0. For an
+// ellipse SceneNumbers::set_ellipse() has to be called before. Error of each number: hertz_contract
+// for a circle, else 6 ulp, because the numbers of the ellipse have been rounded. Overflow gives ∞
+// or NaN, underflow 0. The sources are in the headers of the three shapes.
 template <class T>
 HertzContact<T> hertz_contact(ContactShape shape, const detail::SceneNumbers<T>& scene) {
   const T &load = scene.load, &modulus = scene.effective_modulus, &radius = scene.radius_x;

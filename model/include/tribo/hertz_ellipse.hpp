@@ -8,8 +8,8 @@
 //
 //   α = (k²E − K)/(K − E) = k² B/D,     B = ∫cos²/√(1 − q sin²), D = ∫sin²/√(1 − q sin²) to π/2,
 //
-// K = B + D and E = B + D/k² the complete elliptic integrals of parameter q. B and D are sums of
-// positive numbers: nothing cancels, at k = 1 either, where K − E does.
+// K = B + D and E = B + D/k² are the complete elliptic integrals of parameter q. B and D are sums
+// of positive numbers. So no digits cancel, not even at k = 1, where they cancel in K − E.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ AssociatedIntegrals<T> associated_integrals(const T& ellipticity) {
   using std::sqrt;
   const T accuracy = sqrt(epsilon<T>());
   T complement = 1 / ellipticity, e = complement, m = 1, p = 1;
-  T b_cos = 1, b_sin = 0, d_cos = 0, d_sin = 1;  // of cos² and sin² in both integrals
+  T b_cos = 1, b_sin = 0, d_cos = 0, d_sin = 1;  // factors of cos² and sin² in B and in D
   for (;;) {
     const T g = e / p, inverse = 1 / p;
     const T b_before = b_cos, d_before = d_cos, m_before = m;
@@ -60,7 +60,7 @@ AssociatedIntegrals<T> associated_integrals(const T& ellipticity) {
   return {scale * (b_sin + b_cos * m), scale * (d_sin + d_cos * m)};
 }
 
-// d ln α/d ln k = 1 + C/D + C/(k²B), with C = (D − B)/q by its series where the difference cancels.
+// d ln α/d ln k = 1 + C/D + C/(k²B), C = (D − B)/q, by its series where D − B would lose digits.
 template <class T>
 T log_slope(const T& k, const T& b, const T& d) {
   using std::sqrt;
@@ -71,8 +71,8 @@ T log_slope(const T& k, const T& b, const T& d) {
   return 1 + c / d + c / b / k / k;  // k² may overflow
 }
 
-// The shape in a type wider than T, because roundings of T would add up in what follows from it.
-// Newton's method on α(k), which is increasing and convex, cannot fail.
+// The shape in a type wider than T, because roundings of T would add up in the numbers computed
+// from it. Newton's method cannot fail here, because α(k) is increasing and convex.
 template <class T>
 EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   using std::abs;
@@ -81,7 +81,7 @@ EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   const T alpha = T(radius_ratio);
   if (!(alpha >= 1)) return {quiet_nan<Wide>(), quiet_nan<Wide>(), quiet_nan<Wide>()};
   if (!is_finite(alpha)) return {alpha, alpha, Wide(1)};
-  // The loop ends at a step of this size at most: one more leaves no error but roundings.
+  // The loop ends at a step of at most this size. One more step then leaves only rounding errors.
   const T accuracy = sqrt(sqrt(epsilon<T>())) / 8;
   // A start within 1.5 % for α up to 1e4, with the same bits on every machine.
   const T root = sqrt(alpha), fourth_root = sqrt(root), above = sqrt(fourth_root) - 1;
@@ -103,8 +103,8 @@ EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
 
 }  // namespace detail
 
-// The shape at radius_ratio α = R_y/R_x ≥ 1; ∞ gives k = ∞, and numbers below 1 NaN. Error of each
-// number: 1 ulp.
+// The shape at radius_ratio α = R_y/R_x ≥ 1; ∞ gives k = ∞, and numbers below 1 give NaN. Error of
+// each number: 1 ulp.
 template <class T>
 EllipseShape<T> ellipse_shape(const T& radius_ratio) {
   const auto shape = detail::wide_shape<T>(radius_ratio);
@@ -112,7 +112,7 @@ EllipseShape<T> ellipse_shape(const T& radius_ratio) {
 }
 
 // The radius ratio α = R_y/R_x of the gap whose ellipse of contact has the ellipticity k = a_y/a_x
-// > 0, below 1 too. Error: some ulp.
+// > 0. k may be below 1. Error: some ulp.
 template <class T>
 T radius_ratio_of(const T& ellipticity) {
   if (!(ellipticity >= 1)) return 1 / radius_ratio_of(T(1 / ellipticity));
@@ -120,8 +120,8 @@ T radius_ratio_of(const T& ellipticity) {
   return ellipticity * (b / d) * ellipticity;
 }
 
-// An ellipse of contact over a circle of contact: that of two balls with the ellipse's R_x in both
-// directions, under the same load. It follows from R_x and R_y alone.
+// An ellipse of contact compared with the circle of contact that R_y = R_x would give under the
+// same load. The numbers follow from R_x and R_y alone.
 template <class T>
 struct EllipseOfCircle {
   T axis_cube;   // (a_x/a)³, a³ = 3FR_x/(4E*)
@@ -137,15 +137,15 @@ EllipseOfCircle<WiderType<T>> wide_ellipse(const T& radius_x, const T& radius_y)
   const bool is_exchanged = radius_y < radius_x;
   const Wide x = radius_x, y = radius_y;
   const auto [k, first, second] = wide_shape<T>(is_exchanged ? Wide(x / y) : Wide(y / x));
-  const Wide reduced = relative_radius(x, y) / x;       // R/R_x, 1/2 of a circle
+  const Wide reduced = relative_radius(x, y) / x;       // R/R_x, 1/2 for a circle
   const Wide cube = 4 * second * reduced / pi<Wide>();  // of the smaller axis, times k
   const Wide approach = first / (2 * second * reduced);
   if (is_exchanged) return {cube * k * k, 1 / k, approach / k / k};
   return {cube / k, k, approach};
 }
 
-// A polynomial in u without piece[0], to which it is added last; piece[1] is what piece[0] leaves
-// of the constant. The even and the odd powers of what multiplies u are two chains.
+// A polynomial in u without the number piece[0], which the caller adds last. Its constant is
+// piece[0] + piece[1]. The even and the odd powers in the factor of u are two separate sums.
 template <class T, std::size_t count>
 T beyond_first(const double (&piece)[count], const T& u) {
   static_assert(count % 2 == 1 && count > 5);
@@ -178,8 +178,8 @@ struct HertzEllipse {
   T semi_axis_y;    // a_y = k a_x, m
   T ellipticity;    // k = a_y/a_x, below 1 where R_y < R_x
   T mean_pressure;  // F/(πa_xa_y), Pa
-  T peak_pressure;  // 3/2 of it, Pa
-  T approach;       // m: of the two bodies
+  T peak_pressure;  // 3/2 of mean_pressure, Pa
+  T approach;       // of the two bodies, m
 };
 
 // Hertz' contact on an ellipse that is known already. load F > 0 in N, effective_modulus E* > 0 in

@@ -34,7 +34,7 @@ template <class T>
 HertzLine<T> hertz_line(const T& load_per_length, const T& effective_modulus,
                         const T& reduced_radius) {
   using std::sqrt;
-  using Wide = WiderType<T>;  // all its roundings together are less than one of T
+  using Wide = WiderType<T>;  // roundings of Wide together are less than one of T
   const Wide load = load_per_length;
   const Wide half_width = sqrt(Wide(4 * load * reduced_radius / (pi<Wide>() * effective_modulus)));
   const Wide peak_pressure = two_over_pi<Wide>() * (load / half_width);

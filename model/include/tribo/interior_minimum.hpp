@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least value of a function between two points: by golden section where the function has one
-// minimum; where it has several, a walk in steps finds each of them, and the least is taken.
+// The least value of a function between two points. Golden section finds it where the function has
+// one minimum. Where it has several, a walk in steps finds each, and the least is taken.
 #pragma once
 
 #include "tribo/real.hpp"
@@ -35,9 +35,9 @@ T golden_section_minimum(Function&& f, T low, T high, const T& width) {
   return (low + high) / 2;
 }
 
-// The argument of the least interior minimum of f; NaN where f has no interior minimum. The
-// function looks at `count` + 1 places: next(i, before) gives the i-th place from the place before
-// it, and `first` stands before the 0-th.
+// The argument of the least interior minimum of f; NaN where f has none. f is computed at `count` +
+// 1 places: next(i, before) gives the i-th place from the place before it, and `first` stands
+// before the 0-th.
 template <class T, class Function, class Next>
 T least_interior_minimum(Function&& f, const T& first, int count, Next&& next) {
   using std::sqrt;
@@ -49,7 +49,7 @@ T least_interior_minimum(Function&& f, const T& first, int count, Next&& next) {
     s[1] = s[2], value[1] = value[2];
     s[2] = next(i, s[2]);
     value[2] = f(s[2]);
-    const T margin = 1 + 1000 * epsilon<T>();  // what lies within rounding is a plateau
+    const T margin = 1 + 1000 * epsilon<T>();  // a dip within rounding is no minimum
     const bool is_minimum = i >= 2 && value[1] * margin < value[0] && value[1] * margin < value[2];
     if (!is_minimum || value[1] >= lowest) continue;
     lowest = value[1];

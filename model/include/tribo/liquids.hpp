@@ -49,9 +49,9 @@ T viscosity_at(ViscosityLaw law, const T& viscosity, const T& pressure_viscosity
 
 // Kinematic viscosity ν in m²/s at `temperature`, from those at two others, by
 //   log log(ν + 0.7) = A − B log T,  ν in mm²/s, T in K,
-// with logarithms of any base. It is for viscosities of 2 mm²/s and more, below which the standard
-// has another term. Temperatures > 0 in K, viscosities in m²/s, above 0.3 mm²/s, so that log(ν +
-// 0.7) > 0; NaN otherwise, and where the first two temperatures are the same. Error:
+// with logarithms of any base. The law holds for viscosities of 2 mm²/s or more; below, the
+// standard has another term. Temperatures > 0 in K. Viscosities in m²/s, above 0.3 mm²/s, so that
+// log(ν + 0.7) > 0. NaN otherwise, and where the first two temperatures are the same. Error:
 // astm_d341_contract; overflow gives ∞.
 template <class T>
 T astm_d341_viscosity(const T& first_temperature, const T& first_viscosity,

@@ -8,12 +8,12 @@
 //   A(λ) = (K F_p(λ−δ))^q,                     the load share of the asperities
 //   ln λ − ln λ₀ + e ln(1 − A(λ)) = 0          on {A < 1}: exactly one root λ.
 //
-// e = a − b is the film law's (film_thickness.hpp), 0.14 for the default law; where it is 0, λ is
-// the greater of λ₀ and λ_b. Of laws without fixed exponents λ₀(1−A)^{−e} is the law's own film
-// λ(γ) at γU and G/γ, γ = 1/(1−A) (moes_film.hpp). The floor λ_b solves A(λ_b) = 1; it exists where
-// A(0) ≥ 1 and is 0 otherwise. With w = (λ₀/λ)^{1/e}, the load share of the film at the root, q(λ)
-// = A + w − 1 is decreasing and convex (A″ ≥ 0 by Cauchy and Schwarz), and q ≥ 0 at max(λ₀, λ_b).
-// Newton's steps from there rise monotonically to the root: they never fail.
+// e = a − b belongs to the film law (film_thickness.hpp): 0.14 for the default law. Where e = 0, λ
+// is the greater of λ₀ and λ_b. For a law without fixed exponents its film λ(γ) at γU and G/γ, with
+// γ = 1/(1−A), replaces λ₀(1−A)^{−e} (moes_film.hpp). The floor λ_b solves A(λ_b) = 1. It exists
+// where A(0) ≥ 1 and is 0 otherwise. At the root w = (λ₀/λ)^{1/e} is the load share of the film.
+// The excess A + w − 1 is decreasing and convex in λ (A″ ≥ 0 by Cauchy and Schwarz), and ≥ 0 at
+// max(λ₀, λ_b). Newton's steps from there rise monotonically to the root and never fail.
 #pragma once
 
 #include "tribo/asperity_contact.hpp"
@@ -27,7 +27,7 @@ namespace tribo {
 // The contract of the root λ.
 inline constexpr Contract load_sharing_contract{4, 8.5};
 
-// Steps to a root in double, at most.
+// The greatest number of steps to a root in double.
 inline constexpr int max_sharing_steps = 16;
 
 // The state of load sharing at one film.
@@ -41,8 +41,8 @@ struct LoadShares {
 
 namespace detail {
 
-// −d ln F_n/dd = n F_{n−1}/F_n, n ≥ 1, from S_n(d): the ratio of the scaled moments is the same.
-// Where S_n nears underflow it is d to every digit.
+// −d ln F_n/dd = n F_{n−1}/F_n, n ≥ 1, from S_n(d): the scaled moments have the same ratio. Where
+// S_n nears underflow, the result is d to every digit.
 template <class T>
 T moment_hazard(Order n, const T& scaled, const T& d) {
   if (!(scaled > 0 && d < 1 / (epsilon<T>() * epsilon<T>()))) return d;
@@ -107,8 +107,8 @@ class LoadSharing {
     return {lambda, 1 - fluid, fluid, 0};
   }
 
-  // The distance above the floor at which the fluid carries the share 0 < w < 1/4: 1 − A is concave
-  // there, so Newton's method rises to it from w/(d(1−A)/dλ). Error: a few ε.
+  // The distance above the floor at which the fluid carries the share 0 < w < 1/4. 1 − A is concave
+  // there, so that Newton's method rises to it from w/(d(1−A)/dλ). Error: a few ε.
   T distance_above_floor(const T& fluid) const {
     T distance = fluid / -floor_log_slope_;
     for (int i = 0; i < 100; ++i) {
@@ -122,10 +122,10 @@ class LoadSharing {
     return distance;
   }
 
-  // Is the film above a high floor so stiff that A is determined better by 1 − A, the film's share
-  // of the load, than by the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp,
-  // which is more than `least` times (1 − A)/A. Below floors of 3 an ulp of λ moves A by a few ulp
-  // at most. Where λ is above twice the floor, A is negligible.
+  // Is the film above a high floor so stiff that 1 − A, the film's share of the load, gives more
+  // digits of A than the rounded λ? An ulp of λ moves A by −d ln A/d ln λ ≥ q(λ − δ)λ ulp. The
+  // answer is yes where q(λ − δ)λ is above `least` times (1 − A)/A. With floors below 3 an ulp of λ
+  // moves A by a few ulp at most. Where λ is above twice the floor, A is negligible.
   bool is_stiff(const LoadShares<T>& at, const T& least) const {
     const T& lambda = at.film_parameter;
     if (!has_floor_ || !(floor_ > 3) || !(lambda < 2 * floor_)) return false;
@@ -144,7 +144,7 @@ class LoadSharing {
     return at.asperity * (order_ == Order::five_halves ? T(sqrt(moments)) : moments);
   }
 
-  // ln of d(1−A)/dλ at the floor: 1 − A = e^this · distance while the distance is small.
+  // r = ln of d(1−A)/dλ at the floor: 1 − A = e^r · distance while the distance is small.
   T log_fluid_rate_at_floor() const {
     using std::log;
     return log(T(-floor_log_slope_));
@@ -155,9 +155,9 @@ class LoadSharing {
     return film_parameter * decimal_power(fluid_share, film_exponent());
   }
 
-  // The root, with its load shares. λ₀ > 0, or 0 by an underflow. Error of λ:
-  // load_sharing_contract, of the shares about a floor: operating_point_contract. Never fails: λ₀ =
-  // ∞ gives λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b), and 0 ≤ A ≤ 1.
+  // The root, with its load shares. λ₀ > 0, or 0 by an underflow. The error of λ is
+  // load_sharing_contract; that of the shares near a floor is operating_point_contract. λ₀ = ∞ or K
+  // = ∞ gives λ = ∞, NaN gives NaN. Otherwise λ is finite, at least max(λ₀, λ_b), and 0 ≤ A ≤ 1.
   LoadShares<T> solve(const T& flooded_film_parameter) const {
     return shares_at(flooded_film_parameter, root(flooded_film_parameter));
   }
@@ -178,11 +178,11 @@ class LoadSharing {
     return newton_root(lambda0);
   }
 
-  // The shares at the film of a law without fixed exponents: the root of ln λ − ln λ(γ), with
-  // film(γ) → {λ(γ), exponents}, exponents.sharing = d ln λ(γ)/d ln γ, and 1/γ = 1 − A(λ). It is
-  // sought in s = ln(λ − λ_b), so that 1 − A keeps its digits next to a floor. There is one root
-  // where λ(γ) rises (moes_film.hpp). λ₀ = ∞ and NaN are treated as in solve(); all shares are NaN
-  // where the film at the root is not known.
+  // The shares for a law without fixed exponents, at the root of ln λ − ln λ(γ), 1/γ = 1 − A(λ).
+  // film(γ) gives λ(γ) as film_parameter, d ln λ(γ)/d ln γ as sharing_exponent, and is_known. The
+  // root is sought in s = ln(λ − λ_b), so that 1 − A keeps its digits next to a floor. There is one
+  // root where λ(γ) rises (moes_film.hpp). λ₀ = ∞ and NaN are treated as in solve(). All shares are
+  // NaN where the film at the root is not known.
   template <class Film>
   LoadShares<T> solve_by(const Film& film) const {
     using std::exp;
@@ -204,7 +204,7 @@ class LoadSharing {
         return free_film.is_known ? LoadShares<T>{lambda0, free.asperity, free.fluid, iterations}
                                   : at_infinity(quiet_nan<T>());
     }
-    // At λ = λ₀ the excess is below 0; at a film so thick that no summit touches it is above 0.
+    // At λ = λ₀ the excess is below 0. At a film so thick that no summit touches, it is above 0.
     T low = log(lambda0 > floor_ ? T(lambda0 - floor_) : floor_);
     T high = low;
     for (T width = ratio<T>(1, 16); excess(low) > 0 && iterations < 100; width *= 2) low -= width;
@@ -236,12 +236,12 @@ class LoadSharing {
     return shares(flooded_film_parameter, root.film_parameter, root.iterations);
   }
 
-  // Where A stays near 1 a step of Newton's multiplies λ by about 1 + e, and w by about 1/2.7 (up
-  // to 45 steps in double, 130 in 50 digits); then it converges quadratically.
+  // Where A stays near 1, a Newton step multiplies λ by about 1 + e, and w by about 1/2.7: up to 45
+  // steps in double, 130 in 50 digits. After that the steps converge quadratically.
   static constexpr int max_iterations = 1000;
 
  private:
-  // From max(λ₀, λ_b) on the convex q: rises to the root.
+  // Newton's method on the convex excess, from max(λ₀, λ_b) up to the root.
   Root newton_root(const T& lambda0) const {
     using std::expm1;
     const T p = 1 / ratio<T>(film_exponent());
@@ -262,7 +262,7 @@ class LoadSharing {
     return {lambda, iterations};
   }
 
-  // −expm1(q ln f), f = F_p(λ_b−δ+distance)/F_p(λ_b−δ). With f = Σ c_k distance^k, F″ = pF − dF′
+  // 1 − A = −expm1(q ln f), f = F_p(λ_b−δ+distance)/F_p(λ_b−δ) = Σ c_k distance^k. F″ = pF − dF′
   // gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}.
   // For d < 0 rounding errors bring in the other solution of the recurrence, which grows as
   // e^{−d·distance}. So for d·distance < −4 the series is not used: there 1 − A no longer cancels.
@@ -327,7 +327,7 @@ class LoadSharing {
     const T exponent = ratio<T>(film_exponent());
     const T log_fluid = log_film / exponent;
     T fluid = exp(log_fluid);
-    // Where the logarithm is large, it enlarges the rounding errors of the quotient and of e.
+    // Corrects for the rounding of the quotient and of e, which a large logarithm enlarges.
     if constexpr (std::is_floating_point_v<T>)
       fluid += fluid * ((std::fma(-log_fluid, exponent, log_film) -
                          log_fluid * ratio_residual<T>(film_exponent())) /
@@ -344,8 +344,8 @@ class LoadSharing {
     return {lambda0, T(0), T(1), 0};
   }
 
-  // ln(K F_p(d)) is concave and decreasing: Newton from the right of its zero falls to it
-  // monotonically. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 gives a start.
+  // ln(K F_p(d)) is concave and decreasing, so that Newton's method falls to its zero from the
+  // right, monotonically. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 gives a start.
   void find_floor() {
     using std::log;
     using std::sqrt;

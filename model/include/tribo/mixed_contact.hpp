@@ -235,10 +235,10 @@ class MixedContact {
     return point;
   }
 
-  // The shares at the starved film: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
-  // computed as the distance of the flooded film from the floor, which its fluid share gives, minus
-  // λ(1 − y). This avoids a difference of nearly equal numbers. Farther from a high floor A(λ*)
-  // follows from A(λ). The deficit is 1 − y.
+  // The shares at the starved film λ*: A(λ*), or A = 1 at the floor and below. Near a floor the
+  // flooded film's fluid share gives λ − λ_b, and λ* − λ_b is this minus λ(1 − y). So no nearly
+  // equal numbers are subtracted. Farther from a high floor A(λ*) follows from A(λ). The deficit is
+  // 1 − y.
   LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet) const {
     const bool is_by_deficit = is_near_floor(flooded) || is_stiff(flooded);
     const T& r = inlet.flooded_over_inlet;
@@ -278,7 +278,7 @@ class MixedContact {
     return sharing_.is_stiff(flooded.shares, T(6));
   }
 
-  // Near a high floor the moments are computed from the shares, too.
+  // The moments need the shares, too, where the floor is high.
   bool needs_shares(OutputSet outputs) const {
     return outputs.contains_any(balance_outputs()) ||
            (has_high_floor() && outputs.contains_any(moment_outputs()));
@@ -304,12 +304,12 @@ class MixedContact {
     return set;
   }
 
-  // The rounding of λ moves F_n(λ − δ), whose logarithm falls as (λ − δ)²/2, by up to λ²/2 ulp: a
-  // few at a floor of 3, dozens beyond.
+  // ln F_n(λ − δ) falls as (λ − δ)²/2, so that the rounding of λ moves F_n by up to λ²/2 ulp: by a
+  // few at a floor of 3, by dozens beyond.
   bool has_high_floor() const { return sharing_.floor() > 3 && is_finite(sharing_.floor()); }
 
-  // factor · F_n(λ − δ). Near a high floor this is computed from A (which must be given there), as
-  // A is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
+  // factor · F_n(λ − δ). Near a high floor it is computed from A (`share` has to be set there),
+  // because A is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
   T moment_at(const T& factor, Order n, const T& film_parameter, const T& share,
               bool is_stiff_film) const {
     const T d = film_parameter - asperities_.offset;
@@ -321,7 +321,7 @@ class MixedContact {
            (scaled_gaussian_moment(n, d) / scaled_gaussian_moment(p, d));
   }
 
-  // Without a film and a floor nothing balances the load: A(0) < 1 is not a load share then.
+  // Without a film and a floor nothing balances the load. A(0) < 1 is then no load share.
   static void add_shares(OperatingPoint<T>& point, const LoadShares<T>& shares,
                          bool has_collapsed) {
     if (has_collapsed) {
@@ -374,9 +374,9 @@ class MixedContact {
 };
 
 // In double the numbers come from the engine (src/engine.hpp): a point has the same bits alone and
-// in a batch of any size, on every x86-64 with fused multiply-add. Where its range might not be
-// enough (src/sharing_method.hpp) they are those of the template in long double, rounded.
-// Error: operating_point_contract; next to 0, where doubles are subnormal, the spacing of doubles.
+// in a batch of any size, on every x86-64 with fused multiply-add. Where the engine's range might
+// not be enough (src/sharing_method.hpp), the numbers are those of the template in long double,
+// rounded. Error: operating_point_contract; near 0, where doubles are subnormal, their spacing.
 template <>
 class MixedContact<double> {
  public:

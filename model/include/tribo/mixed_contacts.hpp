@@ -28,8 +28,8 @@ class MixedContacts {
   std::size_t size() const { return scenes_.size(); }
   MixedContact<double> operator[](std::size_t i) const;
 
-  // Point i is of contact contact_of[i] < size() at speeds[i], m/s: all outputs of a set into
-  // `points`, which has been given room for them. Error: operating_point_contract.
+  // All outputs of a set into `points`, which must have room for them. Point i belongs to contact
+  // contact_of[i] < size() and speeds[i] in m/s. Error: operating_point_contract.
   void solve(std::span<const std::uint64_t> contact_of, std::span<const double> speeds,
              OutputSet outputs, OperatingPoints& points) const;
 

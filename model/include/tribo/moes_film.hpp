@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film of a contact by a law without fixed exponents, as load sharing asks for it: the film
-// carries F/γ with E*/γ, so that U becomes γU, G becomes G/γ, and W stays (model/README.md,
-// section 6). With M ~ W(2U)^{−m}, m = 3/4 of points and 1/2 of lines, and L = G(2U)^{1/4},
+// carries F/γ with E*/γ, so that U becomes γU, G becomes G/γ, and W stays (model/README.md, section
+// 6). With M = W(2U)^{−m}, m = 3/4 for points and 1/2 for lines, and L = G(2U)^{1/4},
 //
 //   h/R = (2Uγ)^{1/2} H(Mγ^{−m}, Lγ^{−3/4}).
 //
@@ -32,7 +32,7 @@ struct FilmExponents {
 
 namespace detail {
 
-// The p-norm of two films, p of either sign, with slopes; `p` itself has slope p_slope in ln M.
+// The p-norm of two films and its slopes, p ≠ 0. The slope of `p` itself in ln M is p_slope.
 template <class T>
 FilmNumber<T> norm_of(const FilmNumber<T>& x, const FilmNumber<T>& y, const T& p,
                       const T& p_slope) {
@@ -140,7 +140,7 @@ class MoesFilm {
     return film;
   }
 
-  // The same, straight on beyond the table.
+  // The same; beyond the table ln Ĥ goes on in straight lines.
   At continued(const T& speed, const T& stiffening) const {
     using std::log;
     using std::sqrt;

@@ -3,17 +3,17 @@
 // liquids of constant viscosity to Barus', by Nijenbanning, Venner and Moes (model/README.md,
 // section 5):
 //
-//   M = W (2U)^{−3/4},  L = G (2U)^{1/4},  H = (h/R_x) (2U)^{−1/2},  D = R_x/R_y, with U, G and W
-//   of film_thickness.hpp; RI = 145 (1 + 0.796 D^{14/15})^{−15/7} D^{−1} M^{−2},  EI = 3.18
-//   Q^{−14/25} D^{−1/15} M^{−2/15}, RP = 1.29 (1 + 0.691 D)^{−2/3} L^{2/3},  EP = 1.48 Q^{−7/20}
-//   D^{−1/24} M^{−1/12} L^{3/4}, Q = 1 + 0.006 ln D + 0.63 D^{4/7},  H₀₀ = 1.8/D, H = {[RI^{3/2} +
-//   (EI^{−4} + H₀₀^{−4})^{−3/8}]^{2s/3} + [RP^{−8} + EP^{−8}]^{−s/8}}^{1/s}, s = 1.5 (1 +
-//   e^{−1.2x}).
+//   M = W (2U)^{−3/4},  L = G (2U)^{1/4},  H = (h/R_x) (2U)^{−1/2},  D = R_x/R_y,  H₀₀ = 1.8/D,
+//   RI = 145 (1 + 0.796 D^{14/15})^{−15/7} D^{−1} M^{−2},  s = 1.5 (1 + e^{−1.2x}),
+//   EI = 3.18 Q^{−14/25} D^{−1/15} M^{−2/15},  RP = 1.29 (1 + 0.691 D)^{−2/3} L^{2/3},
+//   EP = 1.48 Q^{−7/20} D^{−1/24} M^{−1/12} L^{3/4},  Q = 1 + 0.006 ln D + 0.63 D^{4/7},
+//   H = {[RI^{3/2} + (EI^{−4} + H₀₀^{−4})^{−3/8}]^{2s/3} + [RP^{−8} + EP^{−8}]^{−s/8}}^{1/s}.
 //
-// The abstract of the source calls h the central film; RI is near the film at the greatest
-// pressure. The printed paper is not at hand, and public transcriptions of it differ in x and in
-// the first bracket: two readings of each are kept. Source: G. Nijenbanning, C. H. Venner, H. Moes:
-// Film thickness in elastohydrodynamically lubricated elliptic contacts. Wear 176 (1994) 217.
+// U, G and W are those of film_thickness.hpp. The abstract of the source calls h the central film;
+// RI is near the film at the greatest pressure. The printed paper is not at hand. Its public
+// transcriptions differ in x and in the first bracket, so that two readings of each are kept.
+// Source: G. Nijenbanning, C. H. Venner, H. Moes: Film thickness in elastohydrodynamically
+// lubricated elliptic contacts. Wear 176 (1994) 217.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ struct MoesPointFilms {
   T rigid_piezoviscous, elastic_piezoviscous;  // RP, EP
 };
 
-// At M > 0, L, which may be 0, and D = R_x/R_y from 1e-12 to 1e12. Error: 8 ulp.
+// At M > 0, L ≥ 0 and D = R_x/R_y from 1e-12 to 1e12. Error: 8 ulp.
 template <class T>
 MoesPointFilms<T> moes_point_films(const T& load_number, const T& material_number,
                                    const T& radius_ratio) {

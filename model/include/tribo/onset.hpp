@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The onset of starvation by four criteria (model/README.md, section 9):
 //
-//   film_maximum      h*(u) has a maximum. Constant h_oil: at an r of the closure, λ = r h_oil/σ_s,
-//                     then λ₀ = λ(1−A)^{a−b} and u, explicit. Constant flow: the greatest interior
+//   film_maximum      h*(u) has a maximum. Constant h_oil: r from the closure, then explicitly
+//                     λ = r h_oil/σ_s, λ₀ = λ(1−A)^{a−b} and u. Constant flow: greatest interior
 //                     maximum, d ln h*/d ln u = s + (1 + s) d ln y/d ln r = 0, s = d ln λ/d ln u.
-//   film_departure    h* = (1−ε) h_ff. Constant h_oil: r explicit, then as above. Constant flow:
-//                     one monotone scalar root.
+//   film_departure    h* = (1−ε) h_ff. Constant h_oil: r is explicit, the rest as above.
+//                     Constant flow: one monotone scalar root.
 //   friction_minimum  the lowest interior minimum of μ(u) over the scene's speeds
 //   asperity_minimum  the minimum of A(u): at the film maximum, because A falls as the film grows
 #pragma once
@@ -91,7 +91,7 @@ struct Onset {
   bool exists;
   T speed;                  // u, m/s; 0 where there is no onset
   T film;                   // h*, m
-  T film_parameter;         // h*/σ_s; NaN of smooth bodies
+  T film_parameter;         // h*/σ_s; NaN for smooth bodies
   std::string_view reason;  // why there is none; empty where there is one
 };
 
@@ -115,8 +115,8 @@ inline constexpr std::string_view beyond_solved_films =
     "no film between solved ones meets it: closures.film and closures.starvation = \"solved\" have "
     "tables of M and L";
 
-// The first and the last coordinate of the walk at which the film, starved or not, lies in the
-// tables of solved films, to 1/50 in ln u; NaN where it lies in them nowhere.
+// The first and the last coordinate of the walk, to 1/50 in ln u, at which the film, starved or
+// not, lies inside the tables of solved films; NaN where none does.
 template <class T>
 struct KnownWalk {
   T first, last;
@@ -125,8 +125,8 @@ template <class T>
 KnownWalk<T> known_walk(const MixedContact<T>& contact, const StribeckWalk<T>& walk) {
   KnownWalk<T> known{quiet_nan<T>(), quiet_nan<T>()};
   if constexpr (std::is_same_v<T, double>) {
-    // M falls as the speed and γ rise: no speed beyond that of the table's least M at γ = 1 has a
-    // film.
+    // M falls as the speed or γ rises. So no film is known above the speed that has the table's
+    // least M at γ = 1.
     const double m = contact.film().is_of_lines ? 0.5 : 0.75;
     const double fastest =
         (contact.numbers().film.rigid - film_table(contact.film()).first_load) / m;
@@ -145,7 +145,7 @@ KnownWalk<T> known_walk(const MixedContact<T>& contact, const StribeckWalk<T>& w
   return known;
 }
 
-// The onset at a ratio r that the closure fixes, at constant h_oil: λ = r h_oil/σ_s and back to u.
+// The onset at constant h_oil, where the closure fixes r: λ = r h_oil/σ_s gives the shares and u.
 template <class T>
 Onset<T> onset_at_ratio(OnsetCriterion criterion, const MixedContact<T>& contact, const T& r,
                         const T& film_ratio) {
@@ -212,9 +212,9 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   using std::exp;
   using std::log;
   const StribeckWalk<T> walk(contact);
-  // At a maximum −d ln y/d ln r is s/(1 + s) ≤ a/(1 + a), which is 0.4, so that r is below 10.
-  // Below r = 1e-9 −d ln y/d ln r of the arctan closures is less than 1e-6, and no film slope s
-  // that matters is so small. (With Damiens' rule it could be, if his exponent were below 0.03.)
+  // At a maximum −d ln y/d ln r is s/(1 + s) ≤ a/(1 + a), about 0.4, so that r is below 10. The
+  // arctan closures have −d ln y/d ln r < 1e-6 below r = 1e-9: a maximum there would need a film
+  // slope s < 1e-6, which does not matter. (Damiens' closure can have one there if γ < 0.03.)
   const bool is_solved = contact.film().is_solved();
   const KnownWalk<T> known = is_solved ? known_walk(contact, walk) : KnownWalk<T>{};
   const T first =
@@ -245,7 +245,7 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   return best;
 }
 
-// The greatest interior maximum of a starved film between solved ones.
+// The greatest interior maximum of the film by the closure `solved`.
 template <class T>
 Onset<T> film_maximum_of_solved_inlet(OnsetCriterion criterion, const MixedContact<T>& contact) {
   const StribeckWalk<T> walk(contact);
@@ -309,7 +309,7 @@ Onset<T> film_departure(const MixedContact<T>& contact, const InletOnsets<T>& in
   return onset_at(criterion, contact, point.flooded, T(1 - departure));
 }
 
-// Speeds a scene spans; low = high = 0 where it has none.
+// The least and the greatest speed of a scene in m/s; both 0 where it has none.
 struct SpeedSpan {
   double low, high;
 };
@@ -414,9 +414,9 @@ Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterio
   return found;
 }
 
-// `departure` is the ε of film_departure, 0 < ε < 1. The speeds of film_maximum, film_departure and
-// asperity_minimum need no load-sharing root; error 1e-13 at well-conditioned points in double, for
-// friction_minimum about √ε.
+// `departure` is the ε of film_departure, 0 < ε < 1. Closures of r alone need no load-sharing root
+// at constant h_oil, but for friction_minimum. Error of the speed in double: 1e-13 at
+// well-conditioned points, for friction_minimum about √ε.
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
                const T& departure) {

@@ -12,8 +12,8 @@
 
 namespace tribo {
 
-// Operating points as a structure of arrays; an array of what was not asked for is empty, but for
-// the regime, which is there with each output of balance_outputs().
+// Operating points as a structure of arrays. The array of an output that was not asked for is
+// empty; but the regime is also there with each output of balance_outputs().
 struct OperatingPoints {
   std::vector<double> speed;
   std::vector<double> film_flooded;
@@ -51,9 +51,8 @@ void for_each_number(Points& points, Visitor&& visit) {
 }
 
 // All outputs of a set at speeds in m/s, into points [first, first + speeds.size()) of a structure
-// that has been given room for them. Error: operating_point_contract; a point's bits depend on
-// nothing but its scene and speed. Allocates nothing, so that threads may fill parts of one
-// structure.
+// that has room for them. Error: operating_point_contract. The bits of a point depend only on its
+// scene and speed. Nothing is allocated, so that threads may fill parts of one structure.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, std::size_t first = 0);
 // The same, and adds the work that was done to `work`.

@@ -29,8 +29,8 @@ enum class Output : std::uint8_t {
   lambda_ratio,
 };
 
-// The words of the outputs that are words. `collapsed`: no film; as a regime also no floor that
-// keeps the faces apart, so that nothing balances the load.
+// The values of the outputs that are words. The inlet is `collapsed` where there is no film. The
+// regime is so where also no floor keeps the faces apart: nothing balances the load.
 enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic, collapsed };
 enum class Inlet : std::uint8_t { flooded, starved, collapsed };
 inline constexpr auto regime_words =
@@ -51,11 +51,11 @@ struct OutputInfo {
   std::string_view unit;  // empty: dimensionless
   std::string_view meaning;
   std::span<const std::string_view> words = {};  // empty: a number
-  bool is_of_smooth_contact = false;  // no point holds it; only where a scene asks by its name
+  bool is_of_smooth_contact = false;  // no point holds it; only where a scene asks for its name
 };
 
-// In the order of Output: numbers of operating points first, then words, then the outputs that
-// no point holds. The columns of tables and files follow it.
+// In the order of Output: numbers of operating points first, then words, then the outputs that no
+// point holds. The columns of tables and files have this order.
 inline constexpr auto output_infos = std::to_array<OutputInfo>({
     {Output::film_flooded, "film_flooded", "m",
      "h_ff, film of the fully flooded contact with load sharing; the film law's h₀, which is that "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operations that the formulas need of a number type: float, double, long double, a multiprecision
-// type, an interval or an automatic-differentiation type. Mathematical functions are found by
-// argument-dependent lookup beside std.
+// type, an interval or an automatic-differentiation type. Mathematical functions are those of std,
+// or are found by argument-dependent lookup.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace tribo {
 
-// A type for a difference of near equals; T itself beyond double.
+// A type with more digits, for differences that cancel; T itself beyond double.
 template <class T>
 using WiderType = std::conditional_t<std::is_same_v<T, float>, double,
                                      std::conditional_t<std::is_same_v<T, double>, long double, T>>;
@@ -111,8 +111,8 @@ T decimal_power(const T& x, const Fraction& exponent) {
   }
 }
 
-// An exponent p/q, q below 2000, with numbers of it that the engine's powers need, so that they are
-// computed once for all points.
+// An exponent p/q, q below 2000, with the numbers that the engine's powers need. They are computed
+// once for all points.
 struct Exponent {
   double p, q;
   double value, residual;  // p/q rounded, and what the rounding has left out
@@ -123,7 +123,7 @@ struct Exponent {
       : p(f.p),
         q(f.q),
         value(p / q),
-        // exact but for the last quotient: the product has 53 + 11 digits
+        // exact but for the last quotient: the product has 53 + 11 bits
         residual(
             static_cast<double>(static_cast<long double>(p) - static_cast<long double>(value) * q) /
             q),

@@ -25,14 +25,14 @@ T plasticity_index(const T& effective_modulus, const T& hardness, const T& summi
 }
 
 // Two values of the interference ratio ω/ω_c: the greatest for which the fit of Kogut and Etsion
-// holds, and the one from which on the fit has its second row of numbers.
+// holds, and the one at which the second row of numbers of the fit begins.
 inline constexpr int greatest_kogut_etsion_interference = 110;
 inline constexpr int second_kogut_etsion_interference = 6;
 
 // F/F_c, the load on a ball that a rigid flat presses, over the load F_c at first yield.
 // interference_ratio x = ω/ω_c > 0, the interference over that at first yield:
 //   x^1.5 below 1 (Hertz), 1.03 x^1.425 from 1 to 6, 1.40 x^1.263 from 6 to 110;
-// NaN beyond. At 1 and at 6 the fit has steps of 3 % and of 1.6 %. Source: L. Kogut, I. Etsion:
+// NaN beyond. At 1 and at 6 the fit has steps of 3 % and of 1.7 %. Source: L. Kogut, I. Etsion:
 // Elastic-plastic contact analysis of a sphere and a rigid flat. J. Appl. Mech. 69 (2002) 657, doi
 // 10.1115/1.1490373. Error: kogut_etsion_contract.
 template <class T>

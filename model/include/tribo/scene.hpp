@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene: one contact, its lubricant, its supply of oil and the speeds it is asked at. SI units.
 // Field names, units and legal ranges: model/README.md, section 1. The readers (scene_reader.hpp)
-// hand out only scenes whose fields are in range; whoever fills one by hand answers for that.
+// give only scenes whose fields are in range; code that fills a scene by hand must see to this.
 #pragma once
 
 #include <array>
@@ -53,8 +53,8 @@ struct Speeds {
     fill(i, std::span(&speed, 1));
     return speed;
   }
-  // The speeds in m/s from number `first` on, as many as there is room for, with the bits of [] and
-  // far faster; first + speeds.size() ≤ size().
+  // Fills `speeds` with the speeds in m/s from number `first` on; first + speeds.size() ≤ size().
+  // The bits are those of [], and it is far faster.
   void fill(std::size_t first, std::span<double> speeds) const;
 };
 
@@ -71,7 +71,7 @@ struct Surface {
   double summit_height_sd = 0;       // σ_s, m; GT: of the sum of both faces' summit heights
   double summit_plane_offset = 0;    // D_d/σ_s, mean plane to summit plane
   int offset_planes = 1;             // m: how many faces bring that offset, 0, 1 or 2
-  bool gives_offset_planes = false;  // set by readers: m is no default
+  bool gives_offset_planes = false;  // set by readers: the scene gives m
   SpectralMoments moments = {};  // where they are given, the first four numbers follow from them
   // Roughness of both faces together; it is used for Λ alone. Where Ra or the moments are given, Rq
   // follows from them. 0: not given.
@@ -80,7 +80,7 @@ struct Surface {
   bool has_alike_faces = false;  // the scene gives the roughness of each face, and both are alike
 
   bool has_moments() const { return moments.m0 > 0; }
-  // Without summits: smooth bodies, between which the film carries all the load. λ has no σ_s.
+  // Without summits the bodies are smooth: the film carries all the load. λ has no σ_s then.
   bool is_smooth() const { return summit_height_sd == 0 && !has_moments(); }
   // Faces whose summits are not known.
   bool has_rq_alone() const { return is_smooth() && (rms_roughness > 0 || average_roughness > 0); }
@@ -150,7 +150,7 @@ struct Supply {
 struct Friction {
   std::optional<double> boundary_coefficient;  // μ_b; friction needs it
   double slide_roll_ratio = 1;                 // S: sliding speed = S·u
-  bool gives_slide_roll_ratio = false;         // set by readers: S is no default
+  bool gives_slide_roll_ratio = false;         // set by readers: the scene gives S
   FluidShear fluid = FluidShear::eyring;
   ViscosityLaw viscosity = ViscosityLaw::barus;
 };
@@ -158,7 +158,7 @@ struct Friction {
 struct Closures {
   AsperityModel asperity = AsperityModel::greenwood_tripp;
   StarvationClosure starvation = StarvationClosure::flooded_inlet;
-  bool gives_starvation = false;  // set by readers: it is no default
+  bool gives_starvation = false;  // set by readers: the scene gives it
   double damiens_exponent = 3;    // γ of Damiens' closure
   FilmFormula film = FilmFormula::hamrock_dowson_central;
 };

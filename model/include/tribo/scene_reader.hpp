@@ -40,7 +40,7 @@ struct FieldInfo {
   std::optional<double> maximum = {};  // numbers: the greatest value, if there is one
   bool is_radius_of_face = false;      // any number but 0, and ±∞ in TOML: a flat face
   bool takes_per_cent = false;         // a number without a unit, which people also give in %
-  bool takes_both_faces = false;       // also a list of two, of which √(x₁² + x₂²) is meant
+  bool takes_both_faces = false;       // also takes a list of two, as √(x₁² + x₂²)
   std::span<const std::string_view> choices = {};  // choice: the legal words
   std::string_view default_text = "";              // empty: no default
   bool required = false;                 // always, or in the table `speed` where that is given
@@ -63,7 +63,7 @@ struct FieldSet {
 using FieldGroup = std::span<const FieldSet>;
 std::span<const FieldGroup> scene_field_groups();
 
-// How an input breaks a rule, or keeps it oddly.
+// The rule that an input breaks, or keeps in an unusual way.
 struct Fault {
   enum Rule : std::uint8_t {
     other,       // what: the fault in words
@@ -79,8 +79,8 @@ struct Fault {
     underflow,   // a number too small for double
     finiteness,  // ∞ or NaN
     wholeness,   // a fraction where a whole number is wanted
-    range,       // a number beyond the limits of its field; what: the word that sets them
-    result,      // a number from which follows one beyond double; what: which one
+    range,       // a number beyond the limits of its field; what: the setting they hold with
+    result,      // a number that makes another one illegal; what: the other one
     together,    // a value that others do not allow; what: why
     reach        // a value of a distribution beyond the limits; what: how to bound it
   };
@@ -93,7 +93,7 @@ struct Fault {
 };
 
 // One thing wrong (or useless) with an input. `line()` is what a person reads. All texts are valid
-// UTF-8 on one line: what came from the input is shortened, and its control signs are escaped.
+// UTF-8 on one line: text from the input is shortened, and its control characters are escaped.
 struct InputProblem {
   std::string source;  // file name, "-" or "line 12"
   std::string field;   // dotted path; empty when it is the whole input
@@ -105,11 +105,11 @@ struct InputProblem {
   std::string line() const;
 };
 
-// A text from an input as messages show it: control, formatting and broken signs are written as
-// escapes, and what is longer than `most` characters ends in "…".
+// A text from an input as messages show it: control, formatting and invalid characters are written
+// as escapes, and a text longer than `most` characters ends in "…".
 std::string printable(std::string_view text, std::size_t most = 60);
-// The text, with signs that would steer a terminal escaped as by printable(), but line ends and
-// tabs kept. JSON means the same after it.
+// The text, with characters that would control a terminal escaped as by printable(), but line ends
+// and tabs kept. As JSON it means the same.
 std::string without_controls(std::string_view text);
 
 struct SceneReading {
@@ -136,13 +136,13 @@ constexpr bool is_of_solved_films(SceneUse use) {
 
 inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 20;
 
-// `source` names the input in messages. None of these throws on bad input. `outputs`: names that
-// stand in place of the scene's own list; empty: its own.
+// `source` names the input in messages. None of these throws on bad input. `outputs` are names that
+// replace the scene's own list; if it is empty, that list is used.
 SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use,
                               std::span<const std::string_view> outputs = {});
 SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use,
                               std::span<const std::string_view> outputs = {});
-// Text whose first sign is `{` is read as JSON, all else as TOML.
+// Text whose first character is `{` is read as JSON, all else as TOML.
 SceneReading parse_scene(std::string_view text, std::string_view source, SceneUse use,
                          std::span<const std::string_view> outputs = {});
 

@@ -43,8 +43,8 @@ SimilarityNumbers<T> similarity_numbers(const T& speed, const T& viscosity,
           T(load / (modulus * reduced_radius * reduced_radius))};
 }
 
-// Moes' numbers: M of the load and L of the material. L is G (2U)^{1/4}; M is W (2U)^{−3/4} of a
-// point, and W (2U)^{−1/2} of a line. The 2U is made of the sum of the speeds of both surfaces.
+// Moes' numbers: M of the load and L of the material. L is G (2U)^{1/4}; M is W (2U)^{−3/4} for a
+// point, and W (2U)^{−1/2} for a line. 2U is U with the sum of the speeds of both surfaces.
 template <class T>
 struct MoesNumbers {
   T load;      // M
@@ -76,8 +76,8 @@ RegimeNumbers<T> regime_numbers(const SimilarityNumbers<T>& numbers) {
           T(common * decimal_power(numbers.load, Fraction{2, 3}))};
 }
 
-// Two things make the film: whether the bodies stay rigid or are flattened, and whether pressure
-// thickens the liquid.
+// A regime says whether the bodies stay rigid or are flattened, and whether pressure thickens the
+// liquid.
 enum class LubricationRegime : std::uint8_t {
   isoviscous_rigid,
   piezoviscous_rigid,
@@ -96,11 +96,11 @@ inline constexpr std::array regime_formulas{
     FilmRegime::isoviscous_rigid, FilmRegime::viscous_rigid_roelands,
     FilmRegime::isoviscous_elastic, FilmRegime::viscous_elastic};
 
-// The regime of a point contact on Hamrock's map: the one whose film is the thickest
-// (regime_film(), with Roelands' law for rigid bodies; with Barus' law, as on the map of 1978,
-// steel balls in oil would be rigid from some 1 GPa on). radius_ratio α = R_y/R_x and ellipticity k
-// of the contact's ellipse, both > 0. On a border of the map two films are alike, and rounding may
-// choose either.
+// The regime of a point contact on Hamrock's map: the one whose film by regime_film() is the
+// thickest. Rigid bodies have Roelands' law; by Barus' law, as on the map of 1978, steel balls in
+// oil would be rigid from some 1 GPa on. radius_ratio α = R_y/R_x and ellipticity k of the
+// contact's ellipse, both > 0. On a border of the map two films are alike, and rounding may choose
+// either.
 template <class T>
 LubricationRegime point_regime(const RegimeNumbers<T>& numbers, const T& radius_ratio,
                                const T& ellipticity) {

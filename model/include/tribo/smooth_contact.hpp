@@ -13,9 +13,9 @@
 namespace tribo {
 
 // The law of the least film that belongs to a film law. For points it is Hamrock and Dowson's law
-// of hard bodies, or of soft bodies where the film law has no exponent of G. For lines it is Pan
-// and Hamrock's law beside one of theirs, else Dowson and Higginson's. For solved films it is the
-// solved least film.
+// of hard bodies, or of soft bodies where the film law does not depend on G. For lines it is Pan
+// and Hamrock's law if the film law is one of theirs, else Dowson and Higginson's. For solved films
+// it is the solved least film.
 constexpr const FilmLaw& minimum_film_law(const FilmLaw& law) {
   if (law.is_solved()) return law.is_of_lines ? solved_line_minimum_law : solved_point_minimum_law;
   if (!law.is_of_lines)
@@ -47,9 +47,9 @@ T smooth_film(const FilmLaw& law, ContactShape shape, const detail::SceneNumbers
 // is mixed, and from the second on there is a full film.
 inline constexpr double least_mixed_lambda_ratio = 1, least_full_film_lambda_ratio = 3;
 
-// The least film follows from the film h* as it is solved, with load sharing, heat and supply: it
-// is h* times the part that the law of the least film is of the scene's law, both of the smooth,
-// flooded contact at the same speed. Where the scene's law is one of the least film, this is h*.
+// The least film is h*, as solved with load sharing, heat and supply, times a ratio of two films of
+// the smooth, flooded contact at the same speed: the film by the law of the least film over that by
+// the scene's law. The ratio is 1 where the scene's law is itself one of the least film.
 class SmoothContact {
  public:
   explicit SmoothContact(const MixedContact<double>& contact)
@@ -86,8 +86,8 @@ class SmoothContact {
         return minimum_film(speed, film) / rms_roughness_;
     }
   }
-  // Do faces touch whose Rq alone is known, at a speed and film? Below Λ = 3 nothing says what
-  // their summits carry: summit_outputs() are undefined.
+  // Do faces of which Rq alone is known touch, at a speed and film? They do below Λ = 3. The load
+  // on their summits is then unknown, and summit_outputs() are undefined.
   bool has_unknown_summits(double speed, double film) const {
     return !has_summits_ &&
            minimum_film(speed, film) < least_full_film_lambda_ratio * rms_roughness_;
@@ -95,7 +95,7 @@ class SmoothContact {
   // Is the film of a point unknown, because M or L, with load sharing, lies outside the rows of
   // solved films? Then all outputs of the point that depend on the film are undefined.
   bool is_beyond_solved_films(double film) const { return is_solved_ && film != film; }
-  // 0 where the film has collapsed.
+  // The least film in m; 0 where the film has collapsed.
   double minimum_film(double speed, double film) const {
     return film == 0 ? 0 : film * part_of_film(speed);
   }
@@ -116,7 +116,7 @@ class SmoothContact {
   double rms_roughness_;
   bool has_summits_, is_solved_;
   double part_at_unit_speed_ = 1;
-  Fraction speed_exponent_{0, 1};  // of that part
+  Fraction speed_exponent_{0, 1};  // of part_of_film()
   // Set where a law has no fixed exponents: then the part is computed at each speed.
   std::optional<std::pair<detail::ContactWords, detail::SceneNumbers<double>>> of_any_exponents_;
 };

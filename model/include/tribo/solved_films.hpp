@@ -21,7 +21,7 @@ struct FilmNumber {
 struct FilmTable {
   double first_load, load_step, material_step;  // ln M, steps of ln M and of L
   std::size_t load_steps, material_steps;
-  // ln Ĥ, its derivatives by ln M and by L, and by both, each times the steps; NaN where rows lack.
+  // ln Ĥ, its derivatives by ln M, L and both, each times the steps; NaN where rows are missing.
   const double (*nodes)[4];
 
   constexpr double last_load() const {
@@ -44,8 +44,8 @@ inline constexpr double solved_line_interpolation = 2e-3, solved_line_minimum_in
 
 namespace detail {
 
-// The cubic pieces' weights of a value and of a derivative at the beginning and at the end, at t
-// from 0 to 1, and their slopes.
+// The weights of a cubic piece at t from 0 to 1, of its value and derivative at the beginning and
+// at the end, and the slopes of the weights.
 template <class T>
 struct CubicWeights {
   explicit CubicWeights(const T& t)
@@ -64,7 +64,7 @@ struct CubicWeights {
   T end, begin_slope, end_slope, d_end, d_begin_slope, d_end_slope;
 };
 
-// The step of a table that holds x, in steps from its first node.
+// The step of a table in which x lies. x is counted in steps from the table's first node.
 template <class T>
 std::size_t step_at(const T& x, std::size_t steps) {
   std::size_t step = 0;
@@ -81,8 +81,8 @@ bool is_within(const FilmTable& table, const T& log_load, const T& material) {
          material <= T(table.last_material());
 }
 
-// Ĥ at ln M and L ≥ 0: its logarithm goes on straight beyond the table, so that a search may pass
-// there. NaN where rows lack.
+// Ĥ at ln M and L ≥ 0. Beyond the table ln Ĥ goes on in a straight line, so that a search may pass
+// there. NaN where rows are missing.
 template <class T>
 FilmNumber<T> solved_film_number(const FilmTable& table, const T& log_load, const T& material) {
   using std::exp;

@@ -2,7 +2,7 @@
 // The starved film of smooth circles between the solved ones of reference/ehl/point_films.csv
 // (model/README.md, section 7): Damiens' y = (1 + r^γ)^{−1/γ}, r = h_ff/h_oil, with a γ of ln M, L
 // and ln r. M and L are those of the whole load: the inlet lies around all of Hertz' contact. The
-// build makes the table of γ of the rows (model/generators/film_tables.cpp).
+// build makes the table of γ from the rows (model/generators/film_tables.cpp).
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace tribo {
 struct InletTable {
   double first_load, load_step, first_material, material_step, first_ratio, ratio_step;
   std::size_t load_steps, material_steps, ratio_steps;
-  // For each ln M, and the first corner in L and ln r of each step: γ there, at the next ln r, at
+  // For each ln M and each cell in L and ln r: γ at the cell's first corner, at the next ln r, at
   // the next L, and at the next of both.
   const double (*nodes)[4];
 
@@ -34,8 +34,8 @@ struct InletTable {
 const InletTable& inlet_table();
 
 // Relative error of y = h*/h_ff by the interpolation, besides that of the rows: 2e-3 for r from 1/4
-// to 4. Beyond, γ stays as it is at the end of r; y then differs from its limits, 1 and 1/r, by at
-// most 3e-2.
+// to 4. Beyond this range γ is that of its nearer end; y then differs from its limits, 1 and 1/r,
+// by at most 3e-2.
 inline constexpr double solved_inlet_interpolation = 2e-3;
 
 // γ at ln M, L and ln r. NaN where M or L lie outside of the table.

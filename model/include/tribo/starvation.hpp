@@ -96,7 +96,7 @@ T wolveridge_slope(const T& inlet_length) {
 template <class T>
 struct InletCurve {
   StarvationClosure closure;
-  T constant_factor = T(1);  // what c is multiplied by: π/4 for the gap of a circular contact
+  T constant_factor = T(1);  // factor of c: π/4 for the gap of a circular contact
 
   template <class Real = T>
   Real crook() const {
@@ -150,7 +150,7 @@ struct InletCurve {
       return pow(T((1 - flooded_over_inlet) / flooded_over_inlet * crook()), ratio<T>(2, 3));
     const T t = rough_log_inlet_length(flooded_over_inlet);
     if (t < least_log_length()) return least_inlet_length(flooded_over_inlet);
-    // The error is now the rounding of t and of ln r; one step on r G(ψ) − 1 removes it.
+    // The error is now the rounding of t and of ln r. A Newton step on 1/r = G(ψ) removes it.
     return exp(t) * (1 + correction(flooded_over_inlet, t));
   }
   T log_inlet_length(const T& flooded_over_inlet) const {
@@ -191,11 +191,11 @@ struct InletCurve {
   }
 
  private:
-  // Below this ψ the powers of ψ near underflow; arctan v = v there to every digit of T.
+  // ln ψ below which the powers of ψ come near underflow, and arctan v = v to every digit of T.
   static T least_log_length() { return ratio<T>(1, 4) * T(std::numeric_limits<T>::min_exponent); }
 
   // ψ where t is below least_log_length(): y = κψ, and 1/r is its greater term alone. The other
-  // term is below ε/2 of the greater one, in float below 2 ε.
+  // term is less than ε/2 times the greater one, in float less than 2 ε times.
   T least_inlet_length(const T& flooded_over_inlet) const {
     using std::sqrt;
     const T kappa = 2 * wolveridge_factor<T>() / pi<T>();
@@ -206,7 +206,7 @@ struct InletCurve {
     return 1 / (kappa * flooded_over_inlet);
   }
 
-  // Above this ψ its powers near overflow; y = 1 there to every digit of T.
+  // ln ψ above which the powers of ψ come near overflow, and y = 1 to every digit of T.
   static T greatest_log_length() {
     return -ratio<T>(9, 20) * T(std::numeric_limits<T>::min_exponent);
   }
@@ -221,8 +221,8 @@ struct InletCurve {
                           epsilon<T>());
   }
 
-  // (1 − r G(ψ))/(d ln G/dt) at ψ = e^t, with the difference in a wider type: its rounding is up to
-  // four times as much in ψ where the inlet is short.
+  // (1 − r G(ψ))/(d ln G/dt) at ψ = e^t. The difference is in a wider type, because its rounding
+  // moves ψ by up to four times as much where the inlet is short.
   T correction(const T& r, const T& t) const {
     using std::exp;
     using std::sqrt;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Stribeck curve without a root: walk the flooded film instead of the speed (model/README.md,
-// section 6). From λ follow A, λ₀ = λ(1−A)^{a−b} and u, all explicit. The coordinate of the walk is
+// section 6). λ gives A, λ₀ = λ(1−A)^{a−b} and u explicitly. The coordinate of the walk is
 //
 //   s = ln(λ − λ_b)    in general, so that a floor λ_b is approached without cancellation;
 //   ψ = e^{−s}, or ψ = ψ_b/(1 + e^s) above a floor,
-//                      for an implicit closure at constant h_oil: r(ψ) is explicit there, y(r) not.
+//                      for an implicit closure at constant h_oil: r(ψ) is explicit, y(r) is not.
 //
-// An implicit closure at constant flow needs one scalar root y(r) a point.
+// An implicit closure at constant flow needs one scalar root y(r) for each point.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ template <class T>
 struct WalkPoint {
   FloodedFilm<T> flooded;
   InletState<T> inlet;
-  T film_slope{};  // d ln λ/d ln u, in (0, a]
+  T film_slope{};  // d ln λ/d ln u, from 0 on a floor to a
   T rate{};        // ds/d ln u
 };
 
@@ -65,7 +65,7 @@ class StribeckWalk {
     }
   }
 
-  // The point at coordinate s: explicit, but for y where an implicit closure meets a constant flow.
+  // The point at coordinate s. It is explicit, except y of an implicit closure at constant flow.
   WalkPoint<T> at(const T& s) const {
     using std::exp;
     WalkPoint<T> point;
@@ -87,15 +87,15 @@ class StribeckWalk {
         contact_.film_exponents(point.flooded), shares,
         shares.asperity > 0 ? sharing_.asperity_share_slope_above_floor(T(exp(log_distance)))
                             : T(0));
-    // In the logarithmic approach to the floor both slopes vanish together.
+    // At the floor film_slope and film_rate both vanish; the rate is the limit of their ratio.
     point.rate = is_at_floor(point.flooded)
                      ? T(ratio<T>(film().speed_exponent) / ratio<T>(film().sharing_exponent))
                      : T(point.film_slope / film_rate);
     return point;
   }
 
-  // A coordinate whose speed is roughly u: explicit, from the two ends of the film's range. On the
-  // paper's surfaces that speed lies between u/6 and u.
+  // A coordinate whose speed is roughly u: explicit, from the film's two limits, at the floor and
+  // far above it. On the paper's surfaces that speed lies between u/6 and u.
   T near(const T& speed) const {
     using std::exp;
     using std::log;
@@ -175,7 +175,7 @@ class StribeckWalk {
     return above_floor_ ? T(log_inlet_length_at_floor_ - log_one_plus_exp(s)) : T(-s);
   }
 
-  // ln(λ − λ_b) there: λ/λ_b = G(ψ_b)/G(ψ), G = 1/r; near the floor from the difference of G.
+  // ln(λ − λ_b) there: λ/λ_b = G(ψ_b)/G(ψ), G = 1/r. Near the floor the difference of G is used.
   T log_distance_by_inlet_length(const T& s, const T& t) const {
     using std::exp;
     using std::expm1;
@@ -249,9 +249,9 @@ class StribeckWalk<double> {
 };
 
 // Visits `count` ≥ 2 points whose speeds ascend from about `from` to about `to` (0 < from < to,
-// m/s), within a quarter of a step of the logarithmic grid, and within 1e-9 at the ends. Each point
-// is exact for the speed it carries: the speeds are the walk's own. visit(point) gets an
-// OperatingPoint<T>. No load-sharing root is solved.
+// m/s): within a quarter of a step of the logarithmic grid, and within 1e-9 at the ends. Each point
+// is exact for its own speed, which the walk chooses. visit(point) gets an OperatingPoint<T>. No
+// load-sharing root is solved.
 template <class T, class Visitor>
 void stribeck_curve(const MixedContact<T>& contact, const T& from, const T& to, std::size_t count,
                     OutputSet outputs, Visitor&& visit) {

@@ -17,11 +17,11 @@ inline constexpr Contract murch_wilson_thermal_contract{8, 0};
 
 // φ_T, the film over that of an isothermal inlet:
 //   φ_T = [1 − 13.2 (p₀/E′) L^{0.42}]/[1 + 0.213 (1 + 2.23 S^{0.83}) L^{0.64}],  L = βη₀u²/k_f.
-// peak_pressure p₀ of Hertz in Pa, effective_modulus E* in Pa, of which E′ = 2E*, slide_roll_ratio
-// S ≥ 0, sliding over mean speed, temperature_viscosity β in 1/K: −d ln η/dT, viscosity η₀ in Pa·s,
-// speed u in m/s (the mean of the two surfaces), thermal_conductivity k_f of the oil in W/(m·K);
-// all but S > 0. NaN where the numerator is not above 0, beyond what was fitted. Error:
-// gupta_thermal_contract.
+// peak_pressure p₀ of Hertz in Pa, effective_modulus E* in Pa (E′ = 2E*), slide_roll_ratio S ≥ 0,
+// the sliding speed over the mean speed, temperature_viscosity β = −d ln η/dT in 1/K, viscosity η₀
+// in Pa·s, speed u in m/s (the mean of the two surfaces), thermal_conductivity k_f of the oil in
+// W/(m·K). All arguments but S are > 0. NaN where the numerator is not above 0, beyond the range of
+// the fit. Error: gupta_thermal_contract.
 template <class T>
 T gupta_thermal_reduction(const T& peak_pressure, const T& effective_modulus,
                           const T& slide_roll_ratio, const T& temperature_viscosity,
@@ -35,10 +35,10 @@ T gupta_thermal_reduction(const T& peak_pressure, const T& effective_modulus,
          (1 + ratio<T>(213, 1000) * sliding * decimal_power(heating, Fraction{64, 100}));
 }
 
-// The same of pure rolling by Murch and Wilson, without the pressure: 3.94/(3.94 + L^{0.62}), L as
-// above: u is the mean speed, as W. R. D. Wilson and S. Sheu say, who print the formula as 1/(1 +
-// 0.254 L^{0.62}) (Effect of inlet shear heating due to sliding on elastohydrodynamic film
-// thickness. J. Lubr. Technol., manuscript of 1980). The arguments have the units and ranges of
+// φ_T of pure rolling by Murch and Wilson, without the pressure: 3.94/(3.94 + L^{0.62}), L as
+// above. W. R. D. Wilson and S. Sheu print it as 1/(1 + 0.254 L^{0.62}) and say that u is the mean
+// speed (Effect of inlet shear heating due to sliding on elastohydrodynamic film thickness. J.
+// Lubr. Technol., manuscript of 1980). The arguments have the units and ranges of
 // gupta_thermal_reduction(). Error: murch_wilson_thermal_contract.
 template <class T>
 T murch_wilson_thermal_reduction(const T& temperature_viscosity, const T& viscosity, const T& speed,

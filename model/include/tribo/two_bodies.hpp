@@ -29,12 +29,12 @@ T effective_modulus(const T& first_modulus, const T& first_poisson_ratio, const 
               compliance(second_modulus, second_poisson_ratio));
 }
 
-// 1/(1/a + 1/b) in m, of two radii in m: above 0 convex, below 0 concave, ∞ flat. 0 or below, or
-// infinite, where two such faces do not meet at a point. Error: 3 ulp, for radii of 1e-290 or more
-// and results of double.
+// 1/(1/a + 1/b) in m, of two radii in m: above 0 convex, below 0 concave, ∞ flat. The result is 0
+// or below, or infinite, where two such faces do not meet at a point. Error: 3 ulp, for radii of
+// 1e-290 or more and results in the range of double.
 //
-// The sum of two curvatures of opposite signs cancels, as each curvature is rounded; a + b has no
-// such error, as a and b are exact.
+// In the sum of two curvatures of opposite signs the rounding of each would remain. a + b has no
+// such error, because a and b are exact.
 template <class T>
 T relative_radius(const T& a, const T& b) {
   using std::abs;
@@ -50,7 +50,7 @@ template <class T>
 struct ReducedRadius {
   T radius_x;        // R_x, m: 1/R_x = 1/R₁x + 1/R₂x
   T radius_y;        // R_y, m
-  T reduced_radius;  // R, m: 1/R = 1/R_x + 1/R_y, of a ball on a flat half of the ball's radius
+  T reduced_radius;  // R, m: 1/R = 1/R_x + 1/R_y; for a ball on a flat half the ball's radius
 };
 
 // Radii of two faces along x, the direction of entrainment, and along y across it, in m: above 0

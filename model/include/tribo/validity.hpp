@@ -21,22 +21,22 @@ template <class T>
 class MixedContact;
 struct FilmLaw;
 
-// A limit, and where a scene stands to it. A limit is passed where the value lies outside its
-// bounds. The views' texts live as long as the program.
+// A limit, and the value that a scene has for it. The limit is passed where the value lies outside
+// its bounds. The views' texts live as long as the program.
 struct Validity {
   std::string_view word;              // "hertz_pressure"
-  std::string_view assumption;        // a whole sentence; of a range the meaning of its field
+  std::string_view assumption;        // a whole sentence; for a range the meaning of its field
   double value = 0;                   // in `unit`
   double least = 0, greatest = 0;     // the bounds, in `unit`; 0 and ∞: there is none
   std::string_view unit = "";         // empty: dimensionless
   std::string_view source = "";       // where the bounds come from; empty: a range of a field
   std::string_view field = "";        // whose range this is, "load"; else empty
-  std::string_view likely_unit = "";  // that was probably meant, where the value is not in range
+  std::string_view likely_unit = "";  // the unit probably meant, where the value is not in range
   // The results that are wrong where the limit is passed, with all that follows from them:
   // "friction", of a solved film "pressure", "film", "shares, friction", or "everything".
   std::string_view touches = "everything";
   std::string advice = "";     // what passing it means, and what to do; empty: nothing to add
-  bool value_follows = false;  // of a field: from others that the scene gives
+  bool value_follows = false;  // of a field: it follows from other given fields
   bool is_accepted = false;    // by the scene, whether it is passed or not
   // For a sweep: how many of its judged cases pass the limit. `value` is then that of the case
   // furthest beyond the limit, whose number is furthest_case.
@@ -57,16 +57,16 @@ std::span<const std::string_view> assumption_words();
 // The least ellipticity that a film law was fitted to, less the rounding of a ratio of two axes.
 double least_fitted_ellipticity(const FilmLaw& law);
 
-// The table "is the model valid here?": each assumption that concerns the scene, and the ranges of
-// fields that it leaves. An assumption that this scene does not make is left out: on summits
-// without a surface, on the film without a speed.
+// The table "is the model valid here?": each assumption that concerns the scene, and each field
+// whose number is outside its range. An assumption that the scene does not make is left out: one on
+// summits without a surface, one on the film without a speed.
 std::vector<Validity> validity_of(const Scene& scene, SceneUse use = SceneUse::speeds);
 
 // The limits that the scene passes and does not accept: the user is warned of these.
 std::vector<Validity> passed_limits(const Scene& scene, SceneUse use = SceneUse::speeds);
 
-// The same of a scene as a reader made it, with one speed, which its contact has solved already.
-// Nothing more is solved: limits on outputs that the point does not have are left out.
+// The same for a scene as a reader made it, with one speed, whose point its contact has solved
+// already. Nothing more is solved: limits on outputs that the point does not have are left out.
 std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,
                                     const OperatingPoint<double>& point);
 

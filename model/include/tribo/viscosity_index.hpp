@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The viscosity index of an oil, from its kinematic viscosities at 40 and 100 °C, and the latter
-// from the index. Source: ASTM D2270-10, Standard practice for calculating viscosity index from
-// kinematic viscosity at 40 and 100 °C (also ISO 2909): equations 3, 6 and 7, and the quadratic
-// equations of its table X2.1, which are within 0.1 % of its table 1.
+// The viscosity index of an oil from its kinematic viscosities at 40 and 100 °C, and the viscosity
+// at 100 °C from the index. Source: ASTM D2270-10, Standard practice for calculating viscosity
+// index from kinematic viscosity at 40 and 100 °C (also ISO 2909): equations 3, 6 and 7, and the
+// quadratic equations of its table X2.1, which are within 0.1 % of its table 1.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ inline constexpr double lower_index_temperature = 313.15, upper_index_temperatur
 
 namespace detail {
 
-// L = aY² + bY + c and H = dY² + eY + f above Y = `from`, in m²/s, to the next row's. a and d are
-// in 10⁻⁵, b and e in 10⁻⁴, c and f in 10⁻³.
+// L = aY² + bY + c and H = dY² + eY + f for Y above `from`, in m²/s, up to the `from` of the next
+// row. a and d are in 10⁻⁵, b and e in 10⁻⁴, c and f in 10⁻³.
 struct IndexRow {
   double from;
   int a, b, c, d, e, f;
@@ -48,8 +48,7 @@ inline constexpr auto index_rows =
                              {55e-6, 85921, 111009, -83190, 17130, 113680, -76940},
                              {70e-6, 83531, 146731, -216246, 16841, 118493, -96947}});
 
-// Viscosities at 40 °C of oils of the index 0 and 100 that have ν = at_100 in m²/s at 100 °C;
-// mm²/s.
+// Viscosities at 40 °C in mm²/s of the oils of index 0 and 100 whose ν at 100 °C is at_100 in m²/s.
 template <class T>
 struct IndexOils {
   T zero, hundred;  // L, H
@@ -86,7 +85,7 @@ T index_among(const T& at_40, const T& at_100, const IndexOils<T>& oils) {
   return (exp(T(power * log(T(10)))) - 1) / (T(715) / 100000) + 100;
 }
 
-// N of equation 6, 10^N = 1 + 0.00715 (VI − 100), with which H = U Y^N, VI above 100.
+// N of equation 6 for VI above 100: 10^N = 1 + 0.00715 (VI − 100), and H = U Y^N.
 template <class T>
 T index_power(const T& index) {
   using std::log;
@@ -96,9 +95,9 @@ T index_power(const T& index) {
 }  // namespace detail
 
 // VI from ν at 40 °C and at 100 °C, in m²/s: the first above the second, which is 2 mm²/s or more;
-// NaN otherwise. Below 0 where the oil is thicker at 40 °C than one of the index 0. At the end of a
-// range of the quadratic equations those below it hold, as the standard's table 1 does up to 70
-// mm²/s: there the index has a step of some tenths. The standard rounds the index to a whole
+// NaN otherwise. VI is below 0 where the oil is thicker at 40 °C than the oil of index 0. At the
+// end of a range the quadratic equations of the lower range hold, as in the standard's table 1 up
+// to 70 mm²/s; the index has a step of some tenths there. The standard rounds the index to a whole
 // number. Error against the quadratic equations: viscosity_index_contract; against table 1 less
 // than 0.3.
 template <class T>

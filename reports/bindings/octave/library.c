@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0
- * The functions of tribocheck.h for Octave: one MEX file, which the functions of this folder call, and which
- * is no Octave extension (.oct): it uses the interface that MATLAB has too, and links nothing of Octave.
+ * The functions of tribocheck.h for Octave, in one MEX file that the scripts of this folder call. It is no
+ * Octave extension (.oct): it uses only the MEX interface, which MATLAB also has, and links no library of Octave.
  *
  *   [fault, place, result…] = library ("call", name, column…)     columns as called.m makes them
  *   [text, code] = library ("describe"), ("cases", request), ("judge", request, answers)
  *   [number, code] = library ("number", text, unit)
  *
- * `fault` is empty, or tells what is wrong at the point `place`, from 1. All memory is Octave's own, which frees
- * it where an error leaves the function. */
+ * `fault` is empty, or tells what is wrong at the point `place`, counted from 1. Octave allocates all
+ * memory, and frees it when an error ends the function. */
 #include <string.h>
 
 #include "mex.h"
@@ -29,7 +29,7 @@ static int ask(const char* what, char* const* word, const double* numbers, char*
   return tribocheck_fault(word[0], numbers, text, size, length);
 }
 
-/* The text that a call tells. One that is longer than a megabyte costs a second call. */
+/* The text that a call writes. A text longer than a megabyte needs a second call. */
 static mxArray* told(const char* what, char* const* word, const double* numbers, int* code) {
   size_t room = (size_t)1 << 20, length = 0;
   char* text = mxMalloc(room);
@@ -45,7 +45,7 @@ static mxArray* told(const char* what, char* const* word, const double* numbers,
   return made;
 }
 
-/* Sets fault, place and results of a function at all points of its columns, which are numbers or of one shape. */
+/* Sets fault, place and results of a function at all points. A column is one number or has the common shape. */
 static void call(char* name, int results, mxArray* to[], int columns, const mxArray* column[]) {
   static const mwSize one[] = {1, 1};
   const mwSize* shape = one;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""make_functions.py LIBRARY FOLDER: a file of Octave for each function of the catalogue, with its help text, and tribocheck.m that lists them."""
+"""Writes a help text and an Octave file for each function of the catalogue, and tribocheck.m, which lists them: make_functions.py LIBRARY FOLDER."""
 import ctypes
 import json
 import pathlib

@@ -27,7 +27,7 @@ def number_of(text):
 
 
 def read_table(path):
-    """The facts of a table's head, and its rows: numbers as doubles, but for the 40 digits of `value`; None where a cell is empty."""
+    """The facts of a table's head, and its rows. Numbers are doubles, but `value` with its 40 digits is a text. An empty cell is None."""
     lines = path.read_text(encoding="utf-8").splitlines()
     head = dict(line[2:].partition(": ")[::2] for line in lines if line.startswith("# "))
     rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
@@ -40,7 +40,7 @@ def read_table(path):
 
 
 def csv_text(rows):
-    """Rows that may lack members, and have members of their own, which are JSON in a cell."""
+    """The rows as CSV. A row may lack members; a member that is an object or a list is JSON in its cell."""
     out = io.StringIO()
     writer = csv.DictWriter(out, list(dict.fromkeys(name for row in rows for name in row)), lineterminator="\n")
     writer.writeheader()
@@ -50,7 +50,7 @@ def csv_text(rows):
 
 
 def schema_of(title, description, rows):
-    """A JSON Schema of one line."""
+    """The JSON Schema of one row."""
     types = {str: "string", float: "number", int: "number", bool: "boolean", type(None): "null", dict: "object", list: "array"}
     found = {}
     for row in rows:
@@ -63,7 +63,7 @@ def schema_of(title, description, rows):
 
 
 def files_of(program):
-    """{path: text}."""
+    """The version, and the files of the archive as {path: text}."""
     said = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
     version, commit = said.split()[1], said.partition("commit ")[2].partition(",")[0]
     files = {name: (SOURCES / name).read_text(encoding="utf-8") for name in ("CITATION.cff", "LICENSE")}
@@ -84,7 +84,7 @@ def files_of(program):
         "A function and its arguments, or a scene with one speed; SI units. An id is that of the first row in exact/FUNCTION with these arguments.")
     mistakes = (SOURCES / "reference/mistakes.toml").read_text(encoding="utf-8")
     about = mistakes.partition("\n\n")[0].replace("# ", "").replace("#", "")
-    rows = json.loads(json.dumps(tomllib.loads(mistakes)["mistake"]), parse_constant=str)  # JSON has no infinity: "Infinity"
+    rows = json.loads(json.dumps(tomllib.loads(mistakes)["mistake"]), parse_constant=str)  # JSON has no infinity: the text "Infinity"
     add("mistakes", rows, "mistakes that people make", about)
     files["SHA256SUMS"] = "".join(f"{hashlib.sha256(text.encode()).hexdigest()}  {name}\n" for name, text in sorted(files.items()))
     return version, files
@@ -100,7 +100,7 @@ def main():
     given.folder.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(given.folder / f"{name}.zip", "w") as archive:
         for path, text in sorted(files.items()):
-            info = zipfile.ZipInfo(f"{name}/{path}")  # of 1980-01-01
+            info = zipfile.ZipInfo(f"{name}/{path}")  # its date is 1980-01-01
             info.compress_type, info.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
             archive.writestr(info, text)
     print(given.folder / f"{name}.zip")

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Man pages, and completion for bash, of what the program's --help says: man_pages.py PROGRAM FOLDER.
+"""Makes man pages and the completion for bash from the program's --help: man_pages.py PROGRAM FOLDER.
 
-FOLDER gets man/man*/*.gz and completions/tribocheck. A command, an option or a function that is added is there
-without another line. SOURCE_DATE_EPOCH in the environment sets the date of the pages.
+FOLDER gets man/man*/*.gz and completions/tribocheck. A new command, option or function is in them without a change
+of this script. SOURCE_DATE_EPOCH in the environment sets the date of the pages.
 """
 import argparse
 import gzip
@@ -15,7 +15,7 @@ import shlex
 import subprocess
 import time
 
-COLUMN = 34  # at which the help has the descriptions of options
+COLUMN = 34  # where the help's descriptions of options begin
 SOURCES = pathlib.Path(__file__).resolve().parents[3]
 DATE = time.strftime("%F", time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", time.time()))))
 
@@ -26,7 +26,7 @@ def roff(text):
 
 
 def body(lines):
-    """Prose is filled; indented lines stay as they are, and their indent keeps them within 80 columns."""
+    """The lines in roff. Prose is filled. Indented lines stay as they are; their indent is small, so that they fit in 80 columns."""
     out, is_kept = [], False
     for line in lines:
         if line and line.startswith(" ") != is_kept:
@@ -37,12 +37,12 @@ def body(lines):
 
 
 class Help:
-    """The help of one command: what it is, how it is used, sections of entries, and the text below."""
+    """The help of one command: its meaning, its usage, sections of entries, the text below them, and examples."""
 
     def __init__(self, program, command):
         self.command = command
         text = subprocess.run([program, *command, "--help"], cwd=SOURCES, stdout=subprocess.PIPE, text=True, check=True).stdout
-        text = text.replace("reference/", "/usr/share/tribocheck/")  # where the package has them
+        text = text.replace("reference/", "/usr/share/tribocheck/")  # where the package installs these files
         head, _, text = text.strip().partition("\nUsage: ")
         self.meaning = head.strip()
         self.usage, _, text = text.partition("\n")
@@ -119,7 +119,7 @@ def functions_page(functions):
 
 
 def completion(pages):
-    """The script for bash: commands, options, the words of an option, names of functions; else files."""
+    """The script for bash. It completes commands, options, words of an option and names of functions, else names of files."""
     def words(names):
         return "(" + " ".join(shlex.quote(name) for name in names) + ")"
     by_option, by_command = [], []
@@ -163,7 +163,7 @@ def main():
     functions = json.loads(subprocess.run([given.program, "functions", "--format", "json"], stdout=subprocess.PIPE, check=True).stdout)
     texts = {f"{name}.1": command_page(page, [other for other in names if other != name]) for name, page in zip(names, pages)}
     texts["tribocheck-functions.7"] = functions_page(functions["functions"])
-    texts["tribocheck_sweep.1"] = [".so man1/tribocheck-sweep.1"]  # the program behind that command
+    texts["tribocheck_sweep.1"] = [".so man1/tribocheck-sweep.1"]  # the program that `tribocheck sweep` runs
     for folder in ("man/man1", "man/man7", "completions"):
         (given.folder / folder).mkdir(parents=True, exist_ok=True)
     for name, lines in texts.items():

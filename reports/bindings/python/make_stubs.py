@@ -23,7 +23,7 @@ functions: dict[str, Callable[..., Any]]
 
 
 def stubs_of(entry):
-    """A function with numbers alone and with arrays, after the type of its results where it has several."""
+    """The type of the results if there are several, then the function with numbers alone and with arrays."""
     name, results = entry["name"], entry["results"]
     kind = "".join(map(str.capitalize, name.split("_")))  # as _functions has it
     if len(results) > 1:

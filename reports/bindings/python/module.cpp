@@ -21,12 +21,12 @@ namespace py = pybind11;
 namespace {
 
 constexpr std::size_t most_columns = 16;
-constexpr std::size_t block = 1 << 15;  // points between two looks for Ctrl-C
+constexpr std::size_t block = 1 << 15;  // points between two checks for Ctrl-C
 
 using Array = py::array_t<double, py::array::c_style>;
 
-// The code that a function of tribocheck.h returns, and the text that it tells. A text of more than
-// `room` bytes costs a second call.
+// The code that a function of tribocheck.h returns, and the text that it writes. A text of `room`
+// or more bytes needs a second call.
 template <std::size_t room = 1 << 16, class Call, class... Given>
 std::pair<int, std::string> told_by(Call call, Given... given) {
   std::string text(room, '\0');
@@ -55,7 +55,7 @@ std::string text_of(Call call, Given... given) {
   return text_or_error(told_by(call, given...));
 }
 
-// The item that numpy has under a name.
+// The attribute of numpy with this name.
 py::object of_numpy(const char* name) { return py::module_::import("numpy").attr(name); }
 
 Array numbers_of(const py::array& given, const std::string& what) {
@@ -309,7 +309,7 @@ std::vector<py::array> solved(const std::string& scene, const py::array& given,
   }
   std::vector<double*> result(columns.size());
   std::size_t first = 0;
-  do {  // once for no speeds, too, so that a faulty scene is told
+  do {  // runs once even without speeds, so that a faulty scene is told
     const std::size_t length = std::min(most, count - first);
     for (std::size_t k = 0; k < columns.size(); ++k)
       result[k] =
@@ -327,7 +327,7 @@ std::vector<py::array> solved(const std::string& scene, const py::array& given,
   return columns;
 }
 
-// Looks for Ctrl-C; the exception of Python stays set.
+// Checks for Ctrl-C. Another number than 0 stops the solve; Python's exception stays set.
 int stops(void*, int, int) {
   const py::gil_scoped_acquire held;
   return PyErr_CheckSignals();

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The wheel of the package: CMake builds and installs it, with the library and the certified values beside it.
 
-TRIBOCHECK_BUILD names a folder where it is built already; without it CMake builds it anew.
+TRIBOCHECK_BUILD in the environment names a build folder that has it already; without it CMake builds it anew.
 """
 import os
 import pathlib

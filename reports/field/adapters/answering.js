@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers the lines of `tribocheck verify` by the functions that a module exports: node answering.js MODULE. load() runs
-// files of the folder FIELD_SOURCE as a page would, with names that stand in for the browser's.
+// Answers the lines of `tribocheck verify` with the functions that a module exports: node answering.js MODULE. load() runs
+// files of the folder FIELD_SOURCE as a page would; `names` are stand-ins for objects of the browser.
 "use strict";
 const fs = require("fs"), path = require("path"), vm = require("vm");
 

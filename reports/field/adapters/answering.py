@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers the lines of `tribocheck verify` by the functions of a file, under their names there: answering.py FILE.
+"""Answers each question of `tribocheck verify` with the function of its name in a file: answering.py FILE.
 
 A function gets the arguments by their names, and returns a number, a dict of results, or None for a case that it does
-not have. The folder of a solver that is not of this project is in FIELD_SOURCE; load() runs a file of it.
+not have. FIELD_SOURCE names the folder of a solver from elsewhere; load() runs a file of that folder.
 """
 
 import json
@@ -18,7 +18,7 @@ def load(path):
 
 def serve(functions):
     answers = os.fdopen(os.dup(1), "w")
-    os.dup2(2, 1)  # what a solver prints is no answer
+    os.dup2(2, 1)  # what a solver prints goes to stderr: it is no answer
     for line in sys.stdin:
         question = json.loads(line)
         identity, name = question.pop("id"), question.pop("function", "operating_point")

@@ -6,7 +6,7 @@ from math import pi
 from answering import load as file
 import numpy as np
 
-np.seterr(all="ignore")  # a warning for each case on the surface
+np.seterr(all="ignore")  # else numpy warns at each case on the surface
 hertz = file("ContactMechanics/ReferenceSolutions/Hertz.py")
 greenwood_tripp = file("ContactMechanics/ReferenceSolutions/GreenwoodTripp.py")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Asks kerf by Imran Paruk for its Hertz and its films, with E' = 2 E*, R_x and R_y, and the viscosity times the speed as u_s."""
+"""Asks kerf by Imran Paruk for Hertz contacts and films, with E' = 2 E*, R_x and R_y. Its u_s is the viscosity times the speed."""
 
 from math import inf
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Asks lubepy by Leodanis Pozo Ramos in cSt and degrees Celsius, from 40 and 100 degrees; what it refuses is skipped."""
+"""Asks lubepy by Leodanis Pozo Ramos in cSt and degrees Celsius, with viscosities at 40 and 100 degrees. Cases that it refuses are skipped."""
 
 import os
 import sys

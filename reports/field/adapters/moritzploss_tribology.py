@@ -6,7 +6,7 @@ import os
 import sys
 import types
 
-package = types.ModuleType("tribology")  # its __init__ would load what reads measurements, and matplotlib
+package = types.ModuleType("tribology")  # its own __init__ would also load matplotlib and readers of measurements
 package.__path__ = [os.path.join(os.environ["FIELD_SOURCE"], "tribology")]
 sys.modules["tribology"] = package
 from tribology.dowson_hamrock import dowhampoint

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks OpenHertz, a page by Foad S. Farimani, by its fields: N, mm, GPa. Its results are read in um and MPa, before they are
-// rounded for display. E* is given as two bodies with nu = 0.3.
+// Asks OpenHertz, a page by Foad S. Farimani, through its fields in N, mm and GPa. Its results are read in um and MPa, before
+// they are rounded for display. E* is given as two bodies with nu = 0.3.
 "use strict";
 const fields = {};
 const document = { getElementById: (name) => (fields[name] ??= { style: {}, value: "0" }) };

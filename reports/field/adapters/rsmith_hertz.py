@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Asks hertz.py by R. F. Smith for a cylinder on a plane, given its diameter, with nu = 0.3 for both bodies, as the program's constant 2.86 has it."""
+"""Asks hertz.py by R. F. Smith for a cylinder on a plane, given its diameter. nu = 0.3 for both bodies, as its constant 2.86 implies."""
 
 from answering import load as file
 

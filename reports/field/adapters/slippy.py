@@ -3,7 +3,7 @@
 from math import inf, log, pi
 from answering import load as file
 import numpy as np
-np.seterr(all="ignore")  # a warning for each case on the surface
+np.seterr(all="ignore")  # else numpy warns at each case on the surface
 hertz, liquid = file("slippy/contact/hertz.py"), file("slippy/contact/lubricant_models.py")
 
 def contact(radii, modulus, load, nu=0.3, **line):

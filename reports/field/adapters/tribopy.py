@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Asks tribopy, with 1/R' the sum of its four curvatures, E' = 2 E*, and a length of half of the contact's."""
+"""Asks tribopy, whose 1/R' is the sum of four curvatures, whose E' is 2 E*, and whose length is half the length of the contact."""
 from math import inf, log, pi
 from answering import load as file
 
 solid, liquid, rough, basic, film = (file(f"{name}.py") for name in (
     "NonConformalSolidContact", "LiquidProperties", "SurfaceRoughness", "FundamentalConcepts", "LubricationNonConformalContacts"))
 effective_modulus = lambda first_modulus, first_poisson_ratio, second_modulus, second_poisson_ratio: 1 / solid.effective_elastic_modulus(
-    first_poisson_ratio, second_poisson_ratio, first_modulus, second_modulus)  # it gives 1/E', and 1/R' below
+    first_poisson_ratio, second_poisson_ratio, first_modulus, second_modulus)  # tribopy returns 1/E', and 1/R' below
 plasticity_index = lambda **q: solid.plasticity_index(q["effective_modulus"], q["hardness"], q["summit_height_sd"], q["summit_radius"])
 barus_viscosity = lambda viscosity, pressure_viscosity, pressure: liquid.Barus(viscosity, pressure_viscosity, pressure)
 roelands_viscosity = lambda viscosity, pressure_viscosity, pressure: liquid.Roelands(

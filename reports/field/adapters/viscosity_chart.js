@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks the chart of temperature and viscosity of fluidpower.pro, by Dzyanis Sukhanitski, by its fields: degrees Celsius, cSt.
+// Asks the chart of temperature and viscosity of fluidpower.pro, by Dzyanis Sukhanitski, through its fields in degrees Celsius and cSt.
 "use strict";
 const fields = {}, none = () => {};
 const jQuery = (name) => ({ val: () => fields[name.slice(1)], html: none, change: none });

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Films and Hertz' point of a ball on a flat with R/2 for R, as for two equal balls, or as by a diameter taken twice."""
+"""Films and Hertz' point of a ball on a flat with R/2 in place of R, as for two equal balls, or as if R were a diameter."""
 
 import film_right
 import hertz_right

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Hertz' pressures with load over area as the greatest pressure."""
+"""Hertz' point and line with the mean pressure, load over area, in place of the greatest pressure."""
 
 from math import pi, sqrt
 

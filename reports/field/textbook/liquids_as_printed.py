@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Laws of liquids as textbooks print them: Barus, Roelands with his rounded constants, Carreau, ASTM D341 with 0.7."""
+"""Laws of liquids as textbooks print them: Barus, Roelands, Dowson and Higginson's density with rounded constants, ASTM D341 with 0.7."""
 
 from math import exp, log, log10
 

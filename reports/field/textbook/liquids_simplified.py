@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Laws of liquids left out: the ambient viscosity for Barus', Newton for Carreau and Yasuda, ASTM D341 without 0.7."""
+"""Laws of liquids simplified: the given viscosity in place of Barus' and of Carreau and Yasuda's law, ASTM D341 without 0.7."""
 
 from liquids_as_printed import astm_d341_viscosity as with_added
 

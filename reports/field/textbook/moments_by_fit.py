@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""F_5/2 of Greenwood and Tripp by the fit 4.4086e-5 (4 - d)^6.804 that solvers of mixed lubrication have."""
+"""F_5/2 of Greenwood and Tripp by the fit 4.4086e-5 (4 - d)^6.804 that solvers of mixed lubrication use."""
 
 
 def gaussian_moment(order, argument):

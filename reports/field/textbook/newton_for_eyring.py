@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Points with the shear of a Newtonian film in place of Eyring's: the example in plain Python with one formula exchanged."""
+"""Points with the shear of a Newtonian film in place of Eyring's: the example in plain Python with one formula replaced."""
 
 from math import exp
 import os

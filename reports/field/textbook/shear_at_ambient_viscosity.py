@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Points with the ambient viscosity in the shear of the film: the example in plain Python with one formula exchanged."""
+"""Points with the ambient viscosity in the shear of the film: the example in plain Python with one formula replaced."""
 
 import os
 import sys

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# The start of every figure, and the page that it is drawn on: 960 points wide. Called as
+# Starts every figure, on a canvas 960 points wide. Called as
 #   gnuplot -d -c canvas.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-# with SCRIPT the figure's own, beside this one, FORMAT svg or png, DATA the folder of the .tsv files, NAME a prefix for the
-# identifiers in an SVG, HEIGHT in points. `load` forgets the arguments.
+# SCRIPT draws the figure and lies beside this file. FORMAT is svg or png, DATA the folder of the .tsv files, NAME a prefix for the
+# identifiers in an SVG, HEIGHT is in points. A loaded script does not see ARG1 and so on: they are copied.
 script = ARG1; kind = ARG2; picture = ARG3; data = ARG4."/"; prefix = ARG5; tall = int(ARG6); head = ARG7; subhead = ARG8
 scripts = ARG0[1:strlen(ARG0) - strlen("canvas.gp")]
 set encoding utf8

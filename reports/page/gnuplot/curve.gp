@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Outputs of scenes against speed, a panel each over one axis.
+# Outputs of scenes against speed: a panel for each output, all over one axis.
 # Blocks: 0 the ends of the speed axis, and how many marks of each kind there are; 1 the axis of each panel; 2 the
-# scenes; 3 the marks: 1 the film maximum, 2 the last point before the film collapses, 3 a measured point, 4 one
-# off the curve; 4 and on the curve of each scene. Curves and marks have a value for each panel.
+# scenes; 3 the marks; from 4 on the curve of each scene. Curves and marks have a value for each panel. Kinds of marks:
+# 1 the film maximum, 2 the last point before the film collapses, 3 a measured point on a curve, 4 another measured point.
 load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), onsets = column(3), ends = column(4), \
   measured = column(5), others = column(6), 0) nooutput
@@ -15,7 +15,7 @@ stats data index 1 using (i = int($0) + 1, labels[i] = strcol(1), bottoms[i] = c
 array names[32]
 array colours[32]
 stats data index 2 using (i = int($0) + 1, names[i] = strcol(1), colours[i] = column(2), 0) nooutput name "scenes"
-# Told apart in grey too.
+# Dashes, by which the curves differ in grey, too.
 set style line 1 dashtype solid
 set style line 2 dashtype (12,5)
 set style line 3 dashtype (3,4)
@@ -27,7 +27,7 @@ set style line 8 pointtype 6 pointsize 1.5*outline linewidth 1.6
 set style line 9 pointtype 5 pointsize 1.1*point linecolor rgb "#000000"
 set style line 10 pointtype 4 pointsize 1.2*outline linewidth 1.6 linecolor rgb "#000000"
 
-# Entries without a mark would leave gaps in the legend.
+# The legend names only kinds of marks that occur: other entries would leave gaps.
 legend = ""
 if (onsets > 0) { legend = legend.', keyentry with points linestyle 7 linecolor rgb grey title "film maximum"' }
 if (ends > 0) { legend = legend.', keyentry with points linestyle 8 linecolor rgb grey title "last point before the collapse"' }

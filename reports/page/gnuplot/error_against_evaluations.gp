@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# True error against evaluations of the integrand or the moment, which no machine changes.
+# True error against evaluations of the integrand or the moment. Their number is the same on every machine.
 load scripts."work.gp"
 table = data.prefix.".blocks.tsv"
 set logscale xy 10

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# True error against CPU time, a line a method from coarse to fine: at the points the greatest error,
-# and bars down to the mean.
+# True error against CPU time: a line for each method, from coarse to fine. Points have the greatest error, bars go down to the mean.
 load scripts."work.gp"
 table = data.prefix.".blocks.tsv"
 set logscale xy 10

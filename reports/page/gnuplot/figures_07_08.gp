@@ -5,7 +5,7 @@ if (prefix eq "figure_07") {
   y = area
   set ylabel "real area / nominal area, A_r/A_{nom} (–)" offset y_words
   set yrange [0:*]
-  # The curves begin at one area, and have their names where they have fallen to about half of it.
+  # All curves begin at the same area. Each has its name where it has fallen to about half of that.
   stats marks using (mark("slowest", "smooth", "GT", y)) nooutput name "first"
   half = 0.5*first_mean
   do for [i = 1:3] {
@@ -16,7 +16,7 @@ if (prefix eq "figure_07") {
     stats gt(s) using (column(y) > half && column(speed) <= falling ? column(speed) : NaN) nooutput name "high"
     set label s at first high_max, half center rotate by -17 offset 0,-0.75 font small textcolor rgb colour(s)
   }
-  # The dotted limits of the surfaces lie on each other.
+  # The dotted limits of the smooth and the medium surface coincide.
   stats marks using (mark("printed", "smooth", "GT", y)) nooutput name "limit"
   if (exists("limit_mean")) { set label "smooth, medium" at graph 0.99, first limit_mean right offset 0,0.8 font small }
 } else {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Pressure and film across a line contact, or along the middle of an ellipse below its maps, in two panels over one axis.
+# Pressure and film in two panels over one axis: across a line contact, or along the middle line of an ellipse, below its maps.
 # Blocks: 0 the ends of the axes, a note on the spike or a blank, and the unit of pressure; 1 the profile; 2 Hertz' pressure; 3 the formulas' films.
 load scripts."sweep.gp"
 stats data index 0 using (left = column(1), right = column(2), pressure_top = column(3), \
@@ -9,7 +9,7 @@ formula(is_minimum) = int(is_minimum) ? 0xD55E00 : 0x009E73
 stats data nooutput name "all"
 is_point = all_blocks > 4
 if (is_point) { load scripts."film_fields.gp" } else { set multiplot }
-low_part = 840.0/tall  # of the picture: the panels
+low_part = 840.0/tall  # the part of the whole height that the panels take
 set lmargin at screen 0.10
 set rmargin at screen 0.69
 key_left = 0.705
@@ -38,7 +38,7 @@ set format x "%g"
 set xlabel "x, along the direction of entrainment (µm)".(is_point ? ", at y = 0" : "") offset 0, x_words
 set yrange [0:film_top]
 set ylabel "film thickness h (µm)" offset y_words
-# Formulas' names stand outside the plot, each joined to its level.
+# The names of the formulas stand outside the plot. A line joins each to the level of its film.
 array levels[32]
 array places[32]
 array minima[32]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Film and pressure over an elliptical contact, as colours with contour lines, above what film.gp draws of its middle.
-# The arrow shows the direction of entrainment. Blocks after those of film.gp: 4 the maps' ends, box and colours; 5 x, y → film, pressure; 6 Hertz' ellipse; 7 places of the least film.
+# Film and pressure over an elliptical contact, as colours with contour lines, above the two panels of film.gp.
+# The arrow shows the direction of entrainment. Blocks after those of film.gp: 4 the ends, sizes and colour scales of the maps; 5 x, y, film, pressure; 6 Hertz' ellipse; 7 places of the least film.
 array least[2]
 array most[2]
 array step[2]

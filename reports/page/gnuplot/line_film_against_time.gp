@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Films of line or of point contacts: greatest relative error against CPU time, a line a way from coarse to fine.
+# Films of line or of point contacts: greatest relative error against CPU time. Each way is a line from coarse to fine.
 # Columns: job, family, series, name, ns, steps, greatest and mean relative error, no numbers, judged.
 load scripts."work.gp"
 table = data.prefix.".blocks.tsv"
@@ -12,7 +12,7 @@ set mxtics 10
 set xlabel "CPU time a contact (s)" offset 0, x_words
 set ylabel "greatest relative error (–)" offset y_shift, 0
 stats table using 5 nooutput
-# Drawn are at most eight ways, and of the formulas those of the film in the middle.
+# At most eight ways are drawn. Formulas of the minimum film are left out.
 array family[most]
 array place[most]
 n = 0
@@ -24,7 +24,7 @@ do for [i=0:STATS_blocks-1] {
     place[n] = i
   }
 }
-# A cross where a way gave no number, if any did.
+# A cross marks a way that gave no number in some cases. The legend names it only where there is one.
 stats table using ($9 > 0 ? $5 : NaN) nooutput name "missing"
 crosses = exists("missing_records") && missing_records > 0
 plot for [i=1:n] table index place[i] using ($5*1e-9):7 with linespoints \

@@ -13,7 +13,7 @@ track_count = 0
 stats tracks using 2 nooutput name "track"
 if (track_records > 0) { track_count = track_blocks }
 
-# Contours: below 0 dashed, above 0 solid, 0 thick; in places that are even in the logarithm of M and L.
+# Contour lines: dashed below 0, solid above 0, thick at 0. The table's places are even in the logarithms of M and L.
 unset surface
 set contour base
 do for [i=1:6] {
@@ -32,8 +32,8 @@ unset contour
 set surface
 set datafile separator whitespace  # as gnuplot writes its tables; texts are quoted
 
-# Colours by the logarithm of the error, so that 2 % is seen beside 50 %: blue below, orange above; of the same
-# error the blue is the darker, in grey too.
+# Colours by the logarithm of the error, so that 2 % is seen beside 50 %. Blue is below 0, orange above. The blue of an
+# error is darker than the orange of the same size, so that the two differ in grey, too.
 shade(error) = sgn(error)*log(1 + abs(error)/2)
 set palette defined (-1 "#4f86c6", -0.55 "#8db5e0", -0.2 "#cfe0f2", 0 "#ffffff", 0.2 "#fdeacb", 0.55 "#f9cf8a", 1 "#f0a030")
 set cbrange [shade(-70):shade(70)]
@@ -43,7 +43,7 @@ set style line 3 linewidth 2.6 linecolor rgb 0x000000
 set style line 4 linewidth 4.5 linecolor rgb 0xffffff
 set style line 5 linewidth 2 linecolor rgb 0x6a1b7a
 set style line 6 pointtype 7 pointsize 0.9*point linecolor rgb 0x6a1b7a
-# The grounds of labels, in parts of a panel: gnuplot's own would print each text twice.
+# White boxes behind the labels, with sizes in parts of a panel. gnuplot's own boxes would print each text twice.
 set style line 7 linewidth 0 linecolor rgb 0xffffff
 set style fill solid noborder
 wide = log(load_max/load_min); high = log(material_max/material_min)
@@ -65,7 +65,7 @@ do for [i=1:6] {
   set rmargin at screen 0.485 + 0.485*place
   set tmargin at screen top - row*(panel + gap)
   set bmargin at screen top - row*(panel + gap) - panel
-  # The colours, evenly spaced in the logarithms.
+  # The colours. An image needs even places, so that the axes are logarithms.
   unset logscale
   unset xtics
   unset ytics

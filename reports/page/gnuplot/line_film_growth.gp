@@ -3,7 +3,7 @@
 # exponents in the legends. Blocks, one for each solver: solver, cells, ns for the matrix of influences, ns for a step of
 # Newton's method, bytes; and of the exponents: solver, quantity, exponent, uncertainty.
 load scripts."work.gp"
-# Line contacts or point contacts: line_film_growth and line_film_exponents, or point_….
+# NAME is line_film_growth or point_film_growth. Their exponents stand in line_film_exponents or point_film_exponents.
 table = data.prefix.".blocks.tsv"
 exponents = data.(prefix[1:strstrt(prefix, "_growth")])."exponents.blocks.tsv"
 stats table using 2 nooutput name "cells"

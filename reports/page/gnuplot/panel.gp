@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The upper or the lower of two panels over one speed axis, called with that word. Words of the axis, and the legend for both,
-# stand below the lower one.
+# The upper or the lower of two panels over one speed axis, called with "upper" or "lower". The title of the axis and the legend of
+# both panels stand below the lower one.
 if (ARG1 eq "upper") {
   set tmargin at screen 1 - 78.0/tall
   set bmargin at screen 0.56

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Solved starved films of the paper's surfaces over their layer of oil, beside the closures: a panel a surface, over one axis.
+# Starved films of the paper's surfaces, solved and by the closures, divided by the layer of oil: a panel for each surface.
 table = data."paper_films.blocks.tsv"
 curves = data."paper_closures.blocks.tsv"
 marks = data."marks.tsv"

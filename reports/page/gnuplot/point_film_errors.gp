@@ -6,14 +6,14 @@ array title_of[9] = ["Hamrock, Dowson: central", "Nijenbanning et al.: x = EI/RI
   "Chittenden et al.: central, 4.31", "Nijenbanning et al.: x = EI/RI, 3s/2", \
   "Chittenden et al.: central, 4.30", "Nijenbanning et al.: x = EI/EP, 3/2", \
   "Hamrock, Dowson: minimum", "Nijenbanning et al.: x = EI/EP, 3s/2", "Chittenden et al.: minimum, 3.68"]
-# The blocks stand as `tribocheck film` has the formulas.
+# The blocks have the order of the formulas in `tribocheck film`.
 array block_of[9] = [0, 2, 3, 6, 4, 7, 1, 8, 5]
 
 # As in line_film_errors.gp: colours by the logarithm of the error.
 shade(error) = sgn(error)*log(1 + abs(error)/2)
 set palette defined (-1 "#4f86c6", -0.55 "#8db5e0", -0.2 "#cfe0f2", 0 "#ffffff", 0.2 "#fdeacb", 0.55 "#f9cf8a", 1 "#f0a030")
 set cbrange [shade(-120):shade(120)]
-# Cells meet halfway between M = 1, 2 and 5 of each decade; rows from below, the second liquid above a gap.
+# Cells meet halfway between M = 1, 2 and 5 of each decade. Rows count from below; the second liquid stands above a gap.
 materials = "2.5 5 10 15"
 row_of(material) = sum [k=1:words(materials)] k*(abs(word(materials, k) - material) < 1e-6)
 up(liquid, material) = row_of(material) + (liquid eq "Roelands" ? 3.4 : 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The starved over the flooded film, solved and by the closures, over the layer of oil; and the exponent by which Damiens' closure is right.
+# Starved film divided by flooded film, solved and by the closures, against the layer of oil; and the exponent γ that fits Damiens' closure to it.
 table = data."starved_ratios.blocks.tsv"
 curves = data."starved_closures.tsv"
 stats table using 1 nooutput name "supplies"

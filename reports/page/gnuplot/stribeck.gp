@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-# Common part of figures over speed: the columns of a curve, the axis of speeds from speeds_min to
-# speeds_max, which are set before, and room for the legend.
+# The common part of figures against speed: the columns of a curve, the speed axis and room for the
+# legend. The caller sets speeds_min and speeds_max, the ends of the axis.
 
 # Columns of a curve's .tsv.
 speed = 1; film = 3; film_parameter = 5; asperity_share = 6; fluid_share = 7
 area = 8; summits = 9; friction = 10; inlet = 12
 # A full circle marks the onset, or another point of the curve. In an SVG the strokes of a point
-# grow with its size alone.
+# have a width that depends on its size alone.
 set style line 1 linewidth 2.2 dashtype solid
 set style line 7 pointtype 7 pointsize 1.1*point
 
-# The speed axis: powers of ten, and the last speed of the scenes where it is none.
+# The ticks of the speed axis: powers of ten, and the greatest speed if it is not one of them.
 set xrange [speeds_min:speeds_max]
 set logscale x 10
 set format x "10^{%T}"

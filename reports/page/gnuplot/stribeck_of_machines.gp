@@ -2,7 +2,7 @@
 # Friction, film parameter and load share of the asperities against speed, in three panels over one
 # axis, of the scenes in reference/scenes.
 
-# A colour for each scene, of those that the surfaces have in the other figures.
+# A colour for each scene. Other figures have these colours for the surfaces.
 scenes = "ball_on_flat bearing_outer_ring gear_flank"
 colour(s) = s eq "ball_on_flat" ? 0x003468 : s eq "bearing_outer_ring" ? 0x006B50 : 0xD86400
 named(s) = s eq "ball_on_flat" ? "ball on a flat (circle)" : \
@@ -19,7 +19,7 @@ do for [s in scenes] {
   speeds_max = one_max > speeds_max ? one_max : speeds_max
 }
 load scripts."stribeck.gp"
-# Told apart in grey too: a line style for each scene.
+# A line style for each scene, by which the curves differ in grey, too.
 set style line 11 linewidth 2.2 dashtype solid
 set style line 12 linewidth 2.2 dashtype (12,5)
 set style line 13 linewidth 2.2 dashtype (12,4,3,4)

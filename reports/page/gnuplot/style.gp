@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The common part of the paper's figures.
 
-# Orange, green and blue after Okabe and Ito, one for each surface in every figure: each half as bright as the one
-# before, so that they are told apart without colours too.
+# Orange, green and blue after Okabe and Ito, one for each surface in every figure. Each is half as bright as the one
+# before, so that they differ in grey, too.
 colour(surface) = surface eq "rough" ? 0xD86400 : surface eq "medium" ? 0x006B50 : 0x003468
 grey = 0x666666
 surfaces = "rough medium smooth"

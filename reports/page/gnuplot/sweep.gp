@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The common part of a sweep's pictures. All that they show, colours too, stands in the blocks of DATA/NAME.blocks.tsv.
-# Texts of its rows are names that the user chose, and drawn with noenhanced.
+# Texts in its rows are names that the user chose. They are drawn with noenhanced, so that no sign is a command.
 data = data.prefix.".blocks.tsv"
 
 tiny = kind eq "svg" ? ",12" : ",9"
@@ -13,10 +13,10 @@ set style fill solid 1 noborder
 set tmargin at screen 1 - 78.0/tall
 set key noenhanced
 
-# Ticks for a logarithmic axis from `low` to `high`: commands for eval. 1, 2 and 5 of each decade,
-# more where there is hardly one, and powers of ten alone where there are many; even steps, which then stand at distances
-# that are not even, where there is less than half of one. Without labels where has_labels is 0. `room`: the axis' length, as a
-# part of the whole width.
+# log_ticks() returns commands for eval that set the ticks of a logarithmic axis from `low` to `high`. An axis of many decades has
+# ticks at powers of ten, a shorter one also at 2 and 5 of each decade, and one of about a decade also at 3, 4 and 7. If
+# high ≤ 3 low, the ticks are round numbers with even steps. No tick has a label if has_labels is 0. `room` is the length of
+# the axis as a part of the picture's width.
 has_labels = 1
 room = 1
 tick_text(value) = value > 0.9e-4 && value < 1.1e4 ? sprintf("%g", value) : \

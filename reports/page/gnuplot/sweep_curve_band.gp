@@ -10,7 +10,7 @@ array colours[128]
 stats data index 1 using (names[int($1)] = strcol(4), colours[int($1)] = column(3), \
   0) nooutput name "scenes"
 stats data index 2 using 1 nooutput name "first"
-medians = first_records > 12 ? "lines" : "linespoints"  # a few values are shown as such
+medians = first_records > 12 ? "lines" : "linespoints"  # a few values are also shown as points
 set lmargin at screen 0.11
 set rmargin at screen 0.97
 longest = 0

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The film over speed and a field, or over two fields, as colours with contour lines.
-# Blocks: 0 the axes; 1 speed (or field) × field → film (nm), a blank line after each value of the second; 2 the
-# greatest film of each value of the field, where it lies within the speeds; 3, where some of the map is
-# a floor: the speed up to which each value of the field has it.
+# Blocks: 0 the axes; 1 speed or field, field, film (nm), with a blank line after each value of the second; 2 for each value
+# of the field the speed of its greatest film, if that lies between the ends; 3, only if some of the map is a floor: for
+# each value of the field the speed up to which the film is at the floor.
 load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
   is_log = column(5), least = column(6), most = column(7), label = strcol(8), \
@@ -13,7 +13,7 @@ set lmargin at screen 0.13
 set rmargin at screen 0.84
 set border 15 linewidth 0.8
 
-# The levels are the ticks of the colour bar; closer ones where it is short.
+# The levels of the contour lines are the ticks of the colour bar. They are closer where the range of films is small.
 levels = ""; ticks = ""
 steps = most/least > 1500 ? "1" : most/least > 8 ? "1 2 5" : "1 1.5 2 2.5 3 4 5 6 7 8 9"
 do for [e = int(floor(log10(least))):int(ceil(log10(most)))] {
@@ -58,7 +58,7 @@ set title offset 0, 0.7
 set view map
 set style textbox opaque noborder margins 0.6, 0.6 fillcolor rgb "#ffffff"
 unset key
-# A label now and then on each line, elsewhere on the next one.
+# A contour line has a label at one of `every` points. turn() moves it from each level to the next.
 every = int(label_every)
 turn(level) = every/3*(int(floor(3*log10(level) + 0.5)) % 3)
 labelled(level) = (int(column(0)) + turn(level)) % every == 5*every/12 ? 1 : NaN

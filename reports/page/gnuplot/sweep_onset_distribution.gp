@@ -4,7 +4,7 @@
 load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), top = column(3), has_marks = column(4), 0) \
   nooutput
-# Texts stand outside the plot, where a plot style would leave them out.
+# The texts stand outside the plot, where `set label` draws them and a plot style would leave them out.
 array base[512]
 array colours[512]
 array criteria[512]
@@ -35,7 +35,7 @@ set yrange [-0.12:top]
 set border 1 linewidth 0.8
 unset ytics
 room = 0.6
-eval log_ticks("x", low, high)  # the bars are cases over the logarithm: on another axis their areas would not be
+eval log_ticks("x", low, high)  # only on a logarithmic axis is the area of a bar its number of cases
 set grid xtics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set xlabel "onset speed (m/s)" offset 0, x_words
 set label "median (95 %)" at screen 0.76, first heights[scenes_records] left font small textcolor rgb grey

@@ -25,7 +25,7 @@ set key at screen 0.62, screen 4.0/tall center bottom vertical maxrows key_rows 
 ink = n > 1 ? 0x666666 : colours[1]
 thinned = n > 1 ? 0xBABABA : pales_one
 set bars 0.6
-# Columns of a bar: middle and half of its height, then first order and total with their ends.
+# Columns of a bar: its middle, half of its height, first order and total, each with its ends, and two colours.
 y = 1; half = 2; first = 3; total = 6; full = 9; pale = 10
 clipped(x) = x < 0 ? 0 : x > right ? right : x
 box(value) = clipped(column(value))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The common part of the diagrams of the work-precision tables.
 
-# A colour a family, each with a contrast of 3 to white; after Okabe and Ito, whose orange and sky blue are paler.
+# A colour for each family, with a contrast of at least 3 to white. The colours follow Okabe and Ito, whose orange and sky blue are paler.
 colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 : \
   family eq "Boost" ? 0x009E73 : family eq "SciPy" ? 0xCC79A7 : family eq "table" ? 0xB07A00 : \
   family eq "textbook" || family eq "fixed rule" ? 0x7E57C2 : \
@@ -9,14 +9,14 @@ colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 
 family_of(series) = series[1:strstrt(series, ":") - 1]
 # In blocks of a table column 2 is the family and 3 the series.
 ns = 5; evaluations = 6; max_ulp = 7; p99_ulp = 8; mean_ulp = 9; failures = 10
-# The first blocks of a table are drawn, the others are in its file alone.
+# Only the first blocks of a table are drawn.
 most = 8
-# A shape each, ours larger and with the thicker line.
+# A point shape for each series. Points of ours and of a plugin are larger; our lines are thicker.
 shape(i) = word("7 5 9 11 13 4 6 8 10 12 1 2 3", i % 13 + 1) + 0
 is_ours(family) = family eq "tribocheck"
 size(family) = (is_ours(family) || family eq "plugin" ? 1.5 : 0.8)*point
 
-# The error is that of the numbers; a cross says that some cases gave none, or one that is far off.
+# The error is that of the cases with a number. A cross says that some cases gave no number, or one that is far off.
 failing(y) = column(failures) > 0 ? column(y) : NaN
 failing_title = "failures in some cases"
 set style line 10 pointtype 2 pointsize 1.6*point linewidth 1.4 linecolor rgb 0x000000

@@ -57,7 +57,7 @@ def read_baseline(places, file):
         if nests_too_deep(text):
             raise Missing(f"`{shown}`: lists and tables are nested more than {MOST_NESTED} deep")
         content = json.loads(text, parse_float=finite, parse_constant=finite)
-        json.dumps(content, ensure_ascii=False).encode("utf-8")  # half of a surrogate pair is no sign
+        json.dumps(content, ensure_ascii=False).encode("utf-8")  # raises UnicodeEncodeError for half of a surrogate pair
         return content
     except OSError as error:
         raise Missing(f"`{shown}` is not there") from error
@@ -76,7 +76,7 @@ def from_baseline(places, file, make):
 
 
 def part(places, file, what, make):
-    """make(baseline), or why this part of a group is missing, which the group does not need; and the list of what did not run."""
+    """The result of make(baseline), or why it is missing, for a part that its group can do without; and the list of what did not run."""
     try:
         return from_baseline(places, file, make), []
     except Missing as missing:
@@ -84,7 +84,7 @@ def part(places, file, what, make):
         return {"missing": why}, [not_run(what, why, f"`make {BASELINES[file][0]}`")]
 
 
-# Values of one type; another one raises TypeError.
+# Each of these functions returns a value of one type, and raises TypeError for another value.
 def text(value):
     if not isinstance(value, str):
         raise TypeError("another value where a text belongs")

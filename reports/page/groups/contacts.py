@@ -14,7 +14,7 @@ def told(point):
 
 
 def before_solved(file, about):
-    """The dry contact. Raises Missing where a number that the page tells would be missing."""
+    """The dry contact of a scene, and inputs that the page tells. Raises Missing if the page would lack a number."""
     low, high = about.speeds
     if not about.has_friction_inputs:
         raise Missing(f"{file} has not all inputs of friction")
@@ -30,7 +30,7 @@ def before_solved(file, about):
 
 
 def heating(program, path, speed):
-    """By how many kelvin the oil gets hotter at a speed, by the limits of the model's validity."""
+    """The heating of the oil in the inlet and in the film at a speed (K), from the limits of validity; None without a speed."""
     if speed is None:
         return None
     scene, = program.answer("contact", path, "--speed", repr(speed))["scenes"]

@@ -5,12 +5,12 @@ import math
 # Levels in per cent; those that should get a label first come first.
 LEVELS = (0.0, -10.0, 10.0, -20.0, 20.0, -5.0, 5.0, -30.0, 30.0, -50.0, 50.0, -2.0, 2.0, -70.0, 70.0)
 WIDTH, HEIGHT = 0.15, 0.085  # the room of a label
-LEAST_ROOM = 1.2  # how far from other labels its middle stays, in sizes of a label
-EDGE_WIDTH, EDGE_HEIGHT = 0.09, 0.06  # how far its middle stays from the map's edge
+LEAST_ROOM = 1.2  # the least distance of its middle from other labels, in sizes of a label
+EDGE_WIDTH, EDGE_HEIGHT = 0.09, 0.06  # the least distance of its middle from the map's edge
 
 
 def crossings(values, level):
-    """The places where lines between neighbouring places cross the level."""
+    """The places where the map crosses the level, by linear interpolation between neighbouring values."""
     across, up = len(values) - 1, len(values[0]) - 1
     for i in range(across + 1):
         for j in range(up + 1):

@@ -37,7 +37,7 @@ class Contact:
     high: float
 
     def solve(self, *speeds):
-        """The operating points at these speeds, by the names of their outputs; None: undefined."""
+        """The operating points at these speeds, each a dict of its outputs by name. An undefined output is None."""
         answers = self.program.ask(*scenes.points(self.scene, *speeds))
         return [{"speed": speed} | answer for speed, answer in zip(speeds, answers)]
 
@@ -62,14 +62,14 @@ class Solved:
 
 
 def before_collapse(contact, collapse):
-    """Points just below a collapse at u_c, at speeds u_c (1 − 10^−e): the film grows as the 2/3rd power of u_c − u, so
-    that points with evenly spaced e are evenly spaced on logarithmic axes."""
+    """Points just below a collapse at u_c, at speeds u_c (1 − 10^−e). There the film goes as (u_c − u)^(2/3), so that
+    points with evenly spaced e are evenly spaced on logarithmic axes."""
     speeds = [collapse * (1 - math.pow(10, -eighths / 8)) for eighths in range(8, 65)]
     return contact.solve(*(speed for speed in speeds if contact.low < speed < contact.high))
 
 
 def solved(contacts, criteria=()):
-    """Solves each contact, with its onsets by these criteria; without any, by all."""
+    """Solves each contact, with its onsets by these criteria, or by all if none is given."""
     program = contacts[0].program
     with scenes.files_of([{name: one for name, one in contact.scene.items() if name != "outputs"} |
                           {"speed": {"from": contact.low, "to": contact.high, "count": POINTS}} for contact in contacts]) as paths:

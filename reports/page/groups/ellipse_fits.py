@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far off the published fits to Hertz' ellipse are, over the ratio of the radii. The fits are those of
+"""Errors of the published fits to Hertz' ellipse over the ratio of the radii. The fits are those of
 reference/mistakes.toml, by which `tribocheck verify --subject` explains wrong answers."""
 import json
 import math
@@ -21,7 +21,7 @@ def of_fits(ratio, numbers):
 
 
 def of_logarithms(ratio, _):
-    """A fit of k, its integral K by the mean of arithmetic and geometric means, and a fit of E."""
+    """k by a fit, K of this k by the arithmetic-geometric mean, and E by a fit."""
     k = 1 + math.sqrt(math.log(16 * ratio) * ratio / 2) - math.sqrt(math.log(4)) - 0.16 * math.log(ratio)
     greater, less = 1.0, 1 / k
     while greater - less > 1e-8 * greater:
@@ -30,7 +30,7 @@ def of_logarithms(ratio, _):
     return k, math.pi / (greater + less), second
 
 
-# Whose each fit is, by its name in mistakes.toml.
+# The authors of each fit, by its name in mistakes.toml.
 AUTHORS = {"ellipse-fit-1.0339": "Brewe and Hamrock, 1977", "ellipse-fit-2/π": "Hamrock and Brewe, 1983",
            "ellipse-fit-1.03": "k: Hamrock and Dowson, 1976; K and E: Hamrock and Brewe, 1983",
            "ellipse-fit-logarithms": "Nijenbanning, Venner and Moes, 1994"}
@@ -38,7 +38,7 @@ FORMULAS = {"ellipse_of_fits": of_fits, "ellipse_of_logarithms": of_logarithms}
 
 
 def fits_of(places):
-    """Fits of k with fits of the integrals; those with the integrals of this k are named …-of-k."""
+    """The fits of k that have fits of the integrals, too. Fits named …-of-k are left out: they have the integrals of their k."""
     try:
         return [one for one in scenes.read(places.reference / "mistakes.toml")["mistake"]
                 if one["function"] == "hertz_ellipse" and one["name"].startswith("ellipse-fit-") and not one["name"].endswith("-of-k")]

@@ -53,7 +53,7 @@ def text_of(of, key):
 
 
 def commits_since(root, commit, paths):
-    """How many commits have changed these files since; None where the commit is not known to git, or was not a whole one."""
+    """How many commits have changed these files since; None if git does not know the commit, or if it is not just a full hash."""
     if not re.fullmatch(r"[0-9a-f]{40}", commit) or not (root / ".git").exists():
         return None
     try:

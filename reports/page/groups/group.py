@@ -10,7 +10,7 @@ class Missing(Exception):
 
 
 class Refused(Exception):
-    """Why no report can be made of what is given: its arguments are lines."""
+    """No report can be made from the scenes or options that are given. Each argument is a line that says why."""
 
 
 class Group(typing.NamedTuple):
@@ -33,7 +33,7 @@ def finding(name, section, about, standing, why=""):
 
 
 def promise(name, section, held, count):
-    """The finding on a promise, which holds where there is a case and all cases are held."""
+    """The finding on a promise. It holds if there is at least one case and all cases are held."""
     if 0 < count == held:
         return finding(name, section, "software", "holds")
     return finding(name, section, "software", "fails", f"{count - held} of {count} are not held.")
@@ -48,5 +48,5 @@ CONTROLS = re.compile("[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206
 
 
 def printable(text):
-    """The text as one line, whatever it holds."""
+    """The text as one line: line ends and other control signs are escaped."""
     return CONTROLS.sub(lambda sign: {"\n": "\\n", "\t": "\\t"}.get(sign[0], f"\\u{ord(sign[0]):04x}"), text)

@@ -8,14 +8,14 @@ from numbers_text import exact
 from program import members
 
 SURFACES = ("rough", "medium", "smooth")
-# The command's own readings, and one more.
+# READINGS are those that the command has by itself; GAP is one more.
 READINGS = ("corrected", "offset_planes=2", "offset_planes=equal_faces", "literal", "best")
 GAP = "gap=point"
 COLUMNS = ("item", "quantity", "surface", "model", "rule", "value", "last_digit")
 
 
 def claims_of(places):
-    """The rows of claims.tsv: each item as the paper prints it. Raises Refused where it is no table of them."""
+    """The rows of claims.tsv: each item as the paper prints it. Raises Refused if the file is no such table."""
     path = places.scenes / "claims.tsv"
     try:
         lines = path.read_text(encoding="utf-8", errors="replace").split("\n")
@@ -67,8 +67,8 @@ def reproduced(program, places):
 
 
 def with_circular_gap(told):
-    """The answer without the reading that has the gap of a circular contact at the inlet (E13), where the corrected one keeps the
-    printed gap of a line; and what becomes of the main numbers with it."""
+    """The answer without the reading GAP; the main numbers by GAP become the member circular_gap. GAP has the gap of a circular
+    contact at the inlet (E13); the corrected reading keeps the printed gap of a line."""
     reading = next(one for one in told["readings"] if one["departures"] == GAP)
     name = reading["name"]
     items = {one["item"]: one["readings"][name] for one in told["items"]}
@@ -78,7 +78,7 @@ def with_circular_gap(told):
            "onset_speed": {surface: one["computed"] for surface, one in zip(SURFACES, onsets)},
            "onset_factors": [one["factor"] for one in onsets],
            "onset_verdict": next(one["verdicts"][name] for one in told["claims"] if one["claim"] == "C1")}
-    if name == GAP:  # and none of the command's own
+    if name == GAP:  # not already among the command's own readings
         told["readings"].remove(reading)
         for one in (*(claim["verdicts"] for claim in told["claims"]), *(item["readings"] for item in told["items"]),
                     *(row["scores"] for row in told["tolerances"])):
@@ -108,7 +108,7 @@ def ends(interval):
 
 
 def surfaces_data(asked, told, contacts):
-    """The onset speeds and shares of each surface, varied, beside the paper's."""
+    """The onset speeds and asperity shares of each surface by varied inputs, and those that the paper reports."""
     print_precision, plausible = told["uncertainty"][:2]
     onsets = scenes.onsets(asked.program, contacts, ("film_maximum", "friction_minimum"))
     text = ("# Onset speeds (m/s) and asperity shares at the lowest speed, corrected reading, with the intervals of 95 % that "

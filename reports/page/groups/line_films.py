@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Films that formulas give for a line contact beside the solved one, over the numbers M of load and L of material, and one
-contact of reference/scenes, solved."""
+"""Compares films that formulas give for a line contact with the solved film, over the load number M and the material number L,
+and solves one contact of reference/scenes."""
 import bisect
 import csv
 import itertools
@@ -60,7 +60,7 @@ def rows_of(path):
 
 
 def numbers_of(rows, role=None):
-    """The rows that have all three films, and this word in the column `role` if one is given."""
+    """The rows that have all three films. If `role` is given, only rows with this word in the column `role`."""
     errors = [f"{name}_error" for name in QUANTITIES]
     try:
         return [Numbers(float(row["load_number"]), float(row["material_number"]), tuple(float(row[name]) for name in QUANTITIES),
@@ -71,8 +71,8 @@ def numbers_of(rows, role=None):
 
 
 class Axis:
-    """Cubic splines over the logarithm of four or more ascending numbers, through a value at each; their knots are means of
-    three places, as de Boor has them."""
+    """Cubic splines over the logarithms of four or more numbers, which interpolate a value at each number. A knot is the mean
+    of three neighbouring places, by de Boor."""
 
     def __init__(self, numbers):
         self.numbers = sorted(numbers)
@@ -84,7 +84,7 @@ class Axis:
         self.inverse = inverse_of([self.basis(place) for place in places])
 
     def place(self, number):
-        """The place of a number, from 0 at the first number to 1 at the last. L = 0 is a liquid of constant viscosity."""
+        """The place of a number, from 0 at the first number to 1 at the last. It is −∞ at L = 0 (constant viscosity)."""
         return math.log(number / self.numbers[0]) / math.log(self.numbers[-1] / self.numbers[0]) if number > 0 else -math.inf
 
     def at(self, place):
@@ -102,7 +102,7 @@ class Axis:
         return row
 
     def weights(self, number):
-        """The weight of each of the values in the spline's value at a number."""
+        """The spline's value at a number is a sum of the interpolated values with these weights."""
         values = self.basis(min(max(self.place(number), 0.0), 1.0))
         parts = [(value, row) for value, row in zip(values, self.inverse) if value]
         return [sum(value * row[i] for value, row in parts) for i in range(len(self.numbers))]
@@ -125,8 +125,8 @@ def dot(a, b):
 
 
 class Films:
-    """Solved films of one liquid: the table of the formulas' errors, a map through these and other nodes, and films that the
-    map is held to. U is that of L = 1, and grows with a power of L."""
+    """Solved films of one liquid: `table`, with which formulas are compared; a map that interpolates these and further nodes; and
+    `checks`, by which the map is judged. U = speed_number·L^power."""
 
     def __init__(self, program, table, nodes, checks, speed_number, power):
         self.program, self.table, self.checks, self.speed_number, self.power = program, table, checks, speed_number, power
@@ -138,7 +138,7 @@ class Films:
                 raise Missing(f"neither line_films.csv nor line_films_between.csv has the film of M = {load:g}, L = {material:g}")
         moes = self.formula("moes_line", list(itertools.product(loads, materials)))
         moes = {at: film for at, film in zip(itertools.product(loads, materials), moes)}
-        # The maps interpolate the film over Moes' film, which is smooth.
+        # The maps interpolate the logarithm of film/(Moes' film), which is smooth.
         self.logs = [[[math.log(known[load, material][i] / moes[load, material]) for load in loads] for material in materials]
                      for i in range(len(QUANTITIES))]
 
@@ -164,8 +164,8 @@ class Films:
 
 
 def films_of(program, folder):
-    """Films of Barus' incompressible liquid, where M and L fix the film and U is chosen, and films of a compressible liquid between
-    bodies of one material, where U grows with L⁴. Pan and Hamrock's formulas are compared with the latter."""
+    """Films of two liquids. Those of Barus' incompressible liquid depend on M and L alone; their U is chosen. Those of a compressible
+    liquid are between bodies of one material, so that U ∝ L⁴; Pan and Hamrock's formulas are compared with these."""
     path = folder / "line_films.csv"
     table, between = numbers_of(rows_of(path)), rows_of(folder / "line_films_between.csv")
     if not table:
@@ -179,15 +179,15 @@ def films_of(program, folder):
     return barus, Films(program, table, numbers_of(rows, "node"), numbers_of(rows, "check"), speed_number, 4)
 
 
-# --- How far off the formulas, the solved films and the maps are.
+# --- The errors of the formulas, the solved films and the maps.
 
 def place_of(error, at):
     return {"error": error, "load_number": at.load, "material_number": at.material}
 
 
 def is_elastic_and_viscous(at):
-    """Whether Moes' film (1992), max(RI, EI, min(RP, EP)) of his four asymptotes, is the one of elastic bodies with a liquid that
-    pressure thickens: such bodies give way, so that their film is the thinner one of the two with this liquid."""
+    """Whether Moes' film (1992), max(RI, EI, min(RP, EP)) of his four asymptotes, is EP: elastic bodies (E, not rigid, R) and a
+    piezoviscous liquid (P, not isoviscous, I)."""
     elastic, rigid = 1.311 * at.load**(-1 / 8) * at.material**(3 / 4), 1.287 * at.material**(2 / 3)
     return max(3 / at.load, 2.621 * at.load**(-1 / 5)) < elastic < rigid
 
@@ -215,7 +215,7 @@ def solved_data(table):
 
 
 def interpolation_data(barus, compressible):
-    """The greatest errors of the maps with which formulas are compared, against films that are solved between their nodes."""
+    """The greatest errors of the maps against films solved between the nodes, for quantities with which formulas are compared."""
     greatest, light = (dict.fromkeys(QUANTITIES, 0.0) for _ in range(2))
     for films in (barus, compressible):
         used = {formula.quantity for formula in FORMULAS if formula.is_compressible == (films is compressible)}
@@ -285,7 +285,7 @@ class Track:
 
 
 def tracks_of(asked):
-    """The folders' *.toml that are scenes of line contacts with speeds, in the order of their names."""
+    """The scenes of line contacts with speeds in reference/scenes, then the published ones; both by name."""
     tracks = []
     for folder in (asked.places.reference / "scenes", asked.places.scenes):
         for path in sorted(folder.glob("*.toml")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How sure the paper's onset speeds are: the shipped sweeps, run while the report is made."""
+"""The uncertainty of the paper's onset speeds, by the shipped sweeps, which run while the report is made."""
 import math
 
 import ledger
@@ -12,7 +12,7 @@ MOST_DEVIATIONS = 3.5  # nine comparisons exceed it by chance once in 200 times
 
 
 def as_printed(table, path=""):
-    """The tables of a sweep as those of a scene, with the printed numbers."""
+    """The tables of a scene, from those of a sweep: each varied input has its printed number."""
     made = {}
     for name, one in table.items():
         field = f"{path}{name}"
@@ -37,7 +37,7 @@ def read_sweep(places, surface):
 
 
 def run_sweeps(asked):
-    """The answer of `tribocheck sweep`, with only the speed of each onset."""
+    """The answer of `tribocheck sweep`, with no columns but the onset speeds."""
     paths = [asked.places.scenes / f"sweeps/onset_{surface}.toml" for surface in ledger.SURFACES]
     result = asked.places.out / RESULT
     result.parent.mkdir(parents=True, exist_ok=True)
@@ -89,8 +89,8 @@ def speeds_of(asked, sweep, columns, reported):
 
 
 def agreement(columns, drawn):
-    """The print-precision draws of the ledger, compared with the draws of this sweep: the greatest distance of 2.5 %,
-    50 % and 97.5 %, as a part of them, and in standard deviations of sampling."""
+    """Compares the ledger's print-precision draws with those of this sweep. Finds the greatest distance between their
+    quantiles at 2.5 %, 50 % and 97.5 %, as a part of the quantile and in standard deviations of sampling."""
     farthest = in_deviations = 0.0
     for surface in ledger.SURFACES:
         value, other = columns[surface][COMPARED], drawn["onset_speed"][surface]

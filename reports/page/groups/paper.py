@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The published scenes solved: inputs, curves, onsets, and each beside what the paper reports."""
+"""The published scenes, solved: their inputs, curves and onsets, compared with what the paper reports."""
 import math
 import typing
 
@@ -18,8 +18,8 @@ QUANTITIES = ("onset_speed", "onset_film_parameter", "slow_asperity_share")
 ERRATA = {"surface.summit_radius": "E17", "surface.offset_planes": "E9", "bodies.effective_modulus": "E2",
           "bodies.reduced_radius": "E18", "friction.boundary_coefficient": "E20", "friction.fluid": "E19",
           "friction.viscosity": "E20", "closures.starvation": "E11"}
-# The choices of E9: the offset of the summits' planes over D_d. The last one is of two equal faces, D_d/σ_s of one of them
-# and σ_s of their sum.
+# The choices of E9: the offset of the summits' planes, divided by D_d. The last one is that of two equal faces, if the printed
+# D_d/σ_s is that of one face and the printed σ_s that of their sum.
 OFFSETS = {"m = 1": 1.0, "m = 2": 2.0, "equal faces": math.sqrt(2)}
 SUPPLIES = ("inlet_film", "inlet_film_ratio", "inlet_flow")
 
@@ -100,7 +100,7 @@ def scene_of(case):
 
 
 def offsets(program, cases):
-    """The paper's main numbers with GT for each choice of E9, of scenes with that offset of one plane."""
+    """The paper's main numbers by GT for each choice of E9. The scenes have that offset on one plane."""
     made = []
     for name, planes in OFFSETS.items():
         contacts = []
@@ -233,7 +233,7 @@ def ratio_file(tables, gt, gw):
 
 
 def as_printed(case, point):
-    """The point beyond a collapse without a floor, with the limits A(0) and 1 − A(0), which the paper draws as shares."""
+    """The point. If it has collapsed without a floor, its shares are the limits A(0) and 1 − A(0), as the paper draws them."""
     if point is None or point["regime"] != "collapsed":
         return point
     share = case.of_contact("share_without_film")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program's own commands, asked as any user asks them."""
+"""Runs the program's own commands, as any user can."""
 import contextlib
 import json
 import subprocess
@@ -15,7 +15,7 @@ def members(text, whole=int):
 
 
 class Program:
-    """One `tribocheck stream` answers all its lines; it ends with this object's context."""
+    """The program. One `tribocheck stream` answers all lines of ask(), and ends with this object's context."""
 
     def __init__(self, path):
         self.path, self.stream = path, None
@@ -29,7 +29,7 @@ class Program:
             self.stream.communicate()
 
     def run(self, *arguments, text=""):
-        """The exit code of a command that reads this text, its output, and the lines that it complains of."""
+        """Runs a command that reads this text. Returns its exit code, its output, and its complaints: the lines of its stderr."""
         done = subprocess.run([self.path, *map(str, arguments)], input=text, capture_output=True, encoding="utf-8", errors="replace")
         return done.returncode, done.stdout, [line.removeprefix("tribocheck: ") for line in done.stderr.splitlines()]
 
@@ -62,6 +62,6 @@ class Program:
         return answers
 
     def write(self, lines):
-        with contextlib.suppress(BrokenPipeError):  # the reader below tells that the stream has ended
+        with contextlib.suppress(BrokenPipeError):  # ask() finds that the stream has ended
             self.stream.stdin.write("".join(f"{line}\n" for line in lines))
             self.stream.stdin.flush()

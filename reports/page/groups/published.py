@@ -10,7 +10,7 @@ MODELS = {"GT": "greenwood_tripp", "GW": "greenwood_williamson"}
 
 
 class Published(typing.NamedTuple):
-    """One of the six: a surface with the contact of Greenwood and Tripp (GT), or Greenwood and Williamson (GW)."""
+    """One of the six scenes: a surface with the contact of Greenwood and Tripp (GT), or Greenwood and Williamson (GW)."""
     surface: str
     model: str
     file: str  # as provenance names it
@@ -37,8 +37,7 @@ def unfit(about, model):
 
 
 def read(program, places):
-    """The scenes, and the line that warns of the limits of validity that they pass, if they do. Raises Refused with every
-    problem of every scene."""
+    """The scenes, and warnings of the limits of validity that they pass. Raises Refused with every problem of every scene."""
     paths = {(surface, model): places.scenes / f"{stem_of(surface, model)}.toml" for model in MODELS for surface in ledger.SURFACES}
     code, told, complaints = program.run("solve", *paths.values(), "--about", "--format", "json")
     abouts = iter(scenes.abouts(told) if told else ())

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the report's data: report.json with its schema, and data/*.tsv. It needs no package of Python.
 
-`tribocheck report` starts this script: with its own path, the folders of Places, what Built tells, and the sections that are
-asked for, all sections if none is. Prints the verdict in short and where the
-page is. Exit code 1: a file cannot be written, or there is no page or no picture, as a line on stderr says; 2: bad input.
+`tribocheck report` starts this script. Its arguments are the path of tribocheck, the folders of Places, the fields of Built, and the
+sections that are asked for; all sections if none is named. Prints the verdict in short and where the page is. Exit code 1: a
+file cannot be written, or the page or a picture is missing; a line on stderr says why. Exit code 2: bad input.
 """
 import concurrent.futures
 import contextlib
@@ -110,8 +110,8 @@ def sections_of(names):
 
 
 def folder_of(out, sections):
-    """The folder to write to: `out`, or one below it, named by the sections, where `out` has a report of more sections, which
-    is left alone."""
+    """The folder to write to. It is `out`, or a folder below it that is named by the sections, if `out` has a report of more
+    sections: that report is left alone."""
     asked = sections_of(sections)
     try:
         there = json.loads((out / "report.json").read_text(encoding="utf-8"))["sections"]
@@ -121,7 +121,7 @@ def folder_of(out, sections):
 
 
 def section_of(group):
-    """The section of a group; among several, one in which the group comes first."""
+    """The section of a group. Of several, it is the one whose first group this is."""
     return next(name for place in (0, 1) for name, section in SECTIONS.items() if section.groups[place:place + 1] == (group,))
 
 
@@ -164,14 +164,14 @@ def make_folder(folder):
 
 
 def write(out, path, text):
-    """Writes a file, in place of the one that is there, or to which a link there leads."""
+    """Writes a file in place of the present one. If that is a link, the file that it leads to is replaced."""
     make_folder((out / path).parent)
     with writing(out / path):
         drawing.write_text(pathlib.Path(os.path.realpath(out / path)), legible(text))
 
 
 def make(sections, places, built, program, beside):
-    """Writes the data: the files, the verdict, and warnings of the scenes. `beside` runs work beside the rest."""
+    """Writes the data. Returns the files, the verdict, and warnings of the scenes. `beside` runs work on another thread."""
     scenes, warnings = published.read(program, places)
     sections = sections_of(sections)
     needed = {group for name in sections for group in SECTIONS[name].groups}
@@ -203,7 +203,7 @@ def make(sections, places, built, program, beside):
 
 
 def draw(places):
-    """The page and its pictures: the files, None where there is no page, and a line for each reason why something is missing."""
+    """Draws the page and its pictures. Returns the files, or None if there is no page; and lines that say why something is missing."""
     done = subprocess.run([sys.executable, "-B", places.render / "render.py", places.out], stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, encoding="utf-8", errors="replace")
     if done.returncode == MISSING_PACKAGES:
@@ -215,7 +215,7 @@ def draw(places):
 
 
 def complain(line):
-    """A stderr that is closed or full is no reason to fail."""
+    """Writes a line to stderr. A stderr that is closed or full is no reason to fail."""
     with contextlib.suppress(OSError):
         os.write(2, f"tribocheck: {printable(legible(line))}\n".encode())
 

@@ -14,8 +14,8 @@ def asking(scene, speeds, outputs):
 
 
 def rows_of(stem, flooded, works):
-    """The work that each request of a scene saves. All outputs take `full` evaluations of F_n when every root takes a step or more:
-    a root that is λ₀ or λ_b without a step counts as one step; a share and two moments a point come on top."""
+    """The work that each request of a scene saves. `full` is the work of all outputs, in evaluations of F_n: the steps of the roots,
+    one step for a root that is λ₀ or λ_b without any, and for each point one share and two moments."""
     full = sum(flooded[name] for name in ("root_steps", "roots_skipped_at_film", "roots_skipped_at_floor")) + 3 * SPEEDS
     for outputs, work in zip(REQUESTS, works):
         done = work["root_steps"] + work["shares"] + work["moments"]

@@ -49,7 +49,7 @@ def gates(asked):
 
 
 def sweep_ratios(name, times):
-    """The time of a point of a sweep beside the time of its scenes and roots alone."""
+    """The times of a point of a sweep, and their ratios to the time of its scenes and roots alone."""
     alone, summaries, points = (number(times[key]) for key in ("alone", "summaries", "points"))
     return {"sweep": name, "alone_ns": alone, "summaries_ns": summaries, "summaries_times_alone": summaries / alone,
             "points_ns": points, "points_times_alone": points / alone, "drawing_ns": number(times["stage: draw"])}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Starved films of circles, solved: what closures of starvation are worth beside them, and what the paper's three surfaces would do."""
+"""Compares the closures of starvation with solved starved films of circles, and shows solved films of the paper's three surfaces."""
 import csv
 import itertools
 import math
@@ -25,7 +25,7 @@ def damiens_ratio(supply, exponent):
 
 
 def damiens_exponent(supply, ratio):
-    """The γ by which Damiens' closure gives the ratio, which rises with γ; None where no γ does."""
+    """The γ with which Damiens' closure gives the ratio, which rises with γ; None if no γ from LEAST_EXPONENT to GREATEST_EXPONENT does."""
     low, high = LEAST_EXPONENT, GREATEST_EXPONENT
     if not damiens_ratio(supply, low) < ratio < damiens_ratio(supply, high):
         return None
@@ -36,7 +36,7 @@ def damiens_exponent(supply, ratio):
 
 
 def table_of(places):
-    """Rows of ℛ by the load and material number, each over the supplies."""
+    """The contacts of the table by load and material number, each with its ratios ℛ of starved to flooded film over the supplies."""
     path = places.reference / "ehl/point_films.csv"
     try:
         with path.open(encoding="utf-8") as file:
@@ -119,7 +119,7 @@ def points_of(rows):
 
 
 def interpolated(places, values, at):
-    """The cubic through the four neighbours."""
+    """The value at a place, by the cubic through the four neighbouring values."""
     first = min(max(sum(place <= at for place in places) - 2, 0), len(places) - 4)
     near = range(first, first + 4)
     return sum(values[i] * math.prod((at - places[k]) / (places[i] - places[k]) for k in near if k != i) for i in near)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Certified values, random points, planted faults and wrong solvers, where each failure breaks a promise; and random changes, held to a goal."""
+"""Certified values, random points, planted faults and wrong solvers: each failure breaks a promise. Random changes only have goals."""
 from baselines import copied, count, flag, from_baseline, number, number_or_none, part, run_of, text, texts
 from group import Group, finding, not_run, promise
 

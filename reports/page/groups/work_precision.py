@@ -43,8 +43,8 @@ DRAWN = 8  # series in a diagram, which draws the first blocks of a file
 
 
 def drawn_first(rows, error="max_ulp"):
-    """The rows, those of the series that a diagram draws first: ours point by point, the best series of each family, then
-    further ones. Better is what fails nowhere, and then the least product of error and time. The control does no job."""
+    """The rows, first those of the DRAWN series that a diagram shows: ours point by point, the best series of each family, then
+    further ones. A series is better if it fails nowhere, then by the least product of error and time. The control is never drawn."""
     merits = {}
     for row in rows:
         if row["family"] != "control" and row[error] is not None:

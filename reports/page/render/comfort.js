@@ -28,7 +28,7 @@ shown.className = "values";
 shown.hidden = true;
 document.body.append(shown);
 
-// Where the pointer is, as values of the axes: see data-axes of drawing.py.
+// The values of the axes under the pointer, by the attribute data-axes, which drawing.py makes.
 function values(svg, event) {
   const axes = Object.fromEntries(svg.dataset.axes.split(" ").map((one) => one.split("=")));
   for (const name in axes) axes[name] = Number(axes[name]);

@@ -24,7 +24,7 @@ def values_of(data, panel):
 
 
 def axis(name, unit, values):
-    """Title, ends, whether it is logarithmic, and the factor to its unit."""
+    """The title of an axis, its two ends, whether it is logarithmic, and the factor from SI to its unit."""
     unit, factor = readable_unit(unit, values)
     label = axis_label(WORDS.get(name, in_words(name)), unit)
     shown = [factor * one for one in values]
@@ -37,7 +37,7 @@ def axis(name, unit, values):
 
 
 def drawn_values(values, axes):
-    """In the units of the axes. A value that is undefined, or that a logarithmic axis cannot show, has no place."""
+    """The values in the units of the axes; NaN for a value that is undefined or that a logarithmic axis cannot show."""
     return [NAN if one is None or is_log and not one > 0 else factor * one
             for one, (*_, is_log, factor) in zip(values, axes)]
 

@@ -68,7 +68,7 @@ def run_gnuplot(*arguments):
 MOUSING = re.compile(r"""<!--.*?-->\s*|<desc>Produced by GNUPLOT[^<]*</desc>\s*|\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
-UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # gnuplot's command, which names a line without a name
+UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # gnuplot's command, as the title of a line that has no name
 FAMILY = ' font-family="DejaVu Sans,Verdana,sans-serif"'  # of each text and each part of one
 INITIAL = ' stroke-linecap="butt" stroke-linejoin="miter"'  # the defaults of SVG
 PATH = re.compile(r"\bd='[^']*'")  # places with two decimals
@@ -78,7 +78,7 @@ AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|a
 
 
 def without_scripts(svg):
-    """The picture without these traces, its fonts named once. The attribute data-axes of its element has the values at the edges of
+    """The picture without gnuplot's traces, its font named once. The attribute data-axes of the element svg has the values at the edges of
     the (last) plot, so that the page can show the values under the pointer."""
     axes = " ".join(f"{name}={value}" for name, value in AXES.findall(svg))
     svg = UNNAMED.sub("", MOUSING.sub("", svg)).replace(INITIAL, "").replace(FAMILY, "")
@@ -104,8 +104,8 @@ def draw(drawing, data, target):
 
 
 def draw_one(description, name, blocks, drawn):
-    """The whole of a script that draws one answer of the program: DATA is its JSON, `blocks` makes the file NAME.blocks.tsv
-    of it, which gnuplot reads, and `drawn` the figure. Prints what was drawn, as JSON."""
+    """The main function of a script that draws one answer of the program. DATA is its JSON. `blocks` makes the file NAME.blocks.tsv of it
+    for gnuplot, and `drawn` the figure for draw(). Prints what was drawn, as JSON."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data", metavar="DATA", type=pathlib.Path)
     parser.add_argument("picture", metavar="PICTURE", type=pathlib.Path)
@@ -148,7 +148,7 @@ def short_path(match):
 
 
 def shortened(svg):
-    """The same picture in a tenth less text: colours as #003468, and none of the marks that gnuplot defines and this one does not use."""
+    """The same picture in a tenth less text: colours are written as #003468, and definitions of marks that it does not use are left out."""
     svg = re.sub(r"rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\)", lambda match: "#" + "".join(f"{int(one):02x}" for one in match.groups()), svg)
     svg = re.sub(r""" (?:d|points)\s*=\s*'[^']*'""", short_path, svg)
     defined = re.compile(r"(?m)^<(?:path|rect|circle|use)\b[^>]*? id='(gp\w+)'[^>]*/>\n")

@@ -22,7 +22,7 @@ NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginso
          **dict.fromkeys(("chittenden_central_431", "chittenden_central_430", "chittenden_minimum_368"), "Chittenden et al.")}
 HEIGHT = 840
 MAP_WIDTH, MAP_HEIGHT, MAP_ROOM = 300, 560, 128  # a map's greatest width and height, and the height of the texts above and below it, in points
-MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # a map's colours end near these multiples of the central film and of Hertz' peak, or of the greatest pressure
+MAP_FILM, MAP_PRESSURE = 1.8, 1.15  # colours end near these multiples of the central film and of Hertz' peak, or near a lower greatest pressure
 MAP_PRESSED = 0.06  # a map shows at least the places where the pressure is above this part of its maximum
 LABEL_GAP = 0.06  # the least distance of two labels, as a part of the film's axis
 LAWS = {"barus": "Barus", "roelands": "Roelands", "incompressible": "incompressible",

@@ -15,7 +15,7 @@ def scenes(out):
 
 
 def mistakes():
-    """Those of reference/mistakes.toml that change arguments or results of a function by numbers: the page can make them."""
+    """The mistakes of reference/mistakes.toml that only change arguments or results of a function by numbers. The page can make these."""
     places = (HERE.parent.parent / "reference/mistakes.toml", HERE.parent / "mistakes.toml")  # of the sources, of an installed program
     path = next((one for one in places if one.is_file()), None)
     known = tomllib.loads(path.read_text(encoding="utf-8"))["mistake"] if path else []
@@ -27,7 +27,7 @@ def mistakes():
 
 
 def parts(out):
-    """What goes on where the page's style ends, and the elements at its end; both empty where reports/live is not there."""
+    """The style to append to the page's own, and the elements for the page's end; both empty if reports/live has no tribocheck.wasm."""
     if not (HERE / "tribocheck.wasm").is_file():
         return "", ""
     # Base 85 takes a sixteenth less room than base 64. None of its signs ends a script.

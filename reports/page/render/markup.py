@@ -71,7 +71,7 @@ def plain(markdown):
 
 
 def to_html(markdown):
-    """HTML, with GitHub's additions to Markdown, but without links made of bare addresses, which may stand in texts of others."""
+    """HTML, with GitHub's additions to Markdown except links of bare addresses, which may stand in texts of others."""
     return cmarkgfm.markdown_to_html_with_extensions(str(markdown), Options.CMARK_OPT_UNSAFE,
                                                      ["table", "strikethrough", "tagfilter"])
 
@@ -113,7 +113,7 @@ def table_html(match):
 
 
 def breakable_code(match):
-    """A long name may go on in the next line after a point, a slash or an underscore, but not for three letters, as .cpp."""
+    """A long name may go on in the next line after a point, a slash or an underscore, if four or more letters follow: .cpp stays."""
     return "<code>" + re.sub(r"([./_])(?=\w{4})", r"\1<wbr>", match[1]) + "</code>"
 
 

@@ -40,7 +40,7 @@ def grouped(count):
 
 
 def percent(part, digits=3):
-    """A part as per cent; the ends are exact: 0 %, 100 %, < 0.1 % for what is not 0, and > 99.9 % for what is not 1."""
+    """A part as per cent. Only 0 and 1 are 0 % and 100 %: a part near them is < 0.1 %, > 99.9 % or > 100 %."""
     if part is None or not math.isfinite(part):
         return NO_ENTRY
     if part in (0, 1):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What cProfile measured of a solver, as JSON: its functions, whose they are, and who called whom.
+"""Prints what cProfile measured of a solver, as JSON: its functions, their kind (own, library or apart) and their callers.
 
 `tribocheck profile` calls this. STATS is the file that cProfile wrote; MODULE is the module that was run, if any.
 """

@@ -40,7 +40,7 @@ class Figures:
         self.gnuplot_is_there = True
 
     def pictures(self, name, drawn):
-        """Draws both pictures or neither. Returns why not."""
+        """Draws the SVG and the PNG, or neither. Returns their paths, and why they were not drawn; empty if they were."""
         paths = [f"figures/{name}.{kind}" for kind in ("svg", "png")]
         why = "" if self.gnuplot_is_there else drawing.NO_GNUPLOT
         for path in paths:

@@ -40,7 +40,7 @@ def provenance(baseline):
 
 
 class Made(typing.NamedTuple):
-    """A section of the page, or its first part, as Markdown."""
+    """A section of the page, as Markdown."""
     id: str
     title: str
     text: str
@@ -75,7 +75,7 @@ class Page:
         return Made(name, one.title, "\n".join(texts), one.is_folded)
 
     def missing_data(self, template):
-        """Why a group of report.json that the template, or one that it imports, reads is missing; or None."""
+        """Why data of a template are missing, by the first missing group of report.json that it or an imported template reads; or None."""
         tree = self.templates.parse((HERE / "templates" / template).read_text(encoding="utf-8"))
         for name in sorted({node.name for node in tree.find_all(jinja2.nodes.Name)}):
             group = self.report.get(name)
@@ -133,7 +133,7 @@ class Page:
 
 
 def html_of(first, parts, with_pictures=str, more_style=""):
-    """The page of a first part and sections, each Markdown; more_style goes on where style.css ends."""
+    """The page of a first part and sections, each Markdown; more_style is appended to style.css."""
     numbers = {part.id: i for i, part in enumerate(parts, 1)}
     frame = (HERE / "layout.html").read_text(encoding="utf-8")
     style, script = ((HERE / name).read_text(encoding="utf-8") for name in ("style.css", "comfort.js"))
@@ -147,7 +147,7 @@ def html_of(first, parts, with_pictures=str, more_style=""):
 
 
 def with_section_numbers(text, numbers):
-    """The HTML, in which links to sections know the number, for paper."""
+    """The HTML, in which each link to a section has the section's number, which the printed page shows."""
     return re.sub(r'<a href="#([a-z-]+)"', lambda m: f'{m[0]} data-section="{numbers[m[1]]}"' if m[1] in numbers else m[0], text)
 
 

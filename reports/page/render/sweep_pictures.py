@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Pictures of a sweep's result. The content of the result decides which pictures there are.
 
-  onset_distribution    histograms of the onset speed by each criterion, a lane each
+  onset_distribution    histograms of the onset speed, a lane for each scene and criterion
   sensitivity_<column>  Sobol indices of a scalar column, the greatest on top
-  film_map…             the film over speed and one field, where a scene is a grid of that field alone, has three
-                        speeds or more and keeps its points; the film over the two fields of a grid of two
-  film_curves…          the film over one field of a grid, where there are too few values for a map
-  curve_band_<column>   median and 95 % band of an output over speed, where fields are drawn; of a grid one for each value
+  film_map…             a grid of one field, with its points kept and three speeds or more: the film over speed and the field;
+                        a grid of two fields: the film over both
+  film_curves…          the film over one field of a grid that has too few values for a map
+  curve_band_<column>   median and 95 % band of an output over speed, if fields are drawn; beside a grid, a band for each set
 
 `tribocheck sweep --pictures` calls this; the report draws two of them. RESULT is what
 `tribocheck sweep show --format json` prints, with the cases of `grid`; - is stdin. Prints what was drawn, as JSON.
@@ -48,10 +48,10 @@ def row(*cells):
 
 
 def cell(text, longest=40):
-    """A text of the user's on one line, at most `longest` signs."""
+    """A text of the user on one line. After `longest` characters it is cut and gets an ellipsis."""
     text = "".join(" " if ord(sign) < 0x20 or ord(sign) == 0x7f else "'" if sign == '"' else sign for sign in text)
     text = text if len(text) <= longest else text[:longest] + "…"
-    return text if text.strip(" ") else "–"  # gnuplot would repeat the row before in an empty cell
+    return text if text.strip(" ") else "–"  # in an empty cell gnuplot would repeat the cell of the row before
 
 
 def in_words(name):
@@ -59,12 +59,12 @@ def in_words(name):
 
 
 def field_words(path):
-    """lubricant.pressure_viscosity as pressure viscosity."""
+    """lubricant.pressure_viscosity becomes pressure viscosity."""
     return in_words(path.rpartition(".")[2])
 
 
 def column_words(column):
-    """onset.film_maximum.speed as onset speed (film maximum)."""
+    """onset.film_maximum.speed becomes onset speed (film maximum)."""
     onset, _, quantity = column.rpartition(".")
     if not onset:
         return in_words(column)
@@ -129,8 +129,8 @@ MOST_CURVES = 8
 
 
 def apart(result):
-    """The result with a scene for each set of grid values: a band over all of them would be as wide as the grid. Where they are
-    too many, or their cases are not kept, the scene is left as it is."""
+    """The result with a scene for each set of grid values, because a band over all sets would be as wide as the grid. If that
+    makes more than MOST_CURVES scenes, the result stays as it is; a scene without `cells` stays, too."""
     cells = [scene.get("cells", []) for scene in result["scenes"]]
     if sum(max(1, len(of_scene)) for of_scene in cells) > MOST_CURVES:
         return result
@@ -145,7 +145,7 @@ def apart(result):
 
 
 def mixed_words(scenes):
-    """What else the spread of the cases is of: a remark for a subtitle."""
+    """A remark for a subtitle: several sets of grid values widen the spread. Empty if there is one set."""
     sets = max((scene.get("sets", 1) for scene in scenes), default=1)
     return f", over all {sets} sets of grid values, which widen it" if sets > 1 else ""
 
@@ -156,11 +156,11 @@ def legend(scene):
 
 # --- The spread of onset speeds.
 
-NAME_ROOM, GAP, PEAK = 0.55, 0.15, 0.82  # in units of a lane: a scene's name, and the room below its lanes
+NAME_ROOM, GAP, PEAK = 0.55, 0.15, 0.82  # in units of a lane: room of a scene's name, gap to the next scene, greatest bar
 
 
 def bins_of(value):
-    """Low end, high end and density over the logarithm, in half as many bins as the result has, so that the shape shows."""
+    """Low end, high end and cases per logarithm of speed. Two bins of the result make one, so that the shape shows."""
     edges, counts = value["histogram"]["edges"], value["histogram"]["counts"]
     for i in range(0, len(counts), 2):
         low, high = edges[i], edges[min(i + 2, len(counts))]
@@ -168,7 +168,7 @@ def bins_of(value):
 
 
 def outline(base, value, colour):
-    """The number of cases over the logarithm of the speed, the highest bar PEAK high."""
+    """The density of cases over the logarithm of the speed. The highest bar is PEAK high."""
     bins = list(bins_of(value))
     greatest = max((density for _, _, density in bins), default=0)
     text = "".join(row(speed, base, base + PEAK * density / greatest, colour)
@@ -177,7 +177,7 @@ def outline(base, value, colour):
 
 
 def height_at(value, speed):
-    """The height of the outline at a speed, as a part of its greatest."""
+    """The height of the outline at a speed, over its greatest height."""
     bins = list(bins_of(value))
     greatest = max((density for _, _, density in bins), default=0)
     here = next((density for low, high, density in bins if low <= speed < high), 0)
@@ -185,7 +185,7 @@ def height_at(value, speed):
 
 
 def numbers_beside(value):
-    """0.0934 (0.0810 to 0.108)"""
+    """Median and 95 % interval: 0.0934 (0.0810 to 0.108)."""
     if value["count"] == 0:
         return "no onset in any case"
     middle, low, high = (rounded(quantile(value, level), 3) for level in (0.5, 0.025, 0.975))
@@ -263,7 +263,7 @@ def ranked(result, name):
 
 
 def total_text(scene, name, variable):
-    """0.712 ± 0.011, and 0.712 where the error is less than its last digit."""
+    """0.712 ± 0.011; 0.712 alone if the error is not known, or less than half of the last digit."""
     total = indices_of(scene, name).get(variable, {}).get("total", {})
     value, high = total.get("value"), total.get("high")
     if value is None:
@@ -280,7 +280,7 @@ def with_ends(index):
 
 
 def fewer_groups(subjects, name):
-    """A remark for a subtitle on groups of cases that are left out because one of them has no such value."""
+    """A remark for a subtitle. A group of cases is left out if one of its cases has no value of the column."""
     parts = [(column_of(scene, name)["values"][0]["sensitivity"]["groups"], scene["draws"]) for scene, _, _ in subjects]
     groups, draws = min(parts, key=lambda part: part[0] / part[1])
     return f"; {grouped(groups)} of {grouped(draws)} groups have it" if groups < draws else ""
@@ -333,7 +333,7 @@ def is_band(scene, column):
 
 
 def without_value(values):
-    """For the legend: the part of cases without a value, such as friction without a film, at the speed with most of them."""
+    """For the legend: the greatest part, over all speeds, of cases without a value, such as friction without a film."""
     missing = [value["undefined"] / (value["count"] + value["undefined"]) for value in values]
     if not any(missing):
         return ""
@@ -342,7 +342,7 @@ def without_value(values):
 
 
 def linear_range(low, high):
-    """The range of a linear axis that holds low and high, from 0 where 0 is not far."""
+    """The range of a linear axis that holds low and high. It begins at 0 if 0 ≤ low < high/2."""
     low = 0 if 0 <= low < high / 2 else low
     room = 0.04 * (high - low)
     return low - room if low else 0, high + (room if room > 0 else 1)
@@ -394,8 +394,8 @@ def thinned(count, most):
 
 
 def speed_of_greatest(speeds, films):
-    """Where the parabola through the greatest film and its neighbours is highest, all in logarithms. NaN if the
-    greatest is at an end; if a neighbour has no film, the speed of the greatest itself."""
+    """The speed at the top of the parabola, in logarithms, through the greatest film and its neighbours. NaN if the
+    greatest film is at an end; its own speed if a neighbour has no film."""
     at = films.index(max(films))
     if at == 0 or at + 1 >= len(films):
         return NAN
@@ -414,8 +414,8 @@ FLAT = 0.01
 
 
 def end_of_floor(speeds, films):
-    """The speed up to which the film stays that of the least speed, because asperities carry all of the load; NaN: the film
-    changes at once."""
+    """The speed up to which the film stays as it is at the least speed, because asperities carry all of the load. NaN if
+    the film changes at once."""
     flat = 0
     while flat + 1 < len(films) and films[0] > 0 and abs(films[flat + 1] / films[0] - 1) < FLAT:
         flat += 1
@@ -423,14 +423,14 @@ def end_of_floor(speeds, films):
 
 
 def is_face(path):
-    """Is it the radius of one of two faces, below 0 where it is concave?"""
+    """Is `path` the radius of a face? Such a radius is negative if the face is concave."""
     return re.fullmatch(r"bodies\.(first|second)_radius_[xy]", path) is not None
 
 
 FILMS = {"film": "film h*", "solved_film.central": "solved central film", "solved_film.minimum": "solved minimum film"}
 ZERO_CELSIUS = 273.15  # K
 LEAST_VALUES = 3  # of an axis of a map
-SMOOTH = 48  # A map of fewer values is interpolated between them, so that its colours look smooth.
+SMOOTH = 48  # If a map has fewer values, colours are interpolated between them.
 
 
 class Axis(typing.NamedTuple):
@@ -439,7 +439,7 @@ class Axis(typing.NamedTuple):
     words: str
     values: list
     factor: float = 1  # from SI units
-    zero: float = 0  # in SI units: that of °C
+    zero: float = 0  # in SI units: 273.15 K if °C are shown
     is_speed: bool = False
 
     def shown(self):
@@ -479,7 +479,7 @@ def film_map(scene, stem, column, across, up, films, where):
         at, row_of_films = up.shown()[i], [films.get((x, up.values[i]), NAN) for x in across.values]
         row_of_films = [NAN if one is None else one for one in row_of_films]
         for j in thinned(len(across.values), MOST_COLUMNS):
-            here = 1e9 * row_of_films[j] if row_of_films[j] > 0 else NAN  # a collapsed film is a hole, as on any logarithmic scale
+            here = 1e9 * row_of_films[j] if row_of_films[j] > 0 else NAN  # a collapsed film has no logarithm: a hole
             has_gaps = has_gaps or math.isnan(here)
             shown += [] if math.isnan(here) else [here]
             table += row(across.shown()[j], at, here)
@@ -510,7 +510,7 @@ def film_map(scene, stem, column, across, up, films, where):
 
 
 def film_curves(scene, stem, across, curves):
-    """`curves`: the films (m) over the values of the axis, by their names."""
+    """`curves`: for each curve's name, its films (m) at the values of the axis."""
     shown = [1e9 * one for films in curves.values() for one in films if one is not None and one > 0]
     if not shown or not 0 < len(curves) <= MOST_CURVES:
         return None
@@ -602,7 +602,7 @@ def draw_all(result, folder):
             if not why:
                 written.append(str(target))
                 continue
-            target.unlink(missing_ok=True)  # an old one would not belong to the new data
+            target.unlink(missing_ok=True)  # an old picture would not belong to the new data
             if why == drawing.NO_GNUPLOT:
                 return written, [f"{why}: no pictures (Debian: apt-get install gnuplot-nox)"]
             undrawn.append(f"{target}: {why}")

@@ -15,7 +15,7 @@ verdicts = []  # of all checks of this process, for the plug-in of pytest
 
 
 class _Unit:
-    """Another unit than the SI unit: a number x of it is zero + one * x in the SI unit."""
+    """A unit in place of the SI unit: x in this unit is zero + one * x in the SI unit."""
 
     def __init__(self, name, text, si):
         self.zero, self.one = (_library.number(f"{number} {text}", si or "%") for number in (0, 1))
@@ -31,7 +31,7 @@ class _Unit:
 
 
 class _Solver:
-    """One function of the solver, as questions are put to it."""
+    """Asks one function of the solver."""
 
     def __init__(self, name, function, arguments, units):
         self.function, self.arguments = function, arguments
@@ -40,16 +40,16 @@ class _Solver:
         self.units = {one["name"]: _Unit(one["name"], units[one["name"]], one["unit"])
                       for one in [*entry["parameters"], *entry["results"]] if one["name"] in units}
         self.is_point = name not in catalogue
-        try:  # arguments that the function has no default for get the catalogue's one where a question leaves them out
+        try:  # the catalogue's default is for an argument that the question lacks and that has no default in the function
             needed = [one.name for one in inspect.signature(function).parameters.values()
                       if one.default is one.empty and one.kind in (one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)]
-        except ValueError:  # written in C
+        except ValueError:  # a function written in C has no signature
             needed = [self.arguments.get(one["name"], one["name"]) for one in entry["parameters"]]
         self.defaults = {one["name"]: one["default"] for one in entry["parameters"]
                          if "default" in one and self.arguments.get(one["name"], one["name"]) in needed}
 
     def answers(self, questions):
-        """The answer to each, without its id. Questions with the same arguments are asked together, as arrays."""
+        """The answer to each question, without its id. Questions with the same arguments and words are asked together, as arrays."""
         if self.is_point:
             return [self._answer(self._fields, {key: value for key, value in one.items() if key != "id"}) for one in questions]
         questions = [self.defaults | one for one in questions]
@@ -65,14 +65,14 @@ class _Solver:
         return answers
 
     def _together(self, key, asked):
-        """By arrays; one by one where the function takes none."""
+        """Asks the questions at once, as arrays, or one by one if the function takes no arrays."""
         count = len(asked)
         try:
             with numpy.errstate(all="ignore"):
                 fields = self._fields(**self._given(key, lambda name: numpy.array([float(one[name]) for one in asked])))
             columns = {name: _column(value, count) for name, value in fields.items()}
             return [{name: column[i] for name, column in columns.items() if column[i] is not None} for i in range(count)]
-        except Exception:  # an error of a call with arrays is not told: the questions are asked one by one, and an error there is
+        except Exception:  # this error is not told: the questions are asked one by one, and errors there are told
             return [self._answer(lambda one: self._fields(**self._given(key, lambda name: float(one[name]))), one) for one in asked]
 
     def _given(self, key, numbers):
@@ -89,7 +89,7 @@ class _Solver:
                     if value is not None}
         except NotImplementedError as error:
             return {"skip": str(error) or "not implemented"}
-        except Exception as error:  # it is the solver's, and becomes part of the verdict
+        except Exception as error:  # an error of the solver, which becomes part of the verdict
             names = isinstance(error, TypeError) and re.search("required .*argument|keyword argument", str(error))
             hint = "; check(…, arguments={name in the catalogue: its own name}) is for other names" if names else ""
             return {"error": f"{type(error).__name__}: {error}{hint}"}
@@ -134,8 +134,8 @@ def _json(request):
 
 
 def _refuse_unknown(functions, **renamed):
-    """Raises an error for a name that no checked function has. A misspelt name would be ignored without a word, and the verdict be on a
-    function that was called in another way than was meant."""
+    """Raises an error for a name that no checked function has. A misspelt name would else be ignored without a message, and the
+    function would be called in another way than the user meant."""
     known = dict.fromkeys(one["name"] for name in functions if name in catalogue
                           for one in [*catalogue[name]["parameters"], *catalogue[name]["results"]])
     for option, names in renamed.items():

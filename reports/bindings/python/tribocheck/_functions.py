@@ -35,7 +35,7 @@ def _made(entry):
         kinds[kind.__name__] = kind
         call = f"_make({call})"
     given = [one["name"] + (f"={one['default']!r}" if "default" in one else "") for one in entry["parameters"]]
-    # An argument without a default may follow one that has it: from there on all are given by name.
+    # An argument without a default may follow one with a default. Then all from the first default on are given by name.
     first = next((i for i, one in enumerate(given) if "=" in one), len(given))
     given.insert(first if any("=" not in one for one in given[first:]) else len(given), "*")
     exec(f"def {name}({', '.join(given)}, masked=False):\n    return {call}\n", scope)  # as collections.namedtuple does

@@ -16,7 +16,7 @@ def _range(parameter):
 
 
 def lines(entry, texts, faults, several, example):
-    """`texts`: how many words are given; `faults`: what becomes of a wrong argument; `several`: how results come that are several."""
+    """The lines of the help. `texts`: how words are given; `faults`: what a wrong argument does; `several`: how several results are returned."""
     return [entry["meaning"][:1].upper() + entry["meaning"][1:] + ".", "", f"    {entry['equation']}", "",
             f"Arguments, each a number or an array (of words: a text or {texts}):", "",
             *(line for one in entry["parameters"] for line in (_row(one), _range(one))), "", *faults, "",

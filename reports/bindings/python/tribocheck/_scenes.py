@@ -19,9 +19,9 @@ from . import _library
 class Points:
     """Operating points: an array for the speed and for each output, by its name, as `.speed` and `.film`.
 
-    The arrays have the shape of the speeds that were asked for. A number that is undefined, as where the film has
-    collapsed, is NaN, a word is "". `dict(points)` has all by their names, as pandas.DataFrame takes it. Words are made into
-    texts when they are first read.
+    The arrays have the shape of the speeds that were asked for. An undefined number, for example where the film has
+    collapsed, is NaN; an undefined word is "". `dict(points)` has all arrays by name, and pandas.DataFrame takes it.
+    Words become texts when they are first read.
     """
 
     __slots__ = ("_columns", "_words")
@@ -31,16 +31,16 @@ class Points:
 
     def __getattr__(self, name: str) -> Any:
         """The column of an output."""
-        if name in Points.__slots__:  # one that is not made yet, as by pickle
+        if name in Points.__slots__:  # not set yet, for example in pickle
             raise AttributeError(name)
         if name not in self._columns:
             raise AttributeError(f"no output {name} was computed; there are: {', '.join(self)}")
         return self[name]
 
     def __getitem__(self, name: str) -> Any:
-        """The same, of a name in quotes."""
+        """The column of an output, as points["film"]."""
         column = self._columns[name]
-        if column.dtype.kind == "i":  # codes; that of what is undefined is the last one
+        if column.dtype.kind == "i":  # codes; the code of an undefined word is -1, the last text
             column = self._columns[name] = self._words[name][column]
         return column
 
@@ -49,15 +49,15 @@ class Points:
         return self._columns.keys()
 
     def __iter__(self) -> Iterator[str]:
-        """Over the names."""
+        """Iterates over the names."""
         return iter(self._columns)
 
     def __dir__(self) -> list[str]:
-        """With the names."""
+        """All attributes, also the names."""
         return [*super().__dir__(), *self]
 
     def __eq__(self, other: object) -> bool:
-        """Whether all columns are the same; NaN is as NaN."""
+        """Whether all columns are the same; NaN equals NaN."""
         if not isinstance(other, Points):
             return NotImplemented
         return self.keys() == other.keys() and all(
@@ -74,11 +74,11 @@ class Curve(Points):
     __slots__ = ()
 
     def plot(self, axes: Any = None, outputs: Iterable[str] = ("friction", "film", "asperity_load_share")) -> Any:
-        """Draws outputs against the logarithm of the speed, with matplotlib, and returns the axes, one an output.
+        """Draws outputs against the logarithm of the speed, with matplotlib, and returns the axes, one for each output.
 
             >>> scene.curve().plot()    # doctest: +SKIP
 
-        axes    a list of as many as outputs are drawn; without it a figure is made
+        axes    a list with one for each output that is drawn; without it a new figure is made
         outputs names; those that the curve does not have are left out
         """
         outputs = [name for name in outputs if name in self]
@@ -109,7 +109,7 @@ class Onset(NamedTuple):
 
 @dataclasses.dataclass(frozen=True, slots=True)
 class Measured:
-    """A number and what it may be off by, which prints as `3.008330e-08 ± 2.9e-13 m`. Calculate with its `.value`."""
+    """A number with its possible error. It prints as `3.008330e-08 ± 2.9e-13 m`. Calculate with its `.value`."""
 
     value: float
     error: float
@@ -142,14 +142,14 @@ class Film:
         friction                    of the oil over the load; needs lubricant.eyring_stress
         spike_pressure          Pa  of a line contact
         spike_place             m
-        flooded_central         m   of a starved contact: its central film with a flooded inlet,
-        film_ratio                  and the central film over that
+        flooded_central         m   of a starved contact: its central film with a flooded inlet
+        film_ratio                  of a starved contact: central over flooded_central
 
     Where one is undefined its value is NaN, and `undefined` is a dict of the reasons, by name. `profile` has x, pressure and
     film along the middle. `formulas` lists each formula's film; `half_width`, `peak_pressure`, `load_number` (M),
     `material_number` (L), `tolerance`, `grids`, `cells`, `assumptions` and the rest are as in `tribocheck film --format
-    json`. `reason` is empty, or says that another error was reached in place of the tolerance. `warnings`: the limits that
-    the scene exceeds. str() has all that is measured, a line each.
+    json`. `reason` is empty, or says which error was reached if it is not the tolerance. `warnings`: the limits that
+    the scene exceeds. str() has a line for each number with an error.
     """
 
     central: Measured
@@ -215,8 +215,8 @@ class Scene:
     source  the path of a file in TOML or JSON, such a text (with a line end, or of JSON), or a dict of the same shape.
             model/README.md, section 1, has all fields with units, ranges and defaults
 
-    Faults in it are a ValueError that names each field, its value and what is allowed, a line each. A Scene does not change:
-    another load is another Scene.
+    A faulty scene raises ValueError with a line for each fault: the field, its value and what is allowed. A Scene does not
+    change: another load is another Scene.
 
     id        its name
     outputs   those that it asks for, a dict {name: meaning, with its unit}
@@ -265,7 +265,7 @@ class Scene:
         speeds   m/s, above 0: a number or an array; without it the scene's own
         outputs  names, whether the scene asks for them or not; without it those that it asks for
 
-        A speed that is NaN, infinite or not above 0 is a ValueError that tells its index. Other threads run during
+        A speed that is NaN, infinite or not above 0 raises ValueError with its index. Other threads run during
         the call, and Ctrl-C ends it. A million points take some 50 ms, and some 30 more where an output that is a word is
         first read.
         """
@@ -322,8 +322,8 @@ def film(scene: Scene | str | os.PathLike[str] | Mapping[str, Any], speed: float
     density    "incompressible", the default, or "dowson_higginson"
     flooded    takes the inlet as flooded, whatever the scene's supply; refused where it has none
 
-    A line contact takes some tenths of a second, a point contact from a second to minutes; Ctrl-C ends it. Arguments that are
-    not allowed are a ValueError, a contact that is not solved is a RuntimeError with the reason.
+    A line contact takes some tenths of a second, a point contact from a second to minutes; Ctrl-C ends it. An argument that is
+    not allowed raises ValueError. A contact that is not solved raises RuntimeError with the reason.
     """
     if not isinstance(scene, Scene):
         scene = Scene(scene)
