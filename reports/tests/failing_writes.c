@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Preloaded into the program by test_sweep_writes.py and test_sweep_ranks.py: has one call fail by which a file is changed, the
-   FAILING_CALL-th of those on files whose paths begin with FAILING_PATH (the name may have a dot in front), or all from that one on where
-   FAILING_ON is set. A sync of the folder of these files is such a call too. Writes to FAILING_COUNT how many calls there were, which
-   failed last, and a letter for each call: w for a write, s for a sync of a file, f for a sync of the folder, r for a rename, u for a
-   rename of a file with writes that were not synced, o for another call. */
+/* Preloaded into the program by test_sweep_writes.py and test_sweep_ranks.py: makes a call that changes a file fail. The calls that count
+   are those on files whose paths begin with FAILING_PATH (the name may have a dot in front), and syncs of the folder of these files. The
+   FAILING_CALL-th of them fails; where FAILING_ON is set, all later ones fail too. The file FAILING_COUNT gets the number of calls, the
+   call that failed last, and a letter for each call: w for a write, s for a sync of a file, f for a sync of the folder, r for a rename,
+   u for a rename of a file with writes that were not synced, o for another call. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -26,7 +26,7 @@ static int has_watched_start(const char* path) {
   const char* const name = start == NULL ? NULL : strrchr(start, '/');
   if (name == NULL || strncmp(path, start, (size_t)(name + 1 - start)) != 0) return 0;
   path += name + 1 - start;
-  if (*path == '.') ++path;  /* a file that has not its name yet */
+  if (*path == '.') ++path;  /* an unfinished file: its name has a dot in front */
   return strncmp(path, name + 1, strlen(name + 1)) == 0;
 }
 
@@ -43,7 +43,7 @@ static int is_watched(int file) {
   return has_watched_start(path_of(link, path, sizeof path));
 }
 
-/* Also an open file that is opened once more, through /proc. */
+/* True also where a watched file that is open is opened once more, through /proc. */
 static int is_watched_path(const char* path) {
   char file[4096];
   return has_watched_start(strncmp(path, "/proc/self/fd/", 14) == 0 ? path_of(path, file, sizeof file)
@@ -58,7 +58,7 @@ static int is_watched_in(int folder, const char* name) {
   return is_watched_path(whole);
 }
 
-/* The folder of FAILING_PATH. */
+/* Whether the open file is the folder of FAILING_PATH. */
 static int is_watched_folder(int file) {
   char link[64], path[4096];
   const char* const start = getenv("FAILING_PATH");
@@ -74,7 +74,7 @@ static struct stat unsynced[256];
 static size_t unsynced_count;
 static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;
 
-/* The letter of a call on the file of this status: a write notes it, a sync takes it out. */
+/* The letter of a call on the file with this status. A write notes the file, a sync removes it. */
 static char kind_by_file(const struct stat* file, char kind) {
   pthread_mutex_lock(&guard);
   size_t i = 0;
@@ -138,7 +138,7 @@ ON_A_FILE(int, fdatasync, (int file), (file))
 ON_A_FILE(int, ftruncate, (int file, off_t size), (file, size))
 ON_A_FILE(int, ftruncate64, (int file, off64_t size), (file, size))
 
-/* As the system does: the file is closed all the same. */
+/* The file is closed even where its close fails, as on Linux. */
 int close(int file) {
   const int failing = fails_on_file(file, "close");
   const int error = errno, result = NEXT(close)(file);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Preloaded into the program by test_sweep_files.py: as where `ulimit -u` or a container allows only
-   MOST_THREADS threads beside the first. */
+/* Preloaded into the program by test_sweep_files.py: allows only MOST_THREADS threads beside the
+   first, as `ulimit -u` or a container may do. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps whose every number is kept, bit by bit, beside the version of numbers that parts carry: a newer program goes
-on with the parts of an older one only where no answer has changed a bit.
+"""Keeps all numbers of some sweeps, to the last bit, with their numbers_version. A newer program goes on with the parts
+of an older one if both have the same numbers_version, so that then no bit of an answer may differ.
 
-  make numbers      calls it: writes reference/baselines/numbers.json, after numbers_version was raised
+  make numbers      runs this script, after numbers_version was raised: it writes reference/baselines/numbers.json
 
 The numbers of machines with and without fused multiply-add differ, and both are kept.
 """
@@ -50,7 +50,7 @@ SWEEPS = {
 
 
 def told(value):
-    """A number as JSON has it: NaN as null, a word as it is."""
+    """A value for JSON: NaN becomes null, and bytes become text."""
     if isinstance(value, bytes):
         return value.decode()
     value = value.item() if hasattr(value, "item") else value

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0
- * A solver in C that is judged within its own program, and calls the library from four threads.
+ * A solver in C that the library judges within this program; the library called by four threads.
  *
- *   library_user moments ORDER D...   the moments, a number a line
- *   library_user judge right|wrong    the verdict on the radius of Hertz' circle
- *   library_user threads FILE         0 where each of four threads gets what one alone gets
- *   library_user texts                0 where texts of any size are told as the header says */
+ *   library_user moments ORDER D...   the status and the moment of each D, a line each
+ *   library_user judge right|wrong    the verdict on a right or wrong radius of Hertz' circle
+ *   library_user threads FILE         exit code 0 if four threads get the same as one alone
+ *   library_user texts                exit code 0 if texts of any size are as the header says */
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@ static double number_in(const char* line, const char* name) {
   return strtod(found + strlen(name) + 2, NULL);
 }
 
-/* Answers each line; factor 1 is right. */
+/* The answers to the questions, a line each. A factor of 1 makes them right. */
 static char* answers_to(char* questions, double factor) {
   char* answers = malloc(ROOM);
   char* end = answers;

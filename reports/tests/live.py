@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page's live part asked under Node, without a page, and random scenes for it."""
+"""Asks the page's live part under Node, without a page, and makes random scenes for it."""
 import json
 import math
 import pathlib
@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def ask(questions):
-    """The answers of live_model.js to questions [what, …]."""
+    """The answers of live_model.js to questions; each question is [what, argument, …]."""
     done = subprocess.run([shutil.which("node"), HERE / "live_model.js"], input="".join(json.dumps(one) + "\n" for one in questions),
                           capture_output=True, text=True, timeout=TIMEOUT, env=ENVIRONMENT)
     if done.returncode or done.stderr:
@@ -21,7 +21,7 @@ def ask(questions):
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
-# Dotted paths of the numbers of a random scene, with the ranges that they are drawn from, even in their logarithm.
+# The dotted path of each number of a random scene, and the range in which its logarithm is drawn uniformly.
 NUMBERS = {"load": (0.1, 1e4), "speed": (1e-5, 30), "bodies.effective_modulus": (1e9, 3e11), "lubricant.viscosity": (1e-3, 1),
            "lubricant.pressure_viscosity": (5e-9, 3e-8), "lubricant.eyring_stress": (1e6, 2e7), "surface.summit_density": (1e9, 1e13),
            "surface.summit_radius": (1e-6, 1e-3), "surface.summit_height_sd": (1e-8, 1e-6), "surface.rms_roughness": (1e-8, 1e-6),
@@ -48,7 +48,7 @@ def random_scene(seed):
               "closures.asperity": draw.choice(["greenwood_tripp", "greenwood_williamson"]),
               "closures.film": draw.choice(LINE_FILMS if shape == "line" else POINT_FILMS)}
     if scene["closures.film"] == "nijenbanning_venner_moes" and shape == "circle":
-        scene["bodies.ellipticity"] = 1.0  # that law takes radii in its place
+        scene["bodies.ellipticity"] = 1.0  # this law takes two radii in place of another ellipticity
         numbers.remove("bodies.ellipticity")
     if supply != "flooded":
         scene["closures.starvation"] = draw.choice(["flooded_inlet", "starved_inlet", "damiens"])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's live part under Node, without a page: answers each line of JSON of its input, [what, …], by a line.
+// The page's live part under Node, without a page. Each input line is JSON, [what, argument, …]; its answer is a line of JSON.
 "use strict";
 const fs = require("fs"), path = require("path"), readline = require("readline"), vm = require("vm");
 
@@ -9,7 +9,7 @@ vm.runInThisContext(fs.readFileSync(path.join(folder, "live.js"), "utf8"));
 const live = globalThis.tribocheckLive;
 
 const answers = (model) => ({
-  // The outputs at a speed of a scene, NaN as null; or its faults.
+  // The outputs of a scene at one speed, NaN as null; {told} where the scene has errors.
   solve: (toml, speed) => {
     const told = model.read(toml);
     if (told.some(([kind]) => kind === "error")) return {told};

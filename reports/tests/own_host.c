@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Preloaded into the program by test_sweep_join.py and test_sweep_files.py: the host's name is HOST_NAME if that is
-   set; where NO_LOCKS is set, no file system has locks; where OTHER_OWNER is set, all files belong to another user;
-   where RENAME_ERROR is set, a rename with flags fails with this error. */
+   set; where NO_LOCKS is set, no file system has locks; where OTHER_OWNER is set, all files seem to belong to
+   another user; where RENAME_ERROR is set, a rename with flags fails with this error. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The paper's contact with SciPy, from Table 1 and the equations alone, for the tests of the page's numbers."""
+"""Computes the paper's contact with SciPy, from Table 1 and the equations alone, for the tests of the page's numbers."""
 import functools
 import math
 import re
@@ -21,8 +21,8 @@ def moment(order, d):
 
 
 class Contact:
-    """One surface with Greenwood and Tripp's contact, or Greenwood and Williamson's, m faces with the offset; `stiffer` is a factor on
-    the load of the asperities, `faster` one on the speed in the film formula."""
+    """One surface, with the contact of Greenwood and Tripp (GT) or of Greenwood and Williamson (GW). `m` multiplies the
+    offset, `stiffer` the load of the asperities, and `faster` the speed in the film formula."""
 
     def __init__(self, surface, m=1.0, model="GT", stiffer=1.0, faster=1.0):
         density, self.sd = SURFACES[surface]
@@ -42,10 +42,10 @@ class Contact:
 
     @functools.cache
     def flooded(self, speed):
-        """λ of the flooded film: as large as the fluid's part of the load makes it."""
+        """λ of the flooded film, by ln(λ/λ of the smooth film) = −0.14 ln(1 − the asperities' share of the load)."""
         smooth = self.smooth_film(speed)
         least = 0.0
-        if self.stiffness * moment(self.order, -self.offset) >= 1:  # there is a floor, at which summits carry all
+        if self.stiffness * moment(self.order, -self.offset) >= 1:  # at a floor the summits carry all the load
             least = optimize.brentq(lambda film: self.stiffness * moment(self.order, film - self.offset) - 1, 0, 20, xtol=1e-15, rtol=1e-14)
 
         def excess(film):
@@ -112,7 +112,7 @@ def elliptic_contact(load, modulus, radius_x, radius_y):
 
 
 class Told(WrittenReport):
-    """The page in its sections, and the numbers that it tells in them."""
+    """The sections of the page, and a check of the numbers in them."""
 
     @classmethod
     def setUpClass(cls):
@@ -122,7 +122,7 @@ class Told(WrittenReport):
         cls.contacts = {name: Contact(name) for name in SURFACES}
 
     def tells(self, section, pattern, *values):
-        """Asserts that the groups of the pattern, where it stands first in the section, are the values to their last digits."""
+        """Asserts that the groups of the pattern's first match in the section are the values, each to its last digit."""
         text = re.sub(r"<[^>]*>|\\|`|\*\*", "", re.sub("[ \n]+", " ", self.parts[section]))
         found = re.search(pattern.replace("NUMBER", r"(−?[\d.\u202f]+)"), text)
         self.assertIsNotNone(found, (section, pattern))

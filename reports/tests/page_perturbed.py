@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""report.json with other numbers: parts of a whole at their limits and beside them, too, and each yes as a no, too.
+"""Changes the numbers of report.json: parts of a whole may become 0, 1 or nearly so, and each yes may become a no.
 
-A page that is made of it shows which field stands in which cell, even where real numbers are equal, and takes branches
-of the templates that the real numbers do not take.
+A page that is made of the changed numbers shows which field stands in which cell, even where real numbers are equal. It
+also takes branches of the templates that the real numbers do not take.
 """
 import random
 
-# Names to which other values refer, and values that a picture of the page is made of.
+# Members that keep their values: other values refer to them, or a picture of the page is made of them.
 KEPT = {"level", "edges", "digits", "least_load_number", "is_over_speeds", "is_counted", "counts"}
 DIVISORS = {"value", "reported", "computed", "ns"}  # never 0
 PARTS = (0.0, 1.0, 0.9996, 0.99951, 0.0004, 0.001, 0.05, 0.9, 0.91)
@@ -27,7 +27,7 @@ def named(value, name=None):
 
 
 def changed(value, draw, words=(), name=None):
-    """The value with other numbers in it. A name in `words` gets another of its words."""
+    """The value with other numbers in it. A text whose name is in `words` becomes one of the words of this name."""
     if isinstance(value, dict):
         made = {key: changed(one, draw, words, key) for key, one in value.items()}
         if made.keys() == {"value", "error"} and value["error"]:
@@ -52,9 +52,9 @@ def changed(value, draw, words=(), name=None):
 
 
 def perturbed(report, seed):
-    """A report whose groups fit together. The seed decides whether none, one or two findings fail, the last ones.
+    """A report whose groups fit together. Of the findings about the software the last seed − 1 fail.
 
-    It always names a part that was not run, because a page that is made without gnuplot always has that table.
+    The report always names a part that was not run, because a page that is made without gnuplot always has that table.
     """
     draw = random.Random(seed)
     made = changed(report, draw, {name: sorted({value for key, value in named(report) if key == name and value}) for name in WORDS})

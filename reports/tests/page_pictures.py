@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The contents that each picture of the report's page has to draw, from the columns of its data and from report.json.
 
-A picture is a list of panels. A panel tells whether its x axis and its y axis are logarithmic (or the values at the ends of a y axis
-without ticks), has its series in the order of the plot, and tells whether they may leave the panel. A series has its name in the legend,
-its colour or None, its points, and whether gnuplot adds strokes of its own (caps of error bars, corners of boxes).
+A picture is a list of panels. A panel is a tuple: whether x is logarithmic, whether y is (or the values at the ends of a y axis without
+ticks), the series in the order of the plot, and whether points may lie outside of the panel. A series is a tuple: its name in the legend,
+its colour, its points, and whether gnuplot adds strokes of its own (caps of error bars, corners of boxes). A name or colour may be None.
 """
 import itertools
 import math
@@ -16,7 +16,7 @@ from svg_plots import NEAR, Axis, absent, contours, fills_of, looks, number, rea
 COLOURS = {"rough": 0xD86400, "medium": 0x006B50, "smooth": 0x003468, "ball_on_flat": 0x003468, "bearing_outer_ring": 0x006B50,
            "gear_flank": 0xD86400}
 SURFACES, GREY = ("rough", "medium", "smooth"), 0x666666
-FOOT, TOP = "foot", "top"  # places at the ends of a panel
+FOOT, TOP = "foot", "top"  # in place of a y: the lower and the upper end of a panel
 SMOOTH = COLOURS["smooth"]
 
 
@@ -54,7 +54,7 @@ def column(rows, x, y, factor=1):
 
 
 def blocks(path):
-    """The rows of each block, under the names in the commented line, by the name of the block."""
+    """Yields the name and the rows of each block. The last commented line of the file has the names of the columns."""
     names = [line for line in path.read_text().splitlines() if line.startswith("# ")][-1][2:].split("\t")
     names = [name.split(" [")[0] for name in names]
     for block in re.split(r"\n\n\n", path.read_text()):
@@ -136,7 +136,7 @@ class Data:
         lines.append(series("onset (film maximum)", SMOOTH, self.mark("onset", "smooth", "GT", "film", 1e9)))
         return [(True, True, lines + [series("collapse: film 0", SMOOTH, self.mark("collapse", "smooth", "GT", FOOT))], True)]
 
-    # --- The ledger's, and the contacts'.
+    # --- The figures of the ledger and of the contacts.
 
     def over_roughness(self, what, law, is_log, more=()):
         rows = table(self.out / "data/ledger_surfaces.tsv")
@@ -174,7 +174,7 @@ class Data:
             panels.append((True, is_log, lines + (keys("least friction") if last else []), False))
         return panels
 
-    # --- Films of lines, fits and work.
+    # --- The figures of films, fits and work.
 
     def line_film_profile(self):
         rows = table(self.out / "data/line_film_profile.tsv")
@@ -228,7 +228,7 @@ class Data:
         stem, of_evaluations = re.fullmatch(r"work_(.*?)(_evaluations)?", name).groups()
         of_films = stem in ("line_film", "point_film")
         everything = list(blocks(self.out / f"data/work_precision/{stem}.blocks.tsv"))
-        found = [one for one in everything if not of_films or "_minimum" not in one[0]][:8]  # the others are data alone
+        found = [one for one in everything if not of_films or "_minimum" not in one[0]][:8]  # only these are drawn
         x, factor = ("CPU time a contact", 1e-9) if of_films else ("CPU time a point", 1)
         x, y = "evaluations a point" if of_evaluations else x, "greatest relative error" if of_films else "greatest error"
 
@@ -241,7 +241,7 @@ class Data:
         return [(True, True, bars + [series(name, None, points(rows)) for name, rows in shown] +
                  [series(title, 0, points(failing))] * (bool(failing) or not of_films), False)]
 
-    # --- The sweep's, by report.json alone.
+    # --- The figures of the sweep, from report.json alone.
 
     def sensitivity_onset_film_maximum_speed(self):
         found = self.report["onset_uncertainty"]
@@ -295,7 +295,7 @@ class Data:
 
 
 def map_differences(path, data):
-    """The six maps: contours lie where the errors of the table pass a level, dashed below 0 and solid above; labels and tracks stand at their places."""
+    """Yields the faults of the six maps: a contour (dashed below 0) where the table's errors do not pass a level, a label or track off its place."""
     rows = table(data.out / "data/line_film_errors.tsv")
     tracks = [point for _, block in blocks(data.out / "data/line_film_tracks.blocks.tsv") for point in column(block, "load number M", "material number L")]
     loads, materials = (sorted({float(row[name]) for row in rows}) for name in ("load number M", "material number L"))
@@ -306,7 +306,7 @@ def map_differences(path, data):
         across, up = Axis({one: x for one, x in plot.labels["x"].items() if number(one) and "+" not in one}, True), Axis(plot.labels["y"], True)
 
         def around(load, material):
-            """The errors at the corners of the cell, which is a little larger than its place because places are rounded."""
+            """The errors at the corners of the table's cell around a place. The cell is widened a little, because places are rounded."""
             some = [[one for low, one, high in zip([0, *grid], grid, [*grid[1:], math.inf]) if low / 1.002 <= value <= high * 1.002]
                     for grid, value in ((loads, load), (materials, material))]
             return [float(at[place][name]) for place in itertools.product(*some)]
@@ -329,12 +329,12 @@ def map_differences(path, data):
 
 
 def cell_differences(path, data):
-    """The nine panels of cells: at each M, liquid and L stands a cell, blue where the formula's film is too thin and orange where it is too
-    thick, the stronger the farther off, with the error as its number; and there are no others."""
+    """Yields the faults of the nine panels of cells. Each M, liquid and L has one cell, with the error as a number; there are no other cells. A
+    cell is blue where the formula's film is too thin and orange where it is too thick, and its colour is stronger for a greater error."""
     plots = [one for one in read(path)[0] if "2000" in one.labels["x"]]
     found, written = dict(blocks(data.out / "data/point_film_errors.blocks.tsv")), texts(path)
     order = [one["name"] for one in data.report["point_films"]["formulas"]]
-    panels = [order[i] for i in (0, 2, 3, 6, 4, 7, 1, 8, 5)]  # the powers to the left, Nijenbanning's readings to the right
+    panels = [order[i] for i in (0, 2, 3, 6, 4, 7, 1, 8, 5)]  # left: the power laws; right: readings of Nijenbanning's law
     if len(plots) != len(panels) or set(found) != set(panels):
         yield f"{len(plots)} panels of {len(found)} formulas"
         return
@@ -367,7 +367,7 @@ def cell_differences(path, data):
 
 
 def differing(plot, box, across, up, wanted, leaves):
-    """One panel: titles, colours, points that are not drawn, and what is drawn where no point is."""
+    """Yields the differences of one panel: other names or colours, points that are not drawn, and strokes where no point is."""
     left, right, top, bottom = box
     shown = [one for one in plot.series if one.title or one.lines or one.points]
     wanted = [one for one in wanted if one[0] or any(math.isfinite(y) for _, y in one[2] if y not in (FOOT, TOP)) or
@@ -417,7 +417,7 @@ def differences(path, name, data):
             said.append(f"panel {at}: ticks stand elsewhere than in the panel below")
         said += [f"panel {at}: a tick's label is {axis.far:.2f} px from its place" for axis in (across, up) if axis.far > 0.05]
         said += [f"panel {at}: {label!r} has a hyphen for a minus" for ticks in plot.labels.values() for label in ticks if "-" in label]
-        for text, x, y in data.words.get(name, ()):  # texts beside their points, up to 95 px to the side where x is given
+        for text, x, y in data.words.get(name, ()):  # within 25 px of y, and within 95 px of x where it is given
             if not any(text == one and (x is None or abs(a - across.place(x)) < 95) and abs(b - up.place(y)) < 25 for one, a, b in written):
                 said.append(f"panel {at}: {text!r} is not written at {x}, {y}")
         said += [f"panel {at}: {one}" for one in differing(plot, (left, right, top, bottom), across, up, wanted, leaves)]

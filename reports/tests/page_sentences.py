@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sentences that the prose of the report's page has to say of report.json; page_tables.py has the same for its tables.
+"""The sentences that the prose of the report's page must have, made from report.json; page_tables.py does this for its tables.
 
-A pair ("not", words) names words that must not stand there.
+A pair ("not", words) has words that the page must not have.
 """
 from page_tables import CHOICES, SURFACES, against, below, commit, computed, ends, many, percent, sig, whole
 

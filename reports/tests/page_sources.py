@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes a second time those groups of report.json that are made from reference/baselines."""
+"""Computes a second time the groups of report.json that come from reference/baselines."""
 RUN = ("commit", "date", "seconds")
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cells that each table of the report's page has to show, by report.json and by formatters of our own.
+"""The cells that each table of the report's page has to show, from report.json and by formatters of our own.
 
-No template, and nothing of reports/page/render, has a part in it: the heading of a column, the field of the data
-under it and the digits that it has are written here a second time.
+It uses no template and nothing of reports/page/render: the heading of each column, the field of the data below it
+and the number of its digits are written here a second time.
 """
 import decimal
 import html
@@ -33,7 +33,7 @@ def sig(value, digits):
         return "0"
     number = EXACT.quantize(number, EXACT.scaleb(decimal.Decimal(1), number.adjusted() - digits + 1))
     power = number.adjusted()
-    number = EXACT.quantize(number, EXACT.scaleb(decimal.Decimal(1), power - digits + 1))  # 9.996 is 10.0
+    number = EXACT.quantize(number, EXACT.scaleb(decimal.Decimal(1), power - digits + 1))  # 9.996 was rounded to 10.00: now to 10.0
     if -4 <= power < 6:
         text = f"{number:f}" if power < digits else many(int(number))
     else:
@@ -42,7 +42,7 @@ def sig(value, digits):
 
 
 def whole(value):
-    """The fewest digits that read back to the same number."""
+    """The number with the fewest digits that read back to it."""
     if value is None:
         return DASH
     return sig(value, len(decimal.Decimal(repr(float(value))).normalize().as_tuple().digits))
@@ -53,7 +53,7 @@ def many(count):
 
 
 def percent(part, digits=3):
-    """A part in per cent: 0 % and 100 % at the ends, and only there."""
+    """A part in per cent. Only 0 and 1 are shown as 0 % and 100 %; parts near them become < 0.1 %, or > 99.9 % and the like."""
     if part is None:
         return DASH
     if part in (0, 1):
@@ -84,7 +84,7 @@ def commit(text):
 
 
 def plain(text):
-    """A text of the data without its marks. A cell without the marks of HTML shows the same text."""
+    """A text of the data without its marks of Markdown. read() gives the same text for a cell of HTML."""
     return re.sub(r"[`~^_*\\]", "", str(text)).strip()
 
 
@@ -93,7 +93,7 @@ def read(markup):
 
 
 def shown(page):
-    """Caption, headings and rows of each table of index.html; the live part makes its own when it runs."""
+    """Caption, headings and rows of each table of index.html. Tables in scripts are left out: the live part makes them when it runs."""
     page = re.sub(r"<script.*?</script>", "", page, flags=re.DOTALL)
     for body in re.findall(r"<table>(.*?)</table>", page, re.DOTALL):
         caption = re.search(r"<caption>(.*?)</caption>", body, re.DOTALL)[1]
@@ -102,7 +102,7 @@ def shown(page):
         yield re.sub(r" \(\d+ rows\)$", "", read(caption)), head, rows
 
 
-# --- The ledger's items, which several tables tell.
+# --- The ledger's items, which several tables show.
 
 NUMBER = re.compile(r"−?(\d[\d\u202f]*(?:\.\d+)?)(?:e(-?\d+)| × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
@@ -167,7 +167,7 @@ def reading_table(ledger, name):
              for item in ledger["items"] for got in [item["readings"][name]]])
 
 
-# --- The tables, a section each.
+# --- The tables, with a function for each section of the page.
 
 def first(report):
     labels = {"C1.smooth": "onset of starvation, m/s: smooth", "C1.medium": "onset, m/s: medium", "C1.rough": "onset, m/s: rough",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plug-ins and programs of verification/conformance/subjects, and lines to ask them."""
+"""Asks plug-ins and programs of verification/conformance/subjects, and makes the lines for them."""
 import json
 import os
 import subprocess
@@ -45,7 +45,7 @@ def point(surface="rough", speed=0.1, **changes):
 
 
 def lines(asked):
-    """Texts as they are, all else as JSON."""
+    """A line for each: a text as it is, anything else as JSON."""
     return "".join((one if isinstance(one, str) else json.dumps(one)) + "\n" for one in asked)
 
 

@@ -13,12 +13,12 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["TRIBOCHECK"]
-SWEEP_PROGRAM = PROGRAM + "_sweep"  # which `tribocheck sweep` becomes
-# Seconds; against hanging, not a measure of speed. On a machine that others use too it takes as many times longer.
+SWEEP_PROGRAM = PROGRAM + "_sweep"  # `tribocheck sweep` replaces itself by this program
+# Seconds after which a program counts as hung; no measure of speed. It is longer where more processes run than there are processors.
 TIMEOUT = 280 * max(1, os.getloadavg()[0] / os.cpu_count())
 
 ENVIRONMENT = dict(os.environ)
-# `python3` is the interpreter of these tests for all that they start, not a version manager's script, which starts far more slowly.
+# Programs that these tests start find this interpreter as `python3`, and not a version manager's script, which starts far more slowly.
 ENVIRONMENT["PATH"] = os.path.dirname(sys.executable) + os.pathsep + os.environ["PATH"]
 # Under nohup, or in the background of a shell, a process ignores these signals, and so would the programs that it starts.
 for one, way in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL), (signal.SIGQUIT, signal.SIG_DFL)):
@@ -54,8 +54,7 @@ def scene(surface="rough", **changes):
 
 
 def quiet_scene(*arguments, **changes):
-    """A scene() with summits that an isotropic Gaussian face may have, which accepts what else it passes, so that there is no
-    warning."""
+    """A scene() without a warning: an isotropic Gaussian face may have its summits, and it accepts the limits that it goes beyond."""
     accepted = {"accept": ["elastic_summits", "film_below_molecule", "smooth_film_law", "summit_capacity", "inlet_supply", "default_inlet",
                            "default_sliding"]}
     return with_field(scene(*arguments, **accepted | changes), "surface.summit_plane_offset", 0.919)
@@ -99,11 +98,11 @@ def toml(tree):
     return text
 
 
-OF_LIMITS = "outside of the model's limits: "  # words of the warning, which nearly every Stribeck curve gets
+OF_LIMITS = "outside of the model's limits: "  # words of a warning that nearly every Stribeck curve gets
 
 
 class Result:
-    """`said` is all of stderr, `err` leaves out the warning about limits of validity, `warned` is that line alone."""
+    """`said` is all of stderr, `err` is stderr without the warning about the model's limits, and `warned` is that warning."""
 
     def __init__(self, code, out, err):
         self.code, self.out, self.said = code, out, err
@@ -153,7 +152,7 @@ def read_terminal(reader):
 
 
 def wait_for(process):
-    """Exit code and greatest memory in MB. To be called instead of process.wait()."""
+    """Waits for the process, in place of process.wait(). Returns its exit code and its greatest memory in MiB."""
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     return process.returncode, usage.ru_maxrss / 1024

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python_fakes.py FOLDER NAME...: fakes of verification/conformance/subjects, or slips, judged by tribocheck.check() in this process.
+"""python_fakes.py FOLDER NAME...: judges fakes or slips of verification/conformance/subjects by tribocheck.check(), each in a fork.
 
-Prints a line of JSON for each: its diagnoses, and whether all holds.
+Prints a line of JSON for each: its name, its diagnoses, and whether all holds.
 """
 import json
 import os
@@ -15,7 +15,7 @@ POINTS = ["operating_point", "operating_point_of_other_film", "operating_point_o
 
 
 def plant(folder, name):
-    sys.path[:0] = [str(SUBJECTS / "python_stdlib"), str(SUBJECTS / folder)]  # both have a solver.py
+    sys.path[:0] = [str(SUBJECTS / "python_stdlib"), str(SUBJECTS / folder)]  # slips has a solver.py too: the first one is used
     import subject
     if folder == "fakes":
         import fake
@@ -30,7 +30,7 @@ def plant(folder, name):
 
 
 def offered(subject, name):
-    """The function of this name, as Python would have it."""
+    """The subject's function of this name, with keyword arguments."""
     def function(**given):
         return fields(subject.answer({"function": name, **given}))
     return function

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs `tribocheck report`, and lists the files that it has to write.
 
-As a script it writes one report of all sections for all tests that only look at it: the CTest test program.report_written.
+As a script it is the CTest test program.report_written: it writes one report of all sections for all tests that only read it.
 """
 
 import atexit
@@ -55,8 +55,8 @@ PICTURES = sorted(f"figures/{figure}.{kind}" for figure in FIGURES + WORK_FIGURE
                   for kind in ("svg", "png"))
 PAGES = ["index.html", "report.json", "report.md", "report.schema.json"]
 DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA + CONTACT_DATA + LINE_DATA + POINT_DATA + STARVED_DATA)
-# The ledger of planted faults lacks new and changed ones until they are planted, and a sample of mutants grows by parts of an
-# hour; the page says so.
+# The page has a row for new and changed faults that are not planted yet, and one for drawn mutants that have not run yet. NOT_RUN is
+# the number of these rows.
 FAULTS, MUTANTS = (json.loads((ROOT / f"reference/baselines/{name}.json").read_text()) for name in ("planted_faults", "mutants"))
 NOT_RUN = (len(FAULTS["faults"]) < FAULTS["catalogue"]) + any(one["ran"] < one["drawn"] for one in MUTANTS["score"]["rooms"])
 SECTIONS = ["figures", "comparison", "claims", "live", "readings", "requirements", "uncertainty", "misprints", "model",
@@ -79,7 +79,7 @@ def told_page(output):
 
 
 def table(path):
-    """Rows of a TSV under the names in its last commented line, without their units."""
+    """The rows of a TSV, by the names of the columns without units. The last commented line has these names."""
     header, rows = None, []
     for line in path.read_text().splitlines():
         if line.startswith("# "):
@@ -122,8 +122,8 @@ class PageReader(html.parser.HTMLParser):
 
 
 def written_before():
-    """The folder for the report of all sections that CTest has written before the tests that look at it; None without CTest. Other
-    instruction sets have one of their own."""
+    """The folder of the report of all sections that CTest writes before the tests that read it; None without CTest. Each value of
+    GLIBC_TUNABLES, which may switch instruction sets off, has its own folder."""
     folder = os.environ.get("TRIBOCHECK_WRITTEN_REPORT")
     return folder and pathlib.Path(folder + os.environ.get("GLIBC_TUNABLES", ""))
 
@@ -146,7 +146,7 @@ def written(sections):
 
 
 class WrittenReport(unittest.TestCase):
-    """A report for all the tests that only look at it, and a folder for what they write."""
+    """A report for all tests that only read it, and a folder for what they write."""
     sections = ()  # empty: all sections
 
     @classmethod

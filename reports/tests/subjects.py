@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the example solvers and holds their answers to those of `tribocheck stream`."""
+"""Runs the example solvers, and compares their answers with those of `tribocheck stream`."""
 
 import json
 import math
@@ -75,7 +75,7 @@ def load_sharings():
 
 
 def examples():
-    """The example of each function that is in no list above, with each word, and with larger numbers."""
+    """The example of each function without a list above, and of the ellipse and the line: with each word, and with larger numbers."""
     asked = {line["function"] for line in (moments() + effective_moduli() + reduced_radii() + hertz_points()
                                            + films() + starvation_ratios() + load_sharings())}
     lines = []
@@ -103,7 +103,7 @@ def operating_points():
                     for speed in [1e-4, 0.01, 0.1, 3]:
                         points.append(scene(surface, speed=speed, supply=supply, friction=friction[i],
                                             closures={"asperity": asperity, "starvation": closure}))
-    # Other shapes and film laws; every third of these lines is asked by some tests.
+    # Other shapes and film laws. Each has three speeds, so that tests that ask every third line ask each of them.
     for radius in [{"radius_y": 30e-3}, {"radius_y": 4e-3}, {"length": 2e-3}]:
         bodies = {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, **radius}
         closures = {"film": "dowson_toyoda_central"} if "length" in radius else {}
@@ -150,7 +150,7 @@ def is_close(found, expected, relative):
 
 
 def assert_agree(test, command, lines, relative):
-    """Asserts that every answer is a skip or agrees with ours. Returns the lines with other answers than a skip."""
+    """Asserts that every answer is a skip or agrees with ours. Returns each line that was not skipped, with its answer."""
     answered = []
     found = answers_of(command, lines)
     for line, mine, theirs in zip(lines, reference_answers(lines), found, strict=True):

@@ -20,20 +20,20 @@ class Series(typing.NamedTuple):
 
 
 class Plot:
-    """A panel: its labelled ticks as {label: px}, all its ticks' places, its box in px and its series."""
+    """A panel: its labelled ticks as {label: px}, the places of all of them, its series, and the lines of its grid."""
 
     def __init__(self):
         self.labels, self.places, self.series, self.grid = {"x": {}, "y": {}}, {"x": set(), "y": set()}, [], []
 
     def box(self, axes):
-        """Left, right, top and bottom: the lines of the grid go from side to side."""
+        """Left, right, top and bottom of the panel: the ends of its grid's lines, or `axes` where it has no grid."""
         across = [x for pair in self.grid if pair[0][1] == pair[1][1] for x, _ in pair] or [axes["xmin"], axes["xmax"]]
         along = [y for pair in self.grid if pair[0][0] == pair[1][0] for _, y in pair] or [axes["ytop"], axes["ybot"]]
         return min(across), max(across), min(along), max(along)
 
 
 def number(label):
-    """The number of a tick's label, or None. 10⁻³ is written as 10 and −3; 25 (smooth) is 25."""
+    """The number of a tick's label, or None. The label of 10⁻³ is "10|−3"; "25 (smooth)" gives 25."""
     label = label.replace("−", "-").strip()
     power = re.fullmatch(r"(?:([\d.]+)×)?10\|(-?\d+)\|?", label)
     if power:
@@ -79,7 +79,7 @@ def canvas_of(root):
 
 
 def read(path):
-    """The panels of a picture in their order, and the axes of the last one by the attribute of its element."""
+    """The panels of a picture in their order, and the axes of the last one, from the attribute data-axes of the picture."""
     root = xml.parse(path).getroot()
     axes = {name: float(value) for name, value in re.findall(r"(\w+)=([-+.\de]+)", root.get("data-axes"))}
     plots = [Plot()]
@@ -104,7 +104,7 @@ def read(path):
 
 
 class Axis:
-    """The map from values to px that labels and places of ticks give; `far` is by how much one of them departs from it."""
+    """The map from values to px, from the labels and places of ticks. `far` is the greatest distance of a tick from it, in px."""
 
     def __init__(self, labels, is_log):
         self.f = math.log if is_log else float
@@ -138,7 +138,7 @@ def fills_of(path, at):
 
 
 def absent(these, among):
-    """The places that have none of the other places near them."""
+    """Those of the first places that have none of the second ones near them."""
     cells = {(round(x * 10) + i, round(y * 10) + j) for x, y in among for i in (-1, 0, 1) for j in (-1, 0, 1)}
     return [(x, y) for x, y in these if (round(x * 10), round(y * 10)) not in cells]
 
@@ -172,7 +172,7 @@ def looks(path):
 
 
 def contours(path, letters):
-    """The plots whose names end with each letter, each with its black lines (is dashed, is thick, places), the places of coloured ones, and texts."""
+    """For each letter, of the plots whose names end with it: black lines (is dashed, is thick, places), places of coloured lines, and texts."""
     root = xml.parse(path).getroot()
     for letter in letters:
         made = {"lines": [], "tracks": [], "texts": []}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps for the tests: their texts, their runs, and their results by h5py."""
+"""Sweeps for the tests: makes their texts, runs them, and reads their results by h5py."""
 
 import collections
 import ctypes
@@ -29,7 +29,7 @@ NORMAL = '{ distribution = "normal", mean = 0.0202, sd = 0.001 }'
 
 
 def sweep(changes=None, **settings):
-    """A sweep's text: fields by their paths, and settings of [sweep], as TOML; None leaves one out."""
+    """The TOML of a sweep. `changes` has fields by their paths, where None leaves a field out; `settings` stand in [sweep]."""
     fields = {"id": '"smooth"', **ONE_LINE, **(changes or {})}
     lines = {"": []}
     for path, value in fields.items():
@@ -42,10 +42,10 @@ def sweep(changes=None, **settings):
     return text + "[sweep]\n" + "".join(f"{k} = {v}\n" for k, v in settings.items())
 
 
-# Parts of few chunks, so that short sweeps have several parts: SHORT sweeps of ten chunks have three.
+# Parts have few chunks, so that short sweeps have several parts: a sweep of ten chunks has three.
 ENVIRONMENT["TRIBOCHECK_PART_CHUNKS"] = "4"
 
-# Some tenths of a second of work, in many chunks; sanitizers take as long over fewer.
+# Takes some tenths of a second, in many chunks. With sanitizers it has fewer draws, to take as long.
 LONG = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
               "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
              onset='["film_maximum", "film_departure"]', draws=30000 if SANITIZED else 150000, sensitivity="true")
@@ -56,14 +56,14 @@ DAYS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
               keep='"summaries"', draws=2000000000)
 
 
-# Less than a tenth of a second, in eight parts: for trials that are made many times.
+# Takes less than a tenth of a second, in eight parts: for trials that are repeated many times.
 MINI = sweep({"lubricant.viscosity": UNIFORM}, onset='["film_maximum"]', draws=30000)
 
 
 class SweepTest(ProgramTest):
     def check_kills(self, kills, begin, end, pick):
-        """Kills at random moments: begin(*options) starts processes on MINI, pick() gives the process to kill for each
-        one, end() goes on with what is left, until out.h5 is there."""
+        """Kills processes at random moments. begin(*options) starts processes on MINI, pick(process, draw) gives the id of the
+        process to kill for each of them, and end() completes out.h5, which has to have the bytes of an undisturbed run."""
         whole = self.whole_mini()
         draw = random.Random(7)
         processes = begin()
@@ -118,7 +118,7 @@ class SweepTest(ProgramTest):
         return [name for name in self.names() if re.fullmatch(re.escape(out) + r"\.part-\d+-\d+(-\d+)?", name)]
 
     def wait_until(self, is_so):
-        """Whether it is so within a minute."""
+        """Waits until it is so, for up to a minute. Returns whether it is."""
         end = time.monotonic() + 60
         while not is_so():
             if time.monotonic() > end:
@@ -127,7 +127,7 @@ class SweepTest(ProgramTest):
         return True
 
     def wait_for_handler(self, process, number):
-        """Until the process has a handler of its own for the signal, which would end it before."""
+        """Waits until the process has its own handler for the signal. Without a handler the signal would end it."""
         def has_handler():
             with open(f"/proc/{process.pid}/status", encoding="ascii", errors="replace") as file:
                 mask = next((line.split()[1] for line in file if line.startswith("SigCgt:")), "0")
@@ -171,7 +171,7 @@ def opened(path):
 
 
 def preloadable(name):
-    """The library that is built from a C source beside this file."""
+    """Builds a library from a C source beside this file; returns its path."""
     library = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), f"{name}.so")
     source = os.path.join(os.path.dirname(os.path.abspath(__file__)), f"{name}.c")
     unfinished = f"{library}.{os.getpid()}"

@@ -137,7 +137,7 @@ class Refusals(ProgramTest):
         self.assert_refused(bench("--filter", "("), "--filter", "regular expression")
 
     def test_a_filter_that_matches_nothing(self):
-        self.assert_refused(bench("--filter=-."), "-.", "no contender")  # a leading - leaves out what it finds
+        self.assert_refused(bench("--filter=-."), "-.", "no contender")  # after a leading - the pattern leaves out what it matches
         self.assert_refused(bench("--filter", "no such contender"), "no such contender",
                             "the jobs are moment_5_2, ", "points_1e6, hertz_ellipse; the families are GSL, ", "tribocheck")
 

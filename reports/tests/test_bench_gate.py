@@ -17,8 +17,8 @@ MINE = "moment_5_2/plugin/mine"
 OTHER = "moment_2/plugin/mine"
 OURS = "moment_5_2/tribocheck/scalar"
 
-# Gives the rows that a file has for the first run and for the second, as Google Benchmark does, and writes the
-# filters that it was asked for into another file.
+# Prints the rows that the file `rows.json` has for the first run and for the second, as Google Benchmark does. It
+# writes the filters that it gets into the file `asked`.
 STAND_IN = r"""#!/usr/bin/env python3
 import json, os, pathlib, re, sys, time
 here = pathlib.Path(__file__).parent

@@ -15,7 +15,7 @@ from plugins import hertz, lines, moment, plugin
 from program import ENVIRONMENT, PROGRAM, TIMEOUT, ProgramTest, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
-# It tells its times itself, so that each limit can be tested; HERTZ is the time of an answer in units of 100 µs.
+# A solver that tells its times itself, so that each limit can be tested. HERTZ is the time of an answer in units of 100 µs; 0: no answer.
 SUBJECT = """import json, os, sys
 for line in sys.stdin:
     q = json.loads(line)
@@ -36,7 +36,7 @@ def schema(name):
 
 
 def never_slower(baseline, *rows):
-    """The rows of a baseline, of which some are so slow that none is told slower, whatever the control does."""
+    """The rows of a baseline. The times of `rows` are five times longer, so that no run is slower, however long its control takes."""
     found = json.loads(pathlib.Path(baseline).read_text(encoding="utf-8"))["rows"]
     for row in rows:
         for member in ("least_over_control", "median_over_control"):
@@ -90,7 +90,7 @@ class Rows(OfSolvers):
         self.assertEqual(alone["measured"], "process over texts/1")
         behind = f"cat | {command} | cat"
         below, = self.document("--subject", behind, "--filter", "hertz_point")["rows"]
-        self.assertGreater(below["ns"], 0.2 * alone["ns"])  # of both `cat` it would be a twentieth
+        self.assertGreater(below["ns"], 0.2 * alone["ns"])  # the two `cat` alone would take a twentieth
         self.assertGreater(alone["ns"], 1e3)
 
     def test_a_plugin_alone_and_two_beside_each_other(self):
@@ -141,8 +141,8 @@ class Rows(OfSolvers):
 
 
 class Gate(OfSolvers):
-    """What a subject tells of its time is exact, that of the control is measured and may be off by half: times differ by several times
-    here. The limits are tested where two subjects are side by side."""
+    """The time that a subject tells is exact, but that of the control is measured and may be off by half. Times therefore differ by a
+    large factor here. The exact limits are tested where two subjects are side by side."""
 
     def setUp(self):
         super().setUp()
@@ -159,7 +159,7 @@ class Gate(OfSolvers):
         found = done.json()
         jsonschema.validate(found, schema("bench"), jsonschema.Draft202012Validator)
         self.assertEqual(found["comparison"]["overall"], "no worse" if code == 0 else "worse")
-        # A control that is disturbed for a while is told, and is not red.
+        # "told" is left out: a control that is disturbed for a while is told, and is not red.
         rows = {name: [note["row"] for note in notes if note["row"] != LINE] for name, notes in found["comparison"].items()
                 if name in ("worse", "gone", "slower", "better", "new")}
         return {name: keys for name, keys in rows.items() if keys}, done.err

@@ -12,7 +12,7 @@ from program import ProgramTest, run
 
 SCHEMAS = pathlib.Path(SUBJECTS).parents[2] / "reference/schemas"
 
-# A right solver of some functions; {change} stands before its loop, {answer} within it.
+# A right solver of some functions. {change} is a line of its loop, which may change the answer.
 SOLVER = """
 import json, math, os, random, signal, struct, sys
 sys.path.insert(0, {folder!r})
@@ -48,7 +48,7 @@ class Breaks(ProgramTest):
                    self.junit, "--sample", "60", "--format", format, *more)
 
     def worse(self, change, tolerance="engineering"):
-        """The texts of what is worse; JSON, JUnit and the exit code agree."""
+        """Returns the texts of what is worse. Asserts that JSON, JUnit and the exit code agree."""
         result = self.ask(change, tolerance)
         document = result.json()
         jsonschema.validate(document, json.loads((SCHEMAS / "verify-subject.schema.json").read_text()))
@@ -103,7 +103,7 @@ class Breaks(ProgramTest):
         alone = run("verify", "--subject", f"{PYTHON} -B {self.folder.path('solver.py')}", "--junit", self.junit)
         self.assertEqual((alone.code, [one.get("name") for one in junit_suite(self.junit).findall("testcase[failure]")]),
                          (1, ["subject"]))
-        # An update does not write it down; --force does, and then it is as before.
+        # An update does not write the crash into the baseline. --force does, and then the same crash is no longer worse.
         kept = self.ask(crash, "engineering", "--update-baseline")
         self.assertIn("baseline kept: subject: at case m", kept.err)
         self.assertEqual(json.loads(pathlib.Path(self.baseline).read_text())["losses"], [])

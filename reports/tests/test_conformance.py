@@ -61,7 +61,7 @@ class RightSolvers(unittest.TestCase):
                          "^FAILED: .*; required, but not held: operating_point.film [(]")
 
     def test_what_is_required_is_held_in_every_case(self):
-        # The ways in which one case of a quantity may fail; the first one does not fail.
+        # Ways in which a required quantity is not held. With the first change it is held.
         for change, held, status in (("pass", True, "held"),
                                      ("if case == 'e0003': answer = {'id': case, 'skip': 'no'}", False, "held in part"),
                                      ("if name == 'effective_modulus': answer = {'id': case, 'skip': 'no'}", False,
@@ -177,7 +177,7 @@ class Baselines(ProgramTest):
 
     def test_what_failed_before_may_fail_and_nothing_else(self):
         small = ("small_python/my_solver.py",)
-        self.assertEqual(self.gate(small, "--update-baseline").code, 0)  # the file says what fails
+        self.assertEqual(self.gate(small, "--update-baseline").code, 0)  # the new baseline allows what fails
         self.assertEqual(self.gate(small).code, 0)
         worse = self.gate(("fakes/fake.py", "--mistake", "hertz_peak_without_3_2"))
         self.assertEqual(worse.code, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""contact, and the outputs of the smooth contact: each number by a second way."""
+"""contact, and the outputs of the smooth contact: each number is computed in a second way."""
 
 import json
 import math
@@ -68,8 +68,8 @@ class Numbers(ContactTest):
 
     @staticmethod
     def integral(a, b):
-        """∫ dw/((a² + w) √((a² + w)(b² + w)w)) from 0 to ∞, with w = ab tan²t by Simpson's rule in t: 1/R along a is p₀ab/E*
-        times this (K. L. Johnson: Contact Mechanics, section 3.3)."""
+        """∫ dw/((a² + w) √((a² + w)(b² + w)w)) from 0 to ∞, with w = ab tan²t by Simpson's rule in t. 1/R along a is p₀ab/E* times
+        this integral (K. L. Johnson: Contact Mechanics, section 3.3)."""
         steps, total = 4000, 0.0
         for i in range(steps + 1):
             sine, cosine = math.sin(math.pi / 2 * i / steps), math.cos(math.pi / 2 * i / steps)
@@ -98,7 +98,7 @@ class Numbers(ContactTest):
         self.assert_near(numbers["moes_load_number"], film["load_number"])
         self.assert_near(numbers["moes_material_number"], film["material_number"])
         self.assertEqual(numbers["ehl_regime"], "piezoviscous_elastic")
-        self.assertNotIn("regime", numbers)  # which is the output that tells what carries the load
+        self.assertNotIn("regime", numbers)  # the output of this name tells what carries the load
 
     def test_numbers_of_a_point_are_those_of_their_formulas(self):
         told = values(self.at(quiet_scene(), 0.1)["numbers"])
@@ -188,7 +188,7 @@ class Numbers(ContactTest):
         self.assert_near(surfaces["stiffness"], stiffness)
         self.assert_near(surfaces["offset"], 0.919)
         self.assertEqual(surfaces["floor"], 0)
-        # Stiff summits have a floor, at which the film of the slowest speeds ends.
+        # Stiff summits have a floor, which the film reaches at the slowest speeds.
         stiff = with_field(without_field(tree, "supply"), "surface.summit_density", 2e12) | {"speed": 1e-9}
         told, = run("contact", self.folder.write("stiff.json", stiff), "--format", "json").json()["scenes"]
         point, = run("solve", self.folder.path("stiff.json"), "--format", "json").json()["points"]
@@ -225,7 +225,7 @@ class Ranges(ContactTest):
         self.assertRegex(soft["beyond"], r"k is 0\.1\d*, and the range that it was fitted to is not known")
         self.assertIs(narrow["hamrock_dowson_central"]["is_inside_range"], False)
         self.assertIs(films(1e-2, 4e-2)[0]["hamrock_dowson_soft_central"]["is_inside_range"], None)
-        self.assertIs(films(1e-2, 4e-2, 107.9e9)[0]["hamrock_dowson_soft_central"]["is_inside_range"], False)  # of another regime
+        self.assertIs(films(1e-2, 4e-2, 107.9e9)[0]["hamrock_dowson_soft_central"]["is_inside_range"], False)  # it is made for another regime
         circle, holds = films(1e-2, 1e-2)
         self.assertEqual((circle["hamrock_dowson_soft_central"]["is_inside_range"], holds), (True, "yes"))
 
@@ -291,7 +291,7 @@ class Ranges(ContactTest):
         chosen = with_field(with_field(chosen, "friction.slide_roll_ratio", 0.02), "surface.offset_planes", 2)
         told = notes(chosen)
         self.assertEqual([told[name] for name in ("slide_roll_ratio", "starvation", "offset_planes")], ["", "", ""])
-        # A value that the scene gives is no default, though it is the same.
+        # A value that the scene gives is not told as the default, even where it equals the default.
         same = quiet_scene(speed=0.1, closures={"starvation": "flooded_inlet"})
         told = notes(with_field(with_field(same, "friction.slide_roll_ratio", 1), "surface.offset_planes", 1))
         self.assertEqual([told[name] for name in ("slide_roll_ratio", "starvation", "offset_planes")], ["", "", ""])

@@ -41,7 +41,7 @@ class Data(CurveTest):
             self.assertIn("; allowed: ", line)
 
     def test_each_number_stands_beside_the_one_of_solve_at_its_speed(self):
-        """Also at speeds that the curve does not have, 5 m/s, and where the film has collapsed."""
+        """This holds also at 5 m/s, a speed that the curve does not have, and where the film has collapsed."""
         tree = quiet_scene("smooth")
         told = self.compared(HEAD + "0.012,7.4,0.049\n0.1,,0.046\n\n# no film here\n5,30,\n0.2,20,\n0.3,0,0.06\n", tree, "--format", "json").json()
         wanted = [(2, "film", 0.012, 7.4e-9), (2, "friction", 0.012, 0.049), (3, "friction", 0.1, 0.046), (6, "film", 5, 30e-9),
@@ -154,7 +154,7 @@ class Data(CurveTest):
     def test_the_median_without_points_off_the_curve_stands_apart(self):
         tree = quiet_scene("smooth", load=50)
         head, good = "u [m/s],film [nm],load [N]\n", "0.01,7,50\n0.02,20,50\n"
-        off = {"outside": "5,30,50\n", "other": "0.01,40,20\n", "-": "2,20,50\n"}  # the last has no film left
+        off = {"outside": "5,30,50\n", "other": "0.01,40,20\n", "-": "2,20,50\n"}  # at the last speed the film has collapsed
         for words, line in off.items():
             clean = self.compared(head + good, tree, "--format", "json").json()["quantities"][0]
             path = self.folder.write("measured.csv", head + good + line)
@@ -319,7 +319,7 @@ class Pictures(CurveTest):
             target = self.drawn(self.write(tree), "--data", self.folder.write("m.csv", head + "".join(f"{row}\n" for row in rows)), name="marks.svg")
             words = {text for text, *_ in svg_plots.texts(target)}
             text = pathlib.Path(target).read_text(encoding="utf-8")
-            of_legend = 1  # each mark stands once there
+            of_legend = 1  # the legend has each mark once
             return [(len(re.findall(f"href='#{mark}' transform='translate", text)) - of_legend if title in words else 0)
                     for title, mark in (("measured", "gpPt4"), (OFF_CURVE, "gpPt3"))]
         on, outside, at_collapse = "0.01,7,50", "5,30,50", "2,20,50"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each JSON document that a command writes begins with its schema and its version, and is what reference/schemas says of it.
+"""Each JSON document that a command writes begins with its schema and its version, and conforms to that schema of reference/schemas.
 
-A command or option that writes a new document needs a row in DOCUMENTS; a new member its place in the schema."""
+A command or option that writes a new document needs a row in DOCUMENTS. A new member needs a place in the schema."""
 import json
 import os
 import pathlib
@@ -22,9 +22,9 @@ SCHEMAS = ROOT / "reference/schemas"
 
 class Document(typing.NamedTuple):
     schema: str  # its file is SCHEMAS/<schema>.schema.json
-    arguments: str  # words in capitals are made by files_in
+    arguments: str  # words in capitals stand for paths: files_in makes these files
     code: int = 0  # the exit code
-    file: str = ""  # the word of the file that is the document; empty: what --format json prints is
+    file: str = ""  # the word of the file that is the document; empty where --format json prints the document
 
 
 DOCUMENTS = [
@@ -56,7 +56,7 @@ DOCUMENTS = [
     Document("bench", "bench --subject WRONG --quick --filter ^hertz_point --baseline SPEED", 1),  # its rows have another name
     Document("profile", "profile --plugin PLUGIN --function hertz_point --seconds 0.1"),
 ]
-# Schemas whose documents, or some of their members, need another program, and the tests that hold these to them.
+# Schemas with documents, or members of documents, that need another program, and the tests that check these.
 ELSEWHERE = {"bench-baseline": "test_bench_gate has rows of contenders", "profile": "test_profile"}
 
 
@@ -181,7 +181,7 @@ class Documents(unittest.TestCase):
                                  f"either the document is wrong, or {schema.name}.schema.json lacks what is new in it")
 
     def test_what_is_lacking_unknown_or_of_another_type_is_seen(self):
-        no_value = [[None]]  # which no member has
+        no_value = [[None]]  # no member has this value
         for arguments, schema, document in self.told:
             seen = set()
             for node, value in [(schema.tree, document), *schema.objects(schema.tree, document)]:

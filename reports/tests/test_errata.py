@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The numbers of each erratum's two forms against formulas written here once more."""
+"""Compares the numbers of each erratum's two forms with formulas that are written here a second time."""
 import json
 import math
 import unittest
@@ -26,7 +26,7 @@ def hertz_radius(radius=RADIUS):
 
 
 def film_alone(speed, moduli=(2, 2, 2), constant=CONSTANT, radius=RADIUS):
-    """Hamrock and Dowson's central film; the moduli of U, G and W in E*."""
+    """Hamrock and Dowson's central film. `moduli` are those in U, G and W, as multiples of E*."""
     u, g, w = (part * ELASTIC for part in moduli)
     return constant * radius * (VISCOSITY * speed / (u * radius)) ** 0.67 * (BARUS * g) ** 0.53 * (LOAD / (w * radius**2)) ** -0.067
 
@@ -37,7 +37,7 @@ def asperity_share(separation, density, sd, prefactor=1, summit=SUMMIT, offset=O
 
 
 def flooded_film_parameter(speed, density, sd, prefactor=1, summit=SUMMIT, offset=OFFSET, **film):
-    """The flooded film over the summits' σ, by Johnson's rule with Greenwood and Tripp's contact, by bisection. `prefactor` is a factor of the asperities' load."""
+    """The flooded film over the summits' σ by bisection: Johnson's rule, Greenwood and Tripp's contact. `prefactor` multiplies its load."""
     def share(separation):
         return asperity_share(separation, density, sd, prefactor, summit, offset, film.get("radius", RADIUS))
     alone = film_alone(speed, **film) / sd
@@ -67,7 +67,7 @@ def real_area(moment_order, power):
 
 
 def wolveridge(ratio, gap=2 * math.sqrt(2) / 3):
-    """The starved film over the flooded one. The inlet's length follows from the gap at a film of `ratio` times the oil film."""
+    """The starved film over the flooded one. `ratio` is the flooded film over the oil film, and `gap` the constant of the gap in the inlet."""
     return 2 / math.pi * math.atan(2.7 * ((1 / ratio - 1) / (2 * gap)) ** (2 / 3))
 
 
@@ -77,7 +77,7 @@ def starved(flooded, gap=2 * math.sqrt(2) / 3):
 
 
 def starved_as_printed():
-    """The starved film over the oil film, if Wolveridge's function takes this ratio itself: a fixed point for any flooded film."""
+    """The starved film over the oil film, if this ratio itself is the argument of Wolveridge's function: its fixed point, for any flooded film."""
     low, high = 1e-6, 1 - 1e-6
     for _ in range(60):
         middle = (low + high) / 2

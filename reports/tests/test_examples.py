@@ -25,7 +25,7 @@ def commands():
 
 
 def examples(*command, **options):
-    """The lines under "Example:". A line that goes on is joined with the next one."""
+    """The lines under "Example:". A line that goes on includes the lines after it that belong to it."""
     _, _, text = run(*command, "--help", **options).out.partition("\nExample:\n")
     block = re.match(r"(?:  .*\n)*", text)[0]
     return re.findall(r"(?m)^  (\S.*(?:\n    .*)*)", block)
@@ -97,8 +97,8 @@ class Examples(ProgramTest):
     def test_of_report(self):
         self.run_examples("report")
 
-    # These two commands start a solver of the reader: the one that `init` writes, and a plug-in. The
-    # fresh solver offers nothing yet, and the plug-in may fall short of the strict tolerance.
+    # The examples of these two commands judge the solver that `init` writes, and a plug-in. The new solver
+    # offers nothing yet, and the plug-in may miss the strict tolerance: exit code 1 is allowed.
     def test_of_init_and_verify(self):
         self.run_examples("init", codes=(0, 1))
         self.assertTrue(os.path.exists(self.folder.path("my_solver.py")))
@@ -119,7 +119,7 @@ class Examples(ProgramTest):
             quick = line if "--quick" in line else line + " --quick"  # without --quick it takes a minute
             with self.subTest(line=line):
                 done = self.run_line(quick)
-                if ("--baseline" in line and "--update-baseline" not in line) or "libbefore" in line:  # a gate of times measured so shortly
+                if ("--baseline" in line and "--update-baseline" not in line) or "libbefore" in line:  # a short measurement may fail
                     self.assertIn(done.returncode, (0, 1), done.stderr)
                     self.assertRegex(done.stderr, "(PASSED, no|FAILED,) worse than (speed.json|./libbefore.so)")
                 else:
@@ -156,7 +156,7 @@ class Elsewhere(ProgramTest):
 
 
 def has_fma():
-    """Without fused multiply-add last digits may differ."""
+    """Whether fused multiply-add is used. Without it last digits may differ."""
     off = os.environ.get("GLIBC_TUNABLES", "")
     flags = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8")
     return " fma " in flags and "-FMA" not in off and "-AVX2" not in off

@@ -12,7 +12,7 @@ from subjects import (SUBJECTS, all_lines, answers_of, effective_moduli, example
 
 ELEMENTARY = ("effective_modulus", "reduced_radius", "gaussian_moment", "hertz_point", "hertz_ellipse", "hertz_line",
               "hamrock_dowson_central", "starvation_ratio", *sorted({line["function"] for line in examples()}))
-# The known error of each fake: a question, or a moment's arguments, and the relative error.
+# The known errors of some fakes: a question, or a moment's arguments, and the relative error.
 KNOWN = {
     "film_half_radius": (films()[0], -0.275),
     "hertz_approach_modulus_doubled": (hertz_points()[0], -0.37),

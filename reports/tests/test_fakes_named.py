@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify --subject names the mistake of each fake, all of two or three mistakes at once, and none where nothing is wrong."""
+"""verify --subject names the mistake of each fake, all mistakes of solvers with two or three, and none where nothing is wrong."""
 
 import concurrent.futures
 import unittest
@@ -8,7 +8,7 @@ from conformance import SUBJECTS, subject, verify
 from program import run
 from test_fakes import listed
 
-# A fake's mistake, and the names that the diagnosis may give it. Numbers do not tell some mistakes apart.
+# The name that the diagnosis gives to the mistake of each fake. Mistakes that numbers do not tell apart share a name.
 NAMED = {
     "point_ellipse_as_circle": "point-ellipse-as-circle",
     "point_film_of_circle": "point-film-of-circle",
@@ -131,7 +131,7 @@ NAMED = {
 }
 
 
-# The fakes of each function that are put together.
+# Sets of fakes of each function: one solver makes all mistakes of a set.
 TOGETHER = {
     "hamrock_dowson_central": """
         film_half_radius+film_modulus_single        film_half_radius+film_speed_sum
@@ -185,7 +185,7 @@ class Fakes(unittest.TestCase):
         self.assertEqual(sorted(NAMED), sorted(name for name, _, _ in listed()))
 
     def test_each_mistake_is_named(self):
-        # The first fake of each function answers all functions, so that those computed from it are wrong, too; other fakes answer their own.
+        # The first fake of each function answers all functions, also those that use its own. Other fakes answer only their own function.
         functions = {name: function for name, _, function in listed()}
         first = {function: name for name, function in reversed(functions.items())}
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck field: each cell of its pages is that of matrix.json and of the verdicts, in a browser too; changes, badges,
+"""tribocheck field: each cell of its pages is that of matrix.json and of the verdicts; the pages in a browser; changes, badges,
 refusals; and the script that asks solvers, each in a sandbox."""
 
 import copy
@@ -28,7 +28,7 @@ SMALL = f"{sys.executable} {SUBJECTS}/small_python/my_solver.py"
 
 
 class Tables(html.parser.HTMLParser):
-    """The tables of a page: rows of cells, each its text with all labels within it, and where it leads."""
+    """The tables of a page, as rows of cells. A cell has its text, and the title, link and class of the elements in it."""
     def __init__(self, text):
         super().__init__()
         self.tables, self.cell = [], None
@@ -70,7 +70,7 @@ class Field(ProgramTest):
         self.folder.write(f"verdicts/{stem}.json", json.dumps(said or self.small))
 
     def turned(self, by):
-        """A verdict in which each quantity has the status that stands so many further."""
+        """A verdict in which the quantities have the statuses in turn, beginning with the one of this number."""
         said = copy.deepcopy(self.small)
         for i, one in enumerate(said["quantities"]):
             one["status"] = STATUSES[(i + by) % len(STATUSES)]
@@ -95,7 +95,7 @@ class Field(ProgramTest):
 
 class Pages(Field):
     NAMES = ["<b>plain</b> & | `x` *y*", "_two_ [3](#4)", "three"]
-    IDS = ["b_plain_b_x_y", "two_3_4", "three"]  # of their pages
+    IDS = ["b_plain_b_x_y", "two_3_4", "three"]  # of the pages of these solvers
 
     def setUp(self):
         super().setUp()
@@ -266,7 +266,7 @@ class History(Field):
 
 
 class Shipped(unittest.TestCase):
-    """reference/field has a verdict on each solver of solvers.toml, asked as it says there."""
+    """reference/field has a verdict on each solver of solvers.toml, which was asked as its row says."""
 
     def test_each_solver_is_asked_as_its_row_says(self):
         rows = tomllib.loads((ROOT / "reports/field/solvers.toml").read_text(encoding="utf-8"))["solver"]
@@ -363,7 +363,7 @@ class Refusals(Field):
         self.assertIn("cannot write", result.err)
 
 
-# A solver that tries what it may not, and tells it in place of an answer.
+# A solver that tries what it may not do. It tells what it could do, in place of an answer.
 SPY = """import json, os, socket, sys
 sys.path.insert(0, "/source")
 import solver
@@ -398,7 +398,7 @@ class Asking(Field):
         self.addCleanup(listening.close)
         (self.source / "spy.py").write_text(SPY % (str(ROOT / "README.md"), listening.getsockname()[1]))
         self.commit = commit = self.committed(RIGHT)
-        self.later = self.committed(RIGHT.replace("math.exp", "math.expm1"))  # is not the pinned one
+        self.later = self.committed(RIGHT.replace("math.exp", "math.expm1"))  # not the pinned commit
         self.write(commit)
         self.has_sandbox = shutil.which("bwrap") and not subprocess.run(["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]).returncode
 
@@ -443,7 +443,7 @@ subject = "/usr/bin/python3 -B /source/spy.py"
         self.assertEqual(self.verdict(), "held")
         self.assertEqual(set(os.listdir(self.folder.path("asked"))), {"spy.json", "spy.toml"})
         self.assertIn('licence = "none stated"\n', self.text("asked/spy.toml"))
-        # Another day, the solver is another one: the old verdict stays, and the matrix has both.
+        # On another day another commit is asked: the old verdict stays, and the history has both.
         toml = pathlib.Path(self.folder.path("asked/spy.toml"))
         toml.write_text("".join('date = "2026-01-01"\n' if line.startswith("date") else line for line in toml.read_text().splitlines(True)))
         self.write(self.later)

@@ -39,7 +39,7 @@ def shear_stress(tree, pressure, film):
 
 
 def line(load_number, material_number, **changes):
-    """A scene with these numbers of Moes at 1 m/s. It has only the fields that are needed."""
+    """A scene at 1 m/s with these numbers M and L of Moes. It has only the fields that are needed."""
     twice_u = VISCOSITY/(MODULUS*RADIUS)
     tree = {"id": "line", "speed": 1,
             "load": load_number*2*MODULUS*RADIUS*LENGTH*math.sqrt(twice_u),
@@ -238,7 +238,7 @@ class Formats(FilmTest):
         x, pressure, film = (found["profile"][name] for name in ("x", "pressure", "film"))
         carried = sum((b - a)*(p + q)/2 for a, b, p, q in zip(x, x[1:], pressure, pressure[1:]))
         self.assertAlmostEqual(carried/(tree["load"]/LENGTH), 1, delta=1e-9)
-        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # the profile is that of one grid
+        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # the profile is of the finest grid, the value of all grids
         self.assertEqual([round(pressure[end], 9) for end in (0, -1)], [0, 0])
         self.assertGreaterEqual(min(pressure), 0)
         self.assertEqual(len(x), found["cells"] + 1)
@@ -413,7 +413,7 @@ class Failures(FilmTest):
                                         r"(; line at \S+ m/s: .*stopped on the grid of \d+ cells, before step \d+.*)?\n$")
 
     def kept(self, *arguments, code=0):
-        """Runs with --keep, and returns what is printed and how many films were taken from the file."""
+        """Runs with --keep. Returns the printed text and the number of films taken from the file."""
         result = run("film", *arguments, "--keep", self.folder.path("kept"))
         self.assertEqual(result.code, code, result.err)
         said = re.search(r"(\d+) of \d+ films are taken from", result.err)
@@ -437,7 +437,7 @@ class Failures(FilmTest):
             self.assertEqual(self.kept(*arguments), (whole, 15))
 
     def test_several_threads_show_and_keep_the_same_bytes(self):
-        """The contacts cost very different times, and two of them are refused, so that films wait for those before them."""
+        """The contacts take very different times, and two of them are refused. Films are printed in order, so that some wait for others."""
         speeds = [1e10, 5, 1e-20, 0.01, 2, 20, 0.02]
         path = self.write(line(10, 5, speed=speeds))
         for form, threads in (("json", "2"), ("csv", "50"), ("table", "7")):

@@ -28,7 +28,7 @@ class Points(FilmTest):
         found = self.film(self.point(20, 10), "--tolerance", "1e-2")
         self.assertAlmostEqual(found["load_number"], 20, delta=1e-9)
         self.assertAlmostEqual(found["ellipticity"], 1, delta=1e-12)
-        # By this solver on four grids; the least film lies beside the middle.
+        # Film numbers computed by this solver on four grids. The least film is beside the middle.
         for quantity, known in [("central_film", 4.8588), ("minimum_film", 3.0201), ("film_at_greatest_pressure", 4.8587)]:
             solved = found[quantity]
             self.assertAlmostEqual(film_number(solved["value"]), known, delta=film_number(solved["error"]) + 1e-3)
@@ -48,7 +48,7 @@ class Points(FilmTest):
     def test_chittendens_film_is_that_of_the_radii_in_the_cited_form(self):
         found = self.film(self.point(20, 10, 2.5), "--tolerance", "1e-2")
         films = {one["name"]: film_number(one["film"]) for one in found["formulas"]}
-        # U, G and W of the contact; a film number is (h/R)(2U)^(-1/2).
+        # U^0.68 G^0.49 W^-0.073 of the contact as a film number (h/R)(2U)^(-1/2).
         twice = VISCOSITY/(MODULUS*RADIUS)
         powers = (twice/2)**0.68*(10*twice**-0.25)**0.49*(20*twice**0.75)**-0.073*twice**-0.5
         side = 2.5**(2/3)
@@ -84,7 +84,7 @@ class Points(FilmTest):
         self.assertIn(f"formula says {1e9*formula:.1f} nm", readme)
 
     def starved(self, layer, **supply):
-        """M = 20, L = 10, whose flooded central film has the film number 4.8587."""
+        """The circle at M = 20, L = 10, behind a layer of `layer` times its flooded central film (4.8587 as a film number), or with `supply`."""
         ball = self.point(20, 10)
         return ball | {"supply": supply or {"inlet_film": layer*4.8587/film_number(1)}}
 
@@ -95,7 +95,7 @@ class Points(FilmTest):
         self.assertEqual((flooded["assumptions"]["inlet"], found["assumptions"]["inlet"]), ("flooded", "starved"))
         self.assertEqual(found["flooded_central_film"], flooded["central_film"])
         self.assertEqual(found["formulas"], flooded["formulas"])
-        # By this solver on four grids.
+        # The ratio 0.7702 was computed by this solver on four grids.
         ratio, layer = found["film_ratio"], found["inlet_film"]/flooded["central_film"]["value"]
         self.assertAlmostEqual(ratio["value"], 0.7702, delta=ratio["error"] + 1e-3)
         self.assertAlmostEqual(ratio["value"], found["central_film"]["value"]/flooded["central_film"]["value"], delta=1e-12)
@@ -147,12 +147,12 @@ class Points(FilmTest):
         for words in ("film thickness h (nm), × where least", "pressure p (GPa)", "at y = 0"):
             self.assertIn(words, text)
         self.assertEqual(text.count("<image"), 2)
-        for name in ("Chittenden et al.", "Nijenbanning et al."):  # of the least film and of the central one
+        for name in ("Chittenden et al.", "Nijenbanning et al."):  # a law of the least film and one of the central film
             self.assertEqual(text.count(name), 1, name)
         self.assertNotIn(", soft", text)
 
     def fields(self, tree, name):
-        """What --fields wrote, as {(x, y): (p, h)}, and the film itself."""
+        """Returns the fields that --fields wrote, as {(x, y): (p, h)}, and the film of the JSON text."""
         target = self.folder.path(name)
         result = run("film", self.write(tree), "--tolerance", "1e-2", "--fields", target, "--format", "json", "--profile")
         self.assertEqual((result.code, result.err), (0, f"tribocheck: wrote {target}\n"))
@@ -179,7 +179,7 @@ class Points(FilmTest):
             cell = math.prod((one[-1] - one[0])/(len(one) - 1) for one in places)
             expected = cell*sum(shear_stress(tree, *at) for at in fields.values() if at[0] > 0)/tree["load"]
             friction = found["friction"]
-            # The finest grid is nearly as good as the value that all grids lead to.
+            # The fields are of the finest grid. The value is extrapolated from all grids, and differs little.
             self.assertAlmostEqual(friction["value"], expected, delta=3*friction["error"])
             self.assertLess(friction["error"], 0.1*expected)
         del tree["lubricant"]["eyring_stress"]
@@ -198,7 +198,7 @@ class Points(FilmTest):
             self.assertEqual(values, fields[x, -y])
         xs, ys = (sorted({place[i] for place in fields}) for i in (0, 1))
         carried = sum(p for p, _ in fields.values())*(xs[1] - xs[0])*(ys[1] - ys[0])
-        self.assertTrue(0.9*tree["load"] < carried < tree["load"], carried/tree["load"])  # some is carried outside of the grid
+        self.assertTrue(0.9*tree["load"] < carried < tree["load"], carried/tree["load"])  # a part of the load is outside the grid
         self.assertAlmostEqual(min(h for _, h in fields.values())/found["minimum_film"]["value"], 1, delta=2e-2)
 
     def test_fields_are_refused_before_the_film_is_solved(self):

@@ -189,12 +189,12 @@ class Values(unittest.TestCase):
         self.assert_close(answer["peak_shear"], 0.300283 * answer["peak_pressure"], 1e-6)
 
     def test_hamrock_dowson_central(self):
-        # From another library, which has 1.9 for 2.69 (1 − 0.61 e^−0.73).
+        # The expected film is from another library, which rounds 2.69 (1 − 0.61 e^−0.73) to 1.9.
         film = value("hamrock_dowson_central", **GOOD["hamrock_dowson_central"])
         self.assert_close(film * 1.9 / (2.69 * (1 - 0.61 * math.exp(-0.73))), 2.612153512768e-7, 1e-11)
 
     def test_films_by_other_laws(self):
-        # Films of the paper's Table 1 at 1 m/s, in nm; lines with 1e5 N/m.
+        # Films in nm at 1 m/s with the numbers of the paper's Table 1; the lines carry 1e5 N/m.
         for name, film in zip(("hamrock_dowson_minimum", "hamrock_dowson_soft_central",
                                "hamrock_dowson_soft_minimum", *LINES),
                               (86.247, 48.624, 27.822, 165.939, 216.688, 154.850, 178.321, 198.958, 216.155),
@@ -217,7 +217,7 @@ class Values(unittest.TestCase):
         self.assert_close(value("astm_d341_viscosity", **same), 5.4e-6)
 
     def test_viscosity_index(self):
-        # The standard's examples, and an oil thicker at 40 °C than one of the index 0.
+        # The examples of ASTM D2270, and an oil of negative index: it is thicker at 40 °C than one of index 0.
         for at_40, at_100, index in ((73.3, 8.86, 92), (22.83, 5.05, 156), (53.47, 7.8, 111), (73.5, 8.86, 92),
                                      (4905, 70, 0), (100, 6, -213)):
             self.assertEqual(round(value("viscosity_index", kinematic_viscosity_40=1e-6 * at_40,
@@ -227,11 +227,11 @@ class Values(unittest.TestCase):
         thin = GOOD["carreau_yasuda_viscosity"]
         self.assert_close(value("carreau_yasuda_viscosity", **thin), 0.01 + 0.09 * 101 ** -0.25)
         self.assertEqual(value("carreau_yasuda_viscosity", **{**thin, "shear_rate": 0}), 0.1)
-        # So fast that the power of the rate is beyond what a double holds.
+        # At this shear rate the power of the rate is beyond the range of double.
         self.assertEqual(value("carreau_yasuda_viscosity", **{**thin, "shear_rate": 1e300}), 0.01)
 
     def test_what_adheres(self):
-        # At the pull-off force the circle has 9πwR²/(8E*) for a³, and a loose one 9πwR²/(2E*).
+        # The circle has a³ = 9πwR²/(8E*) at the pull-off force, and 9πwR²/(2E*) without load.
         work = math.pi * 0.05 * 0.01
         adheres = GOOD["jkr_radius"]
         for load, factor in ((0, 4.5), (-1.5 * work * (1 - 1e-15), 1.125)):
@@ -241,13 +241,13 @@ class Values(unittest.TestCase):
                               factor * work)
 
     def test_subsurface_shear(self):
-        # 0.31 of the peak pressure at 0.48 a, and there the greatest; (1/2 - ν)/2 at the surface.
+        # The stress is greatest at the depth 0.48 a: 0.31 of the peak pressure. At the surface it is (1/2 - ν)/2 of it.
         below = GOOD["subsurface_shear"]
         at = {depth: value("subsurface_shear", **{**below, "depth": depth * 1e-4}) for depth in (0, 0.3, 0.48, 0.7, 1, 2)}
         self.assert_close(at[0.48], 0.31e9, 1e-3)
         self.assertEqual(max(at, key=at.get), 0.48)
         self.assert_close(at[0], 0.1e9)
-        for depth in (1, 2):  # at both sides of the series
+        for depth in (1, 2):  # the function takes a closed form up to 1, and a series beyond
             q, arc = 1 / (1 + depth**2), 1 - depth * math.atan(1 / depth)
             self.assert_close(at[depth], 5e8 * (1.5 * q - 1.3 * arc))
 
@@ -325,7 +325,7 @@ class Mistakes(unittest.TestCase):
                     self.assertIn(words, answer["error"]["message"])
 
     def wrong_lines(self, function, arguments, name):
-        """Each bad call, with the field that is named and the message."""
+        """Yields each bad call, with the field that the error has to name and a part of its message."""
         def replaced(text):
             return call(function, {**arguments, name: "@"}).replace('"@"', text)
         if name not in OPTIONAL:
@@ -358,7 +358,7 @@ class Mistakes(unittest.TestCase):
     def test_faces_that_do_not_meet_at_a_point(self):
         for direction in "xy":
             names = [f"first_radius_{direction}", f"second_radius_{direction}"]
-            # The least radius that is above 0 as a number.
+            # The reduced radius of these faces is the least double above 0.
             faces = {**GOOD["reduced_radius"], **dict(zip(names, (1e-323, 1e-323)))}
             answer, = ask(call("reduced_radius", faces))
             self.assertEqual(answer["radius_" + direction], 5e-324)

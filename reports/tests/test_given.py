@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes as people give them: numbers with units, smooth bodies, oils by their data sheets, heated inlets.
 
-The numbers are computed here once more, by the formulas as they are printed.
+The expected numbers are computed here from the printed formulas.
 """
 
 import json
@@ -24,20 +24,20 @@ def flow_scene(**changes):
 
 
 def smooth_scene(**changes):
-    """A scene without surface and, unless it is given, without supply."""
+    """A scene without surface and supply, unless `changes` have them."""
     tree = {**scene(), "supply": None, "surface": None, **changes}
     return {key: value for key, value in tree.items() if value is not None}
 
 
 def flooded_film(u, viscosity=0.0202):
-    """Hamrock and Dowson's central film of the scenes here."""
+    """Hamrock and Dowson's central film in m of the scenes here, at the speed u in m/s."""
     modulus, radius = 2 * 107.9e9, 9.5e-3
     return (radius * 2.69 * (viscosity * u / (modulus * radius)) ** 0.67 * (2e-8 * modulus) ** 0.53
             * (50 / (modulus * radius ** 2)) ** -0.067 * (1 - 0.61 * math.exp(-0.73)))
 
 
 def walther(first, second, temperature):
-    """The line of D341 in decimal logarithms, in mm²/s."""
+    """The viscosity in mm²/s on the line of ASTM D341 through two pairs (temperature in K, mm²/s)."""
     place = lambda nu: math.log10(math.log10(nu + 0.7))
     slope = (place(first[1]) - place(second[1])) / (math.log10(second[0]) - math.log10(first[0]))
     return 10 ** 10 ** (place(first[1]) - slope * (math.log10(temperature) - math.log10(first[0]))) - 0.7
@@ -299,7 +299,7 @@ class HeatedInlets(GivenTest):
             self.assert_scene_refused(without_field(self.heated(), f"lubricant.{name}"), f"lubricant.{name}", "missing")
 
     def test_it_is_told_which_sliding_heats_it_where_the_scene_does_not_say(self):
-        """The default of S, full sliding, halves the film of a rolling bearing."""
+        """The default slide-to-roll ratio is 1. It halves the film of a rolling bearing, so that a warning is needed."""
         silent = self.heated(speed=2, friction={"boundary_coefficient": 0.13})
         words = r"friction\.slide_roll_ratio: missing, and the heated inlet of lubricant\.thermal .* default of 1 is taken"
         path = self.folder.write("scene.json", silent)

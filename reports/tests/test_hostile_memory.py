@@ -19,7 +19,7 @@ for line in sys.stdin:
 
 class Memory(unittest.TestCase):
     """Lines of nearly 1 MiB, a line that never ends, and endlessly many lines: none of them is kept in memory."""
-    MOST = 150  # MB; the program takes some 30, and the lines of all answers would take 200, what is read of them thousands
+    MOST = 150  # MB. The program takes about 30. All lines of answers would take 200, and all values in them thousands.
 
     def test_is_bounded(self):
         folder = Folder()

@@ -174,7 +174,7 @@ class Ignored(unittest.TestCase):
             self.assertIn(one, refused)
 
     def test_every_command_and_each_of_its_options_is_in_the_table(self):
-        elsewhere = {"bench", "report"}  # every option is used, but for --alone, which test_bench_solver has
+        elsewhere = {"bench", "report"}  # other tests use their options; --alone is in test_bench_solver
         commands = {form[0].split()[0] for form in FORMS} | elsewhere
         self.assertEqual(commands, {*COMMANDS, "plugin-host"})
         for command in [*sorted({form[0] for form in FORMS} | elsewhere)]:

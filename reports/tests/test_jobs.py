@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify --jobs: several processes of a subject give the bytes that one gives, and durations are told beside."""
+"""verify --jobs: several processes of a subject give the same bytes as one process; durations are told in JSON and JUnit."""
 
 import json
 import os
@@ -19,7 +19,7 @@ DIES = 'if case in {cases}: print("no " + case, file=sys.stderr, flush=True); os
 
 class SameBytes(ProgramTest):
     def outputs(self, command, jobs, *options, styles=OUTPUTS):
-        """Exit code, stderr and all outputs, but for durations and forecasts of them."""
+        """Exit code, stderr and all outputs, without durations and forecasts of durations."""
         junit = self.folder.path("junit.xml")
         told = []
         for style in styles:

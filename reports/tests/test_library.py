@@ -21,7 +21,7 @@ POINTS = ["operating_point", "operating_point_of_other_film", "operating_point_o
 
 
 def text_of(call, *arguments):
-    """The text that a call tells, with its code."""
+    """Returns the code of a call and the text that it writes."""
     room = ctypes.create_string_buffer(1 << 23)
     length = ctypes.c_size_t()
     code = call(*arguments, room, ctypes.c_size_t(len(room)), ctypes.byref(length))
@@ -183,7 +183,7 @@ def about(text):
 
 
 def points(call, names, count, *before):
-    """The columns of points by name; or the fault of a refusal."""
+    """Returns the columns of points by name, or the text of the fault if the call is refused."""
     made, result = columns([[-1] * count for _ in names], count)
     code, text = text_of(call, *before, ctypes.c_size_t(len(names)), (ctypes.c_char_p * len(names))(*map(str.encode, names)), result)
     assert (code == 0) == (text == ""), text
@@ -198,7 +198,7 @@ class Scenes(unittest.TestCase):
     WIDE = b"speed = {from = 1e-7, to = 400, count = 700}\noutputs = [\"inlet\", \"fluid_load_share\", \"friction\", \"regime\"%s]\n"
 
     def same(self, command, text, own):
-        """The columns against the document of the program, for the outputs that the scene asks for."""
+        """Asserts that the outputs that the scene asks for are those of the program, and returns the program's rows."""
         asked = {one["name"]: one["words"] for one in own["outputs"] if one["asked"]}
         rows = run(command, "-", "--format", "json", stdin=text.decode()).json()["points"]
         count = own["speeds"]
@@ -325,7 +325,7 @@ class Scenes(unittest.TestCase):
 
 
 class InC(unittest.TestCase):
-    """A program in C99 without warnings, on the header and the library alone."""
+    """A program in C99 that compiles without warnings, and needs only the headers and the library."""
 
     @classmethod
     def setUpClass(cls):

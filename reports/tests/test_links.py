@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each relative link of a Markdown page of the project leads to a file of it, and to a heading of that file; counts are of the tree."""
+"""Each relative link in a Markdown page leads to a file of the project, and to a heading of that file. Counts of fakes are right."""
 
 import os
 import pathlib
@@ -8,7 +8,7 @@ import unittest
 import urllib.parse
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]).resolve()
-# Folders that are built, and the page's templates, whose links are those of the page that is made of them.
+# Built folders, and the templates of the page: their links are for the finished page.
 LEFT_OUT = {"build", "out", "templates"}
 
 
@@ -28,7 +28,7 @@ def links(text):
 
 
 def anchors(text):
-    """The names that GitHub and GitLab give to headings: the second of the same text has a number."""
+    """The names that GitHub and GitLab give to headings. A heading whose text was there before gets a number."""
     found = []
     for heading in re.findall(r"(?m)^#{1,6} +(.*?) *#*$", re.sub(r"(?ms)^```.*?^```$", "", text)):
         name = re.sub(r"[^\w\- ]", "", re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower()).replace(" ", "-")
@@ -40,7 +40,7 @@ def anchors(text):
 
 
 def broken(page, text):
-    """What each link of a page lacks; links to other places are left alone."""
+    """One sentence for each broken link of a page. Links to other sites are not checked."""
     problems = []
     for link in links(text):
         target, _, anchor = link.partition("#")

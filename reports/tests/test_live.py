@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page's live part without a page: the model in WebAssembly, under Node, beside the program and the certified tables."""
+"""The page's live part without a browser: the model in WebAssembly under Node, against the program and the certified tables."""
 
 import decimal
 import json
@@ -23,7 +23,7 @@ import make_live  # noqa: E402
 OUTPUTS = ["film_flooded", "film", "separation", "film_parameter", "asperity_load_share", "fluid_load_share", "real_area_ratio",
            "summit_count", "friction", "regime", "inlet", "peak_pressure", "mean_pressure", "minimum_film", "lambda_ratio"]
 SCENES = sorted([*(ROOT / "reference/scenes").glob("*.toml"), *(ROOT / "reference/published").glob("*.toml")])
-CONTRACT = (8, 16)  # of operating points: ulp, and ulp for each unit of the condition
+CONTRACT = (8, 16)  # for operating points: ulp, and ulp for each unit of the condition number
 STEP = 1e-6
 
 
@@ -36,7 +36,7 @@ class Numbers(unittest.TestCase):
     COUNT = 1000
 
     def test_random_scenes_give_the_programs_numbers_within_the_contract(self):
-        """Each number lies within the bound of its contract, the condition included, which comes of the program at inputs beside."""
+        """Each number lies within the bound of its contract. The condition number is computed from the program's answers at changed inputs."""
         made = [random_scene(seed) for seed in range(self.COUNT)]
         here = ask([["solve", text(scene), scene["speed"]] for scene, _ in made])
         there = solved([scene for scene, _ in made])
@@ -70,7 +70,7 @@ class Numbers(unittest.TestCase):
                 with self.subTest(scene=path.name, criterion=name):
                     if why:
                         self.assertEqual(told[name]["undefined"]["speed"], why)
-                    else:  # the lowest friction is sought with half of the digits
+                    else:  # a search for the lowest friction finds half of the digits
                         part = 1e-6 if name == "friction_minimum" else 1e-12
                         self.assertAlmostEqual(float(speed) / told[name]["speed"], 1, delta=part)
                         self.assertAlmostEqual(float(film) / told[name]["film"], 1, delta=part)
@@ -161,7 +161,7 @@ class Scenes(unittest.TestCase):
                 self.assertEqual(len(ours), len([line for line in said if line.startswith("tribocheck: -")] or said))
 
     def test_a_form_gives_the_scene_that_it_was_filled_from(self):
-        """Through the units of the form, its text and the fragment of a link; numbers that follow from others to six digits."""
+        """The scene goes through the units and the text of the form, and through a link. Numbers that follow from others have six digits."""
         texts = [path.read_text() for path in SCENES]
         forms = ask([["form", toml] for toml in texts])
         for path, toml, (form, shared) in zip(SCENES, texts, forms, strict=True):
@@ -187,7 +187,7 @@ class Scenes(unittest.TestCase):
         self.assertEqual(ask([["shifted", one, 3] for one in ("", "abc", "1 2", "1,5", "-")]), [None] * 5)
 
     def test_the_python_call_gives_the_programs_number(self):
-        """The text of the call is Python, and its scene is the form's."""
+        """The call is valid Python, and its scene is that of the form."""
         state = ask([["state", (ROOT / "reference/published/rough.toml").read_text()]])[0]
         call, = ask([["python", state]])
         toml, = ask([["toml", state]])
@@ -211,7 +211,7 @@ class Scenes(unittest.TestCase):
 
 
 class OwnNumber(unittest.TestCase):
-    """The diagnosis of one number: the model's own, one with each known mistake, and one that nothing gives."""
+    """The diagnosis of one number: the right one, one with each known mistake, and one that no known mistake gives."""
     SCENE, AT = (ROOT / "reference/published/rough.toml").read_text(), 1
 
     @classmethod
@@ -237,7 +237,7 @@ class OwnNumber(unittest.TestCase):
                 self.assertEqual(self.asked(one, right, 1e-6 * right)["texts"], [""])
 
     def test_each_known_mistake_is_named(self):
-        """Of the film and of Hertz' pressure, with the wrong number made by the program."""
+        """For the film and for Hertz' pressure and radius. The program computes the wrong numbers."""
         named = 0
         for name, result in (("hamrock_dowson_central", "value"), ("hertz_point", "peak_pressure"), ("hertz_point", "radius")):
             quantity = self.quantity(name, result)

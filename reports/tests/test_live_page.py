@@ -76,7 +76,7 @@ class LivePage(Browsed):
         return self.script("return document.querySelector(`[data-part=${arguments[0]}]`).textContent", name)
 
     def said_of(self, quantity, number):
-        """What is said of a number of one's own."""
+        """Enters a number of this quantity, and returns what the page says about it."""
         self.script("const list = document.querySelector('[data-part=quantity]'); list.selectedIndex = [...list.options].findIndex((one) => one.text === arguments[0]);"
                     "document.querySelector('[data-part=own]').value = arguments[1];", quantity, number)
         self.assertEqual(self.script("return document.querySelector('[data-part=quantity]').selectedOptions[0]?.text"), quantity)
@@ -125,7 +125,7 @@ class Use(LivePage):
         self.assertIn('viscosity = "40 mPa·s"', self.toml())
         self.assertEqual(self.script("return document.getElementById('live-lubricant-viscosity-told').textContent").split(";")[0], "0.04 Pa·s")
         self.assert_programs_numbers()
-        self.type("bodies.reduced_radius", "4.75 cm")  # a unit of one's own
+        self.type("bodies.reduced_radius", "4.75 cm")  # a unit other than that of the form
         self.assert_programs_numbers()
 
     def test_shapes_and_supplies_have_their_own_fields(self):
@@ -150,7 +150,7 @@ class Use(LivePage):
             self.assert_programs_numbers()
 
     def test_dragging_moves_the_number_and_takes_few_milliseconds(self):
-        """The median time of the script is printed. It is held with a wide margin only: machines differ."""
+        """The median time of the script is printed. Its limit is wide, because machines differ."""
         self.show()
         self.begin("rough")
         for name in ("load", "at", "lubricant.viscosity", "surface.summit_height_sd", "supply"):
@@ -229,7 +229,7 @@ class Use(LivePage):
             self.assertIn(words, self.said_of("film of smooth faces by hamrock_dowson_central", f"{1e9 * number:.5g} nm"))
 
     def test_numbers_of_the_whole_contact_are_tested_with_their_causes(self):
-        """The page's own number is right; one made with a known mistake, another law or another unit is named, and the nearest one is told."""
+        """The page says that its own number is right. It names the mistake, the law or the unit behind a wrong number, or the nearest of them."""
         self.show()
         self.begin("rough")
         speed, toml = self.script("return tribocheckLive.page.state.values.at"), self.toml()
@@ -251,9 +251,9 @@ class Use(LivePage):
         self.assertIn("the nearest is", self.said_of("film of this contact", f"{1e9 * 1.005 * solved(laws)['film']:.5g} nm"))
         share = solved(toml)["asperity_load_share"]
         self.assertIn("Right", self.said_of("asperity_load_share of this contact", f"{100 * share:.5g} %"))
-        for text in ("22.45", "1e400 nm", "-3 nm", "much", "0 nm"):  # no length without its unit, no number
+        for text in ("22.45", "1e400 nm", "-3 nm", "much", "0 nm"):  # no unit, no number, or not above 0
             self.assertIn("is not allowed; allowed: a number above 0 with its unit", self.said_of("film of this contact", text))
-        self.assert_programs_numbers()  # the contact is the one that it was
+        self.assert_programs_numbers()  # the scene has not changed
 
     def test_what_is_known_in_two_ways_can_be_told_in_both(self):
         self.show()
@@ -281,7 +281,7 @@ class Use(LivePage):
         for path, word, usual in (("lubricant.thermal", "gupta", "none"), ("shape", "line", "circle"), ("shape", "ellipse", "circle"), ("friction.viscosity", "roelands", "barus")):
             with self.subTest(path, word=word):
                 self.choose(path, word)
-                if path == "shape":  # the radius and a law of the new shape are there
+                if path == "shape":  # the form gives the new shape a radius and a film law
                     self.assertEqual(self.part("faults"), "")
                     self.assert_programs_numbers()
                 self.choose(path, usual)
@@ -306,7 +306,7 @@ class Use(LivePage):
         self.assertGreaterEqual(float(self.script(NUMBERS)["film"].split()[0]), film)
 
     def test_inputs_of_an_ellipse_that_are_taken_for_others_are_named(self):
-        """Radii exchanged, and the viscosity of another temperature or unit, in the film of the contact and in that of a law."""
+        """Exchanged radii, and the viscosity of another temperature or in another unit, in the film of the contact."""
         self.show()
         self.begin("rough")
         self.choose("shape", "ellipse")
@@ -349,7 +349,7 @@ class Use(LivePage):
                 self.assertGreater(moved, number)
                 self.assertLess(moved, 1.3 * number)
         ends = [float(self.script("return document.querySelector(`[data-path='speed.${arguments[0]}']`).value", end)) for end in ("from", "to")]
-        for place, end in zip((-100, 100), ends, strict=True):  # the slider of the speed has the curves' ends
+        for place, end in zip((-100, 100), ends, strict=True):  # the slider of the speed ends where the curves end
             self.script(DRAG, "at", place)
             self.assertAlmostEqual(float(self.script("return document.querySelector('[data-path=at]').value")), end, delta=2e-3 * end)
             self.assertEqual(self.part("faults"), "")
@@ -433,7 +433,7 @@ class Use(LivePage):
         self.assertIn("laod, shape=cirle, which this page does not know", self.part("done"))
 
     def test_random_scenes_have_the_numbers_of_node(self):
-        """The bits of WebAssembly are those of the standard: what test_live holds under Node holds here."""
+        """Chromium gives the same bits as Node. So the numbers that test_live checks under Node are right here, too."""
         from live import ask, random_scene, text
         scenes = [random_scene(seed)[0] for seed in range(1000)]
         self.show()

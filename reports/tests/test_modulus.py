@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify --modulus and --ellipticity: a solver is asked in the numbers that it takes; how long a run will take is told."""
+"""verify --modulus and --ellipticity: a solver is asked with the moduli and radii that it takes. A long run is told beforehand."""
 
 import json
 import unittest
@@ -45,7 +45,7 @@ class Modulus(ProgramTest):
         self.assert_refused(run("verify", "--modulus", "E'"), "--modulus", "without --subject")
 
 
-# A solver that takes both bodies, or both radii, in all that it does.
+# Solvers that take the moduli of both bodies in place of E*, or both radii in place of the ellipticity.
 OF_BODIES = """asked = json.loads(text)
     for place in (asked, asked.get("bodies", {})):
         if "first_modulus" in place and name != "effective_modulus":

@@ -9,8 +9,8 @@ import unittest
 from program import ENVIRONMENT, TIMEOUT, Folder, run
 from test_init import LANGUAGES
 
-# The text of each language's template in hertz_point, and the text that takes its place. {beyond} is what
-# is done where `small` is false.
+# A text of hertz_point in each language's template, and the text that replaces it. {beyond} is the code for
+# the cases where `small` is false.
 RADIUS = "(0.75 * load * reduced_radius / effective_modulus)"
 FILLED = {
     "python": ("a²/R, of the two bodies, in m\n    return None",
@@ -48,7 +48,7 @@ class EveryLanguage(unittest.TestCase):
         assert {row[0] for row in cls.languages} >= {"python", "c", "cpp"}
 
     def radius(self, row, small, beyond):
-        """The exit code, and the verdict on the radius."""
+        """Returns the exit code and the verdict on the radius."""
         language, name = row[:2]
         with Folder() as folder:
             path = pathlib.Path(folder) / name

@@ -52,7 +52,7 @@ for line in sys.stdin:
 
 class Deep(ProgramTest):
     def assert_depth_told(self, result, depth, code=2):
-        """Asserts the sentence on nesting beyond the allowed depth, whether or not brackets pair up, and another refusal at that depth."""
+        """Asserts the exit code and short lines. The sentence on nesting is told beyond the allowed depth only, also for open brackets."""
         self.assertEqual(result.code, code, result.said[:500])
         said = result.said + result.out
         self.assertEqual(SENTENCE in said, depth > MOST, said[:500])

@@ -33,7 +33,7 @@ def questions(sample):
 
 
 def questions_and_again(sample):
-    """One in 24 of each kind is asked again, and one of each of the two scenes of the paper that the sample has."""
+    """questions(), and those that are asked again: one in 24 of each kind, and one for each of the two paper scenes in the sample."""
     return questions(sample) + math.ceil(sample / 24) * questions(1) + 2
 
 
@@ -159,7 +159,7 @@ while held:
         self.assertEqual((verdict["overall"], verdict["starts"]), ("complete", 1))
 
     def test_who_does_not_flush_is_told_so(self):
-        verdict = self.verdict(self.command(flush=False), "--case-timeout", "1", "--sample", "4")  # below a buffer
+        verdict = self.verdict(self.command(flush=False), "--case-timeout", "1", "--sample", "4")  # fewer bytes than a buffer holds
         self.assertEqual((verdict["overall"], verdict["starts"]), ("partial", 1))
         self.assertTrue(verdict["answers_at_end_of_input"])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers as the page and its pictures write them: for random values and at each limit, and one unit beside it."""
+"""Numbers as the page and its pictures write them: random values, each limit, and the doubles next to it."""
 
 import math
 import os

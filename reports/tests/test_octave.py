@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The functions of the catalogue in Octave, and tribocheck_check(); skipped where it or its headers are not installed."""
+"""The functions of the catalogue in Octave, and tribocheck_check(); skipped where Octave or its headers are not installed."""
 import json
 import math
 import os
@@ -163,7 +163,7 @@ class Functions(unittest.TestCase):
 @unittest.skipIf(MISSING, MISSING)
 class Check(unittest.TestCase):
     def judged(self, *expressions, start=""):
-        """The line of the verdict, or the error, of each."""
+        """Returns for each expression what tribocheck_check tells: the verdict in one line, or the error."""
         code = start + "".join(f"told ('tribocheck_check', {one});\ndisp ('----');\n" for one in expressions)
         return ran(code).split("----\n")[:-1]
 

@@ -135,7 +135,7 @@ class Browsed(WrittenReport):
 
 class Page(Browsed):
     def show(self, width=1400, scheme="light", media="", is_open=True):
-        """The page, with its closed sections opened."""
+        """Loads the page, and opens its closed sections if `is_open`."""
         self.look_at(width, scheme, media)
         self.driver.get((self.out / "index.html").as_uri())
         if is_open:
@@ -236,7 +236,7 @@ class Page(Browsed):
         self.assertIn("invert", self.run_script("return getComputedStyle(document.querySelector('.picture svg')).filter"))
 
     def test_what_is_drawn_stands_out_from_its_ground(self):
-        """Lines and points of the data have a contrast of 3 : 1 on white, and on the dark ground after its filter."""
+        """Lines and points of the data have a contrast of at least 3 : 1 on white, and in dark mode after its colour filter."""
         def luminance(colour):
             parts = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour]
             return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
@@ -265,7 +265,7 @@ class Page(Browsed):
                     self.assertGreaterEqual(contrast(colour, (1, 1, 1)), 3)
                     self.assertGreaterEqual(contrast(darkened(colour), darkened((1, 1, 1))), 3)
         self.assertGreaterEqual(len(seen), 5)
-        # Without colours, too, the surfaces are told apart.
+        # The surfaces differ in luminance, too, for readers who see no colours.
         surfaces = [tuple((COLOURS[name] >> shift & 0xFF) / 255 for shift in (16, 8, 0)) for name in ("rough", "medium", "smooth")]
         self.assertLessEqual(set(surfaces), seen)
         for lighter, darker in zip(surfaces, surfaces[1:]):

@@ -37,7 +37,7 @@ class Verdicts(unittest.TestCase):
 class EllipseFits(unittest.TestCase):
     @staticmethod
     def integrals(k):
-        """K and E of the parameter 1 − 1/k², by means over the angle, which has a period."""
+        """K and E of the parameter 1 − 1/k², by the midpoint rule, which converges fast because the integrand is periodic."""
         angles = [math.pi / 2 * (i + 0.5) / 4000 for i in range(4000)]
         roots = [math.hypot(math.cos(angle), math.sin(angle) / k) for angle in angles]
         return [math.pi / 2 * math.fsum(values) / 4000 for values in ([1 / root for root in roots], roots)]
@@ -65,7 +65,7 @@ class Uncertainty(unittest.TestCase):
     LEVELS = ((0.025, "low"), (0.5, "median"), (0.975, "high"))
 
     def compared(self, distances, count=300, draws=100):
-        """Quantiles of 1 with intervals of ± 0.196, a standard deviation of 0.1, and others at this distance."""
+        """agreement() of quantiles 1 ± 0.196, thus of standard deviation 0.1, with quantiles that lie at these distances from 1."""
         columns = {surface: {onset_uncertainty.COMPARED: {
             "count": count, "quantiles": [{"level": level, "value": 1.0, "low": 0.804, "high": 1.196} for level, _ in self.LEVELS]}}
             for surface in ledger.SURFACES}
@@ -77,7 +77,7 @@ class Uncertainty(unittest.TestCase):
             for _, end in self.LEVELS:
                 for distance in (0.5, -0.25):
                     found = self.compared({(surface, end): distance})
-                    # Ours has four times as many draws as the other sample, whose deviation is twice ours.
+                    # Ours has three times as many draws as the other sample, whose variance is thus three times ours.
                     self.assertAlmostEqual(found["in_deviations"], abs(distance) / (0.1 * math.sqrt(1 + 3)), places=12)
                     self.assertAlmostEqual(found["farthest"], abs(distance) / (1 + distance), places=12)
         self.assertEqual((found["ledger_draws"], found["column"]), (100, "onset.film_maximum.speed"))
@@ -101,7 +101,7 @@ class Uncertainty(unittest.TestCase):
 class Maps(unittest.TestCase):
     def test_the_error_of_a_map_counts_for_the_quantities_of_the_formulas_of_its_liquid_alone(self):
         def films(*checks):
-            """A map that is 1 everywhere."""
+            """Films with these checks, and a map that is 1 everywhere."""
             return types.SimpleNamespace(checks=[types.SimpleNamespace(load=load, material=1.0, film=film) for load, film in checks],
                                          map=lambda loads, materials: [[[1.0] * len(line_films.QUANTITIES)]])
         first, second = line_films.QUANTITIES[:2]
@@ -121,7 +121,7 @@ class PointFilms(unittest.TestCase):
     LOADS, MATERIALS = (5, 10, 20, 50, 100), (2.5, 5, 10)
 
     def block(self, *beyond):
-        """The widest block where these places alone are off by more than a tenth."""
+        """The widest block if only the contacts `beyond` are off by more than a tenth."""
         errors = {(load, material): 0.1 for load in self.LOADS for material in self.MATERIALS}
         return point_films.widest_block(errors | dict.fromkeys(beyond, -0.1001))
 
@@ -140,7 +140,7 @@ class PointFilms(unittest.TestCase):
 class StarvedFilms(unittest.TestCase):
     @staticmethod
     def points(exponent, top=2.0):
-        """Of a flooded film u^0.67, behind a layer of 1, by Damiens' closure."""
+        """Points of the flooded film u^0.67 behind a layer of 1, by Damiens' closure. Friction is least at the speed `top`."""
         made = []
         for step in range(16):
             speed = 3 * 1.3 ** (step - 15)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Thirty numbers that a referee of the page chose, one or two of each part, computed a second time with SciPy or plain Python.
 
-Two of his numbers have no second computation here. The central film of the gear's flank to five digits takes a solver of its own; its
-load and material numbers, half-width and peak pressure are held. The worst error of a moment at random inputs needs the double of the
-program that measured the baseline; the count of certified values is held.
+Two of the referee's numbers are not computed a second time. The central film of the gear's flank to five digits would need another solver;
+its load and material numbers, half-width and peak pressure are checked. The worst error of a moment at random inputs needs the
+double-precision function that the baseline measured; the count of certified values is checked.
 """
 import functools
 import itertools
@@ -53,7 +53,7 @@ def greatest_film(gap=LINE_GAP):
 
 
 def onset_in_closed_form(drawn):
-    """The onset speed (film_maximum) on the rough surface, of columns of drawn inputs."""
+    """The onset speeds (film_maximum) of the rough surface, from ten columns of drawn inputs."""
     density, summit, sd, offset, modulus, radius, viscosity, alpha, load, ratio = drawn
     roughness = density * summit * sd
     mean_pressure = load / (math.pi * (3 * load * radius / (4 * modulus)) ** (2 / 3))
@@ -179,7 +179,7 @@ class Thirty(Told):
         r = greatest_film()[0]
 
         def onset(ratio):
-            """In closed form: the film of smooth bodies is as great as the flooded one asks for."""
+            """The onset speed in closed form: there the flooded film is r·ratio in units of σ_s."""
             flooded = r * ratio
             return (flooded * (1 - smooth.share(flooded)) ** 0.14 / smooth.smooth_film(1.0)) ** (1 / 0.67)
         self.assertAlmostEqual(onset(RATIO) / smooth.onset, 1, delta=1e-6)
@@ -220,7 +220,7 @@ class Thirty(Told):
         self.tells("contacts", r"peak pressure, GPa \| [\d.]+ \| NUMBER", 1.5e-9 * pressure)
 
     def gear(self):
-        """Radius, load on a length, half-width and peak pressure of the gear's flank."""
+        """Radius, load per length, half-width and peak pressure of the gear's flank."""
         radius, line = 1 / (1 / 13.97e-3 + 1 / 20.95e-3), 11e3 / 20e-3
         half_width = math.sqrt(4 * line * radius / (math.pi * STEEL))
         return radius, line, half_width, 2 * line / (math.pi * half_width)

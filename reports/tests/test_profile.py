@@ -99,8 +99,8 @@ for line in sys.stdin:
     print(json.dumps(answer), flush=True)
 """
 
-# Stands in for perf, which few systems let everybody use: it runs the command, and has four samples: in the solver's function
-# slow; in the C library, called by it; in tribocheck, called by the solver; and in a library that the solver did not call.
+# This script stands in for perf, which many systems do not let everybody use. It runs the command, and has four samples: in the
+# solver's function slow; in the C library, called by slow; in tribocheck, called by slow; in a library that the solver did not call.
 PERF = """#!/bin/sh
 case "$1" in
 --version) echo 'perf version 6.1.187';;
@@ -176,7 +176,7 @@ class Profile(ProgramTest):
         self.assertEqual(one["lines"][0]["line"], line_of(C_CALLBACK, "the slow line"))
         self.assertGreater(one["lines"][0]["share"], 0.7)
         self.assertGreater(shares[line_of(C_CALLBACK, "the line that calls")], 0.005)
-        self.assertAlmostEqual(sum(line["share"] for line in one["lines"]), 1, delta=1e-3)  # 20 lines
+        self.assertAlmostEqual(sum(line["share"] for line in one["lines"]), 1, delta=1e-3)  # the document has the first 20 lines
 
     def test_without_line_numbers_it_names_functions_and_says_how_to_get_them(self):
         library = self.plugin("-fno-inline")
@@ -271,7 +271,7 @@ class Profile(ProgramTest):
         self.refused("--plugin", library, "--tool", "gprof", said="--tool")
 
     def with_perf(self, library, text=PERF):
-        """The path with a perf that has samples of the library's function slow, and no valgrind."""
+        """A PATH without valgrind, but with the stand-in for perf, whose samples are in the library's function slow."""
         symbols = subprocess.run(["nm", library], capture_output=True, text=True, check=True).stdout
         address = next(line.split()[0] for line in symbols.splitlines() if line.endswith(" slow"))
         for old, new in (("ADDRESS", address), ("SOLVER", library), ("HOST", os.path.realpath(PROGRAM))):
@@ -288,7 +288,7 @@ class Profile(ProgramTest):
     def test_perf_has_the_time_of_lines_with_that_of_the_libraries_which_they_call(self):
         library = self.plugin("-g", "-fno-inline")
         place = self.with_perf(library)
-        for words in ([], ["--tool", "perf"]):  # where valgrind alone is missing, and where it is asked for
+        for words in ([], ["--tool", "perf"]):  # valgrind is missing, or perf is asked for
             environment = place if not words else {"PATH": place["PATH"] + ":" + os.environ["PATH"]}
             one = self.document("--plugin", library, *words, environment=environment)
             self.assertEqual((one["tool"], one["unit"]), ("perf 6.1.187", "s"))

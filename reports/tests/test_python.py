@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The package of Python: the functions of the catalogue with arrays of numpy, scenes, solved films, and tribocheck.check().
 
-Some of the fakes and slips are judged by check() and by verify --subject; TRIBOCHECK_FAKES=1: all of them.
+check() and verify --subject judge some of the fakes and slips, or all of them if TRIBOCHECK_FAKES is set.
 """
 import ast
 import json

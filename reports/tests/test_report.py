@@ -143,7 +143,7 @@ class Numbers(WrittenReport):
                 if float(row["film"]) else 4
             condition = 1 / abs(1 - lambda_flooded / 4) if lambda_flooded != 4 else 1
             for name in numbers:
-                if other[name] == "":  # marks have the limits of the shares, as the paper prints them
+                if other[name] == "":  # marks then have the limits of the shares, which the paper prints
                     self.assertEqual((row["regime"], row["inlet"]), ("collapsed", "collapsed"))
                     self.assertEqual(row[name] == "NaN", "event" not in row or name == "friction")
                     continue
@@ -161,7 +161,7 @@ class Numbers(WrittenReport):
                 self.assert_points_agree(rows, solved(self.folder.name, speeds, scene))
 
     def test_groups_are_what_the_commands_answer(self):
-        """`reproduce`, `verify` and `film`, each number."""
+        """The report has each number that `reproduce`, `verify` and `film` print."""
         ledger = run("reproduce", "--format", "json", cwd=ROOT).json()
         self.assertEqual((ledger.pop("schema"), ledger.pop("version")), ("reproduce/1", self.told["version"]))
         self.assertEqual({name: self.told["ledger"][name] for name in ledger}, ledger)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The parts of the report from reference/baselines and reference/exact, also with files missing or changed."""
+"""Tests the parts of the report that come from reference/baselines and reference/exact, also if these files are missing or changed."""
 
 import json
 import math
@@ -15,7 +15,7 @@ from report_files import FIGURES, FITS_FIGURES, ROOT, STARVED_FIGURES, PageReade
 
 
 class Baselines(unittest.TestCase):
-    """A project of its own, whose reference/exact and reference/baselines are as a test leaves them."""
+    """Each test has its own copy of the project, and may change its reference/exact and reference/baselines."""
     FILES = {"accuracy.json": "verification", "stress.json": "worst-inputs",
              "mutants.json": "mutants", "planted_faults.json": "planted-faults", "diagnosis.json": "diagnosis",
              "work_precision.json": "work-precision",
@@ -35,11 +35,11 @@ class Baselines(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.project = project_copy(self.folder.name, "published", "scenes", "ehl", "exact", "baselines")
         shutil.copy(ROOT / "reference/mistakes.toml", self.project / "reference")
-        # A ledger lacks new faults until the next run that plants a part of them.
+        # The ledger may lack new faults of the catalogue until they are planted. Here it counts as complete.
         path = self.project / "reference/baselines/planted_faults.json"
         ledger = json.loads(path.read_text())
         path.write_text(json.dumps(ledger | {"catalogue": len(ledger["faults"])}))
-        # A sample of mutants grows by parts of an hour.
+        # Some of the drawn mutants may not have run yet. Here all count as run.
         path = self.project / "reference/baselines/mutants.json"
         ledger = json.loads(path.read_text())
         for one in ledger["score"]["rooms"]:
@@ -48,12 +48,12 @@ class Baselines(unittest.TestCase):
         (self.project / "empty").mkdir()
 
     def page(self, sections=None):
-        """report.json of the project, without pictures; of these sections, else of those here."""
+        """Writes a report without gnuplot in PATH, of these sections (None: those of FILES and environment; empty: all). Returns its report.json."""
         if sections is None:
             sections = ["environment", *self.FILES.values()]
         asked = [word for name in sections for word in ("--section", name)]
         done = report(*asked, cwd=self.project, environment={"PATH": str(self.project / "empty")})
-        self.assertIn(done.code, (0, 1), done.err)  # 1: no figures where there are some
+        self.assertIn(done.code, (0, 1), done.err)  # 1: figures could not be drawn
         page = json.loads((self.project / "reports/out/report.json").read_text())
         self.terminal = done.out
         self.text = (self.project / "reports/out/report.md").read_text()
@@ -65,7 +65,7 @@ class Baselines(unittest.TestCase):
         return page
 
     def rows(self, section):
-        """The cells of all tables of a section."""
+        """The rows of all tables of a section, without the heads."""
         lines = [line for line in self.sections[section].splitlines() if line.startswith("|")]
         heads = {i for i, line in enumerate(lines) for i in ((i - 1, i) if line.startswith("| ---") else ())}
         return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for i, line in enumerate(lines)
@@ -113,7 +113,7 @@ class Baselines(unittest.TestCase):
         self.assertEqual({path: path.read_bytes() for path in before}, before)
         self.assertIn(f": {out}/gates/", done.out.splitlines()[-1])
         self.assertEqual(json.loads((out / "gates/report.json").read_text())["sections"], ["gates"])
-        self.page(["environment", "gates", "skipped-work"])  # one of no fewer sections takes its place
+        self.page(["environment", "gates", "skipped-work"])  # a report of as many or more sections replaces it
 
     def test_one_that_is_not_json(self):
         path = self.project / "reference/baselines/stress.json"
@@ -162,7 +162,7 @@ class Baselines(unittest.TestCase):
         self.assertEqual((row[0], row[2]), (f"`{content['faults'][7]['id']}`", "SURVIVED: passed"))
 
     def standing_of(self, section):
-        """The standing of a section among the findings, and its words."""
+        """The standing of a section's finding, and its text on the page."""
         page = self.page([section, "environment"])
         standing = next(one["standing"] for one in page["findings"] if one["section"] == section)
         return standing, " ".join(next(part for part in self.text.split("\n\n") if f"](#{section})" in part).split())
@@ -294,7 +294,7 @@ class Baselines(unittest.TestCase):
                 self.assertEqual([name for name, one in targets.items() if not one["reached"]], [target])
 
     def test_each_group_is_its_baseline_whatever_the_numbers(self):
-        """Each field, each sum, each worst and each fastest one, found here again."""
+        """page_sources computes each field, sum, worst and fastest value again, also from baselines with random numbers."""
         folder = self.project / "reference/baselines"
         names = [name.removesuffix(".json") for name in self.FILES]
         bases = {name: json.loads((folder / f"{name}.json").read_text()) for name in names}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of films that are solved: the formulas' errors, the map of them, and a contact's profile."""
+"""The section of solved films: the errors of formulas, the map of these errors, and the profile of a contact."""
 
 import csv
 import json
@@ -12,7 +12,7 @@ import unittest
 from report_files import LINE_DATA, LINE_FIGURES, ROOT, WrittenReport, files_below, project_copy, report, table
 
 TABLES = {"barus": ROOT / "reference/ehl/line_films.csv", "compressible": ROOT / "reference/ehl/line_films_compressible.csv"}
-U = 1e-11  # as on the page
+U = 1e-11  # the speed number of the page
 
 
 def solved_films(liquid):
@@ -26,12 +26,12 @@ def liquid_of(name):
 
 
 def number(constant, speed, material, load, m, l, u):
-    """(h/R)(2U)^(-1/2) of C U^a G^b W^c."""
+    """(h/R)(2U)^(-1/2), where h/R = C U^a G^b W^c."""
     root = math.sqrt(2 * u)
     return constant * u**speed * (l / math.sqrt(root))**material * (m * root)**load / root
 
 
-# In the order of the columns of the map, without the first, which is no product of powers.
+# The laws in the order of the map's columns. The first column, Moes, is left out, as it is no product of powers.
 LAWS = {"ertel_grubin": ("at_greatest_pressure", 1.95, 8 / 11, 8 / 11, -1 / 11),
         "dowson_higginson_minimum": ("minimum", 2.65, 0.70, 0.54, -0.13),
         "dowson_toyoda_central": ("central", 3.06, 0.69, 0.56, -0.10),
@@ -70,7 +70,7 @@ class LineFilms(WrittenReport):
                     found = one[key]
                     self.assertAlmostEqual(found["error"], expected[0], 7)  # a speed number has six digits
                     self.assertEqual((found["load_number"], found["material_number"]), expected[1:])
-                middle = [errors[(len(errors) - 1) // 2][0], errors[len(errors) // 2][0]]  # twice the same of an odd number
+                middle = [errors[(len(errors) - 1) // 2][0], errors[len(errors) // 2][0]]  # for an odd number of errors twice the same one
                 self.assertAlmostEqual(one["median"], sum(middle) / 2, 7)
                 shown = f"{abs(100 * one['greatest']['error']):.1e}"  # two digits
                 self.assertIn(f"| `{name}` |", self.text)
@@ -86,7 +86,7 @@ class LineFilms(WrittenReport):
             found = one["elastic_viscous"]
             self.assertEqual(found["points"], len(home))
             self.assertNotIn((1, 5), home)  # rigid
-            self.assertNotIn((200, 0.1), home)  # the pressure does not thicken
+            self.assertNotIn((200, 0.1), home)  # the pressure does not thicken the liquid
             self.assertIn((200, 20), home)
             for key in ("least", "greatest"):
                 self.assertIn((found[key]["load_number"], found[key]["material_number"]), home)
@@ -113,7 +113,7 @@ class LineFilms(WrittenReport):
             self.assertLess(between["greatest"][quantity], most)
             self.assertLess(between["greatest_light"][quantity], most_light)
         self.assertLess(self.told["solved"]["greatest"]["error"], 2e-4)
-        # Formulas are held to the central and the minimum film alone where the liquid is compressible.
+        # For the compressible liquid, formulas are compared only with the central and the minimum film.
         for row in solved_films("compressible").values():
             for name in ("central", "minimum"):
                 self.assertLess(float(row[name + "_error"]), 5e-4 * float(row[name]), row)

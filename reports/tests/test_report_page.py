@@ -44,8 +44,8 @@ class Page(WrittenReport):
             self.assertLessEqual(below, above + 1)
 
     def test_picture_in_the_page_is_the_svg_file(self):
-        """The pictures have different identifiers, and each identifier that is used is defined. All paths go through the same places in the
-        same order, though the page writes 86.4 for 86.40 and leaves out each L, which SVG takes for granted."""
+        """The page gives pictures other identifiers, and defines each identifier that it uses. Its paths have the numbers of the file's
+        paths in the same order. It writes 86.4 for 86.40, and leaves out the command L, which SVG implies."""
         def paths(svg):
             drawn = re.findall(r" d='([^']+)'", svg.split("</defs>", 1)[1])
             return [[one if one.isalpha() else float(one) for one in re.findall(r"[A-KM-Za-z]|-?\d+\.?\d*", path)] for path in drawn]
@@ -107,8 +107,8 @@ class Page(WrittenReport):
         self.assertNotIn("It has no data.", text)
 
     def assert_tells(self, page, told):
-        """Asserts that each cell of each table has its number of the JSON with the digits of its column, under its heading, in the order
-        of the page, and that no other cell is there; and that the prose has the numbers of the JSON."""
+        """Asserts that the tables have the numbers of the JSON with the digits of their columns, in the order of the page, and no other
+        cells. Asserts that the prose has the numbers of the JSON."""
         shown, promised = list(page_tables.shown(page)), list(page_tables.promised(told))
         self.assertEqual([caption for caption, _, _ in shown], [caption for caption, _, _ in promised])
         for (caption, head, rows), (_, names, cells) in zip(shown, promised):
@@ -133,7 +133,7 @@ class Page(WrittenReport):
         self.assert_tells((self.out / "index.html").read_text(), self.told)
 
     def test_so_are_those_of_other_numbers(self):
-        """Real numbers that are equal, or never at a limit, would not show exchanged fields and wrong thresholds."""
+        """Real numbers may be equal or far from a limit, and would not show exchanged fields or wrong thresholds. These are random."""
         out = pathlib.Path(self.folder.name) / "other"
         out.mkdir()
         for seed in (1, 2, 3):
@@ -145,7 +145,7 @@ class Page(WrittenReport):
                 self.assert_tells((out / "index.html").read_text(), told)
 
     def test_summaries_are_of_their_rows(self):
-        """The fits' greatest errors are those of their table, up to both ratios; the numbers of skipped work add up."""
+        """The fits' greatest errors up to both radius ratios are those of their data. The numbers of skipped work fit together."""
         fits = self.told["ellipse_fits"]
         names = {"ellipticity": "ellipticity", "semi_axis_x": "semi-axis a_x", "peak_pressure": "peak pressure", "approach": "approach"}
         for one, (title, rows) in zip(fits["fits"], page_pictures.blocks(self.out / "data/ellipse_fits.blocks.tsv"), strict=True):
@@ -160,7 +160,7 @@ class Page(WrittenReport):
         for row in work["rows"]:
             collapsed = self.told["paper"]["scenes"][row["scene"]]["collapse"]
             self.assertEqual(row["starvation_skipped"] > 0, collapsed is not None)
-            if collapsed:  # even in the logarithm, from the collapse to the end
+            if collapsed:  # speeds are spaced evenly in their logarithm; those beyond the collapse are skipped
                 low, high = (self.told["paper"]["scenes"][row["scene"]][end]["speed"] for end in ("slowest", "fastest"))
                 part = math.log(high / collapsed["speed"]) / math.log(high / low)
                 self.assertAlmostEqual(row["starvation_skipped"] / work["speeds"], part, delta=2 / work["speeds"])
@@ -212,7 +212,7 @@ class Page(WrittenReport):
 
 
 def values(schema, path="report"):
-    """Each schema of a value within a schema, with its path; without schemas that only choose between others."""
+    """Yields the schema of each value, with its path. A schema in `oneOf` is no value: only its properties are yielded."""
     yield path, schema
     for name, one in schema.get("properties", {}).items():
         yield from values(one, f"{path}.{name}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of circles and ellipses: formulas' errors over the tables of solved films, by the formulas as printed."""
+"""The section of circles and ellipses: the errors of formulas are computed again, from the printed formulas and the tables of solved films."""
 import csv
 import math
 import statistics
@@ -15,7 +15,7 @@ MATERIAL = 2 * 20e-9 * 115.4e9  # G of steel and a mineral oil
 
 
 def powers(constant, speed, material, load):
-    """(h/R)(2U)^(-1/2) of C U^a G^b W^c."""
+    """(h/R)(2U)^(-1/2), where h/R = C U^a G^b W^c."""
     def number(m, l):
         twice = (l / MATERIAL)**4
         return constant * (twice / 2)**speed * MATERIAL**material * (m * twice**0.75)**load * twice**-0.5
@@ -23,7 +23,7 @@ def powers(constant, speed, material, load):
 
 
 def nijenbanning(is_of_rigid, is_of_s, ratio):
-    """One of the four readings, with D = R_x/R_y."""
+    """One of four readings of Nijenbanning, Venner and Moes; d is their D = R_x/R_y."""
     d = 1 / ratio
     q = 1 + 0.006 * math.log(d) + 0.63 * d**(4 / 7)
 
@@ -60,7 +60,7 @@ FORMULAS = formulas(1)  # of circles
 
 
 def films_of(name, ratio=1):
-    """Flooded contacts of one shape by M and L, without L = 0 and material numbers that some load numbers lack."""
+    """The rows of flooded contacts of one shape, by (M, L); without L = 0, and without L = 12.5, which is not solved at each M."""
     lines = (ROOT / "reference/ehl" / name).read_text().splitlines()
     rows = [row for row in csv.DictReader(line for line in lines if line[0] != "#")
             if float(row["radius_ratio"]) == ratio and row["supply"] == ""]
@@ -121,7 +121,7 @@ class PointFilms(WrittenReport):
     def test_the_picture_draws_its_cells(self):
         picture, data = self.out / "figures/point_film_errors.svg", types.SimpleNamespace(out=self.out, report=self.told)
         self.assertEqual(page_pictures.differences(picture, "point_film_errors", data), [])
-        # A number and a colour that are wrong are seen.
+        # A wrong number and a wrong colour are found.
         text = picture.read_text()
         for good, wrong in ((">+118<", ">+117<"), ("fill = 'rgb(251, 223, 177)'", "fill = 'rgb(177, 223, 251)'")):
             self.assertIn(good, text)

@@ -115,7 +115,7 @@ class OnsetUncertainty(Reported):
 
 
 class OtherSpeeds(Reported):
-    """Speeds that the paper does not report: within the ends of 95 %, and just beyond one of them."""
+    """Other reported speeds than those of the paper: two inside the 95 % interval, and one just above it."""
     reported = {"rough": 0.8205, "medium": 0.95, "smooth": 0.217}
     places = {"among them", "above all"}
     test_reported_speeds_lie_where_the_quantiles_say = Reported.check_that_reported_speeds_lie_where_the_quantiles_say

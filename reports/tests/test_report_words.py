@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Texts that others wrote into baselines and scenes: on the page and in its pictures they stay plain text."""
+"""Texts that other people write into baselines and scenes stay plain text on the page and in its pictures."""
 
 import html.parser
 import json
@@ -36,7 +36,7 @@ class Live(html.parser.HTMLParser):
 
 
 def changed(value, keys, word):
-    """The value with the word behind each text that has one of these names, at any depth. keys None: behind all texts and names."""
+    """Appends the word to each text under one of these keys, at any depth. If `keys` is None, it does so to all texts and most keys."""
     if isinstance(value, list):
         return [changed(one, keys, word) for one in value]
     if not isinstance(value, dict):

@@ -162,13 +162,13 @@ class ReproduceTest(ProgramTest):
                     margin = told["margin"]
                     self.assertEqual((float(row["margin"]), row["margin_of"]), (margin["distance"], margin["of"]))
                     self.assertEqual(told["decided"], margin["distance"] > margin["error"])
-                    # Refined numbers have small errors, but for a number that cannot be told from 0.
+                    # Refined numbers have small relative errors; numbers below 1 have small absolute errors.
                     self.assertLess(told["numerical_error"], 1e-10 * max(1, abs(told["computed"])))
                     self.assertAlmostEqual(float(row["margin_error"]) / (margin["error"] or 1),
                                            1 if margin["error"] else 0, delta=0.06)
 
     def test_a_verdict_that_the_numerical_error_leaves_open_says_so(self):
-        """With the equations as printed the area is the same on all surfaces: ratios are 1 but for rounding."""
+        """With the equations as printed the area is the same on all surfaces: ratios differ from 1 only by rounding."""
         told = {row["item"]: row for row in self.rows() if row["reading"] == "literal"}
         self.assertEqual([name for name, row in told.items() if row["decided"] == "no"], ["C9"])
         self.assertAlmostEqual(float(told["C9"]["computed"]), 1, delta=float(told["C9"]["numerical_error"]))
@@ -327,7 +327,7 @@ class ReproduceTest(ProgramTest):
             self.assertIn(text, result.out)
 
     def test_each_cell_of_the_markdown_is_that_of_the_json(self):
-        """Compares with the page's tables, whose columns have other digits: numbers agree to the coarser digits."""
+        """Compares with the page's tables. Where these have more or fewer digits, numbers agree to the fewer digits."""
         ledger = reproduced("--format", "json").json()
         text = reproduced("--section", "all", "--format", "markdown").out
         tables = {}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The same points by every command, on each kind of processor with fused multiply-add, on any number
-of threads: the same bits. Numbers are written so that they read back exactly."""
+"""All commands give the same bits for the same points, on each kind of processor with fused multiply-add
+and on any number of threads. Numbers are written so that they read back exactly."""
 
 import json
 import subprocess
@@ -9,8 +9,8 @@ import unittest
 from program import ENVIRONMENT, PROGRAM, scene
 from sweeps import NORMAL, UNIFORM, SweepTest, sweep
 
-# Settings as on a processor with fewer instruction sets. Sets without fused multiply-add have bits of
-# their own.
+# What GLIBC_TUNABLES switches off for each kind of processor. Kinds without fused multiply-add give other
+# bits, and are left out.
 HWCAPS = "glibc.cpu.hwcaps="
 KINDS = {"all": "", "no AVX-512": "-AVX512F"}
 NUMBERS = ("film_flooded", "film", "separation", "film_parameter", "asperity_load_share",
@@ -20,7 +20,7 @@ NUMBERS = ("film_flooded", "film", "separation", "film_parameter", "asperity_loa
 def asked(kind, *arguments, stdin=""):
     environment = dict(ENVIRONMENT)
     if KINDS[kind]:
-        # Sets that are off already stay off: of several settings only the last would count.
+        # One setting lists all sets, also those that are already off: of several settings only the last counts.
         already = environment.get("GLIBC_TUNABLES", "")
         off = already.removeprefix(HWCAPS).split(",") if already.startswith(HWCAPS) else []
         environment["GLIBC_TUNABLES"] = HWCAPS + ",".join([*off, KINDS[kind]])

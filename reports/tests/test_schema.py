@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The JSON Schema and the program judge the same scenes alike.
 
-verification/tests/scene holds the schema file to the reader's table of fields; here a validator that knows
-nothing of that table and the real program are given one corpus of good and bad scenes, as JSON and
-as TOML. Rules that a schema cannot say have a test of their own.
+verification/tests/scene compares the schema file with the reader's table of fields. Here the real program and
+a validator, which does not know that table, judge the same good and bad scenes, as JSON and as TOML. Rules
+that a schema cannot state have their own test.
 """
 
 import copy
@@ -21,7 +21,7 @@ PROGRAM = os.environ["TRIBOCHECK"]
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 SCHEMA = json.loads((ROOT / "reference/scene.schema.json").read_text(encoding="utf-8"))
 
-# `solve` needs speeds, `onset` does not; the schema is for scenes of both.
+# `solve` needs speeds. The schema does not require them, as it is also for scenes of `onset`.
 SOLVABLE = {"allOf": [SCHEMA], "required": ["speed"]}
 
 GOOD = {
@@ -66,7 +66,7 @@ def with_value(scene, path, value):
 
 
 def field_paths(schema=SCHEMA, prefix=""):
-    """All paths of the schema, tables and the fields of a speed range among them."""
+    """All paths of the schema, also those of tables and of the fields of a speed range."""
     for name, node in schema["properties"].items():
         yield prefix + name
         for table in [node, *node.get("oneOf", [])]:
@@ -129,7 +129,7 @@ def is_valid(scene):
 
 
 def is_reversed(scene):
-    """A range that is bad only for the program: the schema cannot compare two fields."""
+    """Whether a range of speeds is reversed or empty. Only the program can tell: the schema cannot compare two fields."""
     speed = scene.get("speed")
     return isinstance(speed, dict) and not speed["from"] < speed["to"]
 
@@ -145,7 +145,7 @@ class SchemaTest(unittest.TestCase):
         return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
 
     def refused_files(self, texts):
-        """The files among these that get an error line, from one call with all of them."""
+        """Solves all these files in one call. Returns the names of those that get an error line, and stderr."""
         paths = []
         for name, text in texts.items():
             paths.append(self.folder / name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify --subject: what is said of wrong solvers whose makers did not know how causes are found."""
+"""verify --subject names the mistakes of wrong solvers, whose makers did not know how it finds causes."""
 
 import concurrent.futures
 import unittest
@@ -7,7 +7,7 @@ import unittest
 from conformance import subject, verify
 from program import ProgramTest
 
-# The function of each slip, and words that its maker needs to read.
+# For each slip, the quantity that shows it, and words that have to stand in the diagnosis of this quantity.
 SAID = {
     "moes_material_with_single_modulus": ("moes_line", "with α/2 in place of α ("),
     "moes_load_without_root_two": ("moes_line", "with √2 F/L in place of F/L ("),
@@ -37,7 +37,7 @@ class Slips(ProgramTest):
                     texts = [one["text"] for one in result.json()["diagnoses"] if one["quantity"] == quantity]
                     self.assertTrue(any(words in text for text in texts), texts)
                     said = [other for _, other in SAID.values() if other != words and any(other in text for text in texts)]
-                    self.assertEqual(said, [])  # none of the others is said of it
+                    self.assertEqual(said, [])  # no other slip is named
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ class Numbers(SolveTest):
                          [2, 0.1, 0.5])
 
     def test_each_of_many_points_is_that_of_its_speed_alone(self):
-        # The speeds are more than two of the program's chunks, and more than each thread's part.
+        # The speeds fill more than two chunks of the program (65536 speeds) and many pieces of a thread (2048 speeds).
         tree = scene(speed={"from": 1e-4, "to": 3, "count": 140_000}, outputs=["film", "friction"])
         texts = [self.solved(tree, "--format", "csv", "--threads", str(count)).out for count in (1, 3)]
         self.assertTrue(texts[0] == texts[1])
@@ -88,7 +88,7 @@ class Numbers(SolveTest):
         point = self.points(scene("smooth", speed=3))[0]
         self.assertEqual((point["inlet"], point["regime"], point["film"], point["separation"]),
                          ("collapsed", "collapsed", 0, 0))
-        self.assertGreater(min(point["real_area_ratio"], point["summit_count"]), 0)  # limits
+        self.assertGreater(min(point["real_area_ratio"], point["summit_count"]), 0)  # limits for a film of 0
         self.assertEqual([point[name] for name in UNBALANCED], [None, None, None])
         self.assertEqual(point["undefined"], dict.fromkeys(UNBALANCED, COLLAPSED))
 
@@ -135,10 +135,10 @@ class Numbers(SolveTest):
 
 
 class About(SolveTest):
-    """Facts of a scene, in place of its points."""
+    """`solve --about` tells facts of a scene in place of its points."""
 
     def about(self, tree):
-        """The values of each part, by their names."""
+        """The values of each part of the answer, by their names."""
         told, = self.solved(tree, "--about", "--format", "json").json()["scenes"]
         return {part: {one["name"]: one["value"] for one in told[part]} for part in ("inputs", "contact", "outputs", "work")}
 

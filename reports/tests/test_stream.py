@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stream: one answer a line, in order, at once, for any input."""
+"""stream answers each line of any input at once, in order."""
 
 import select
 import subprocess

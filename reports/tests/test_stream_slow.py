@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stream over a million lines: memory stays flat, and how many lines it answers a second is printed.
-TRIBOCHECK_LINES asks for another number."""
+"""The memory of stream stays flat over a million lines, or as many as TRIBOCHECK_LINES asks for. The number of lines
+that it answers in a second is printed."""
 
 import os
 import resource

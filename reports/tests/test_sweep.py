@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep: its reading, its numbers and its files, compared with the program's other commands."""
+"""tribocheck sweep: the sweep files that it refuses, its result files, and its numbers compared with other commands."""
 
 import json
 import math
@@ -262,7 +262,7 @@ class Files(SweepTest):
                               text=True, timeout=120)
         with opened(self.path("out.h5")) as file:
             first = float(file["smooth/outputs/film"][0][0])
-        self.assertEqual(said.stdout.split()[:2], ["2", "3000"], said.stderr)  # Octave has columns first
+        self.assertEqual(said.stdout.split()[:2], ["2", "3000"], said.stderr)  # Octave reverses the order of dimensions
         self.assertEqual(float(said.stdout.split()[2]), first)
 
     @unittest.skipUnless(shutil.which("h5dump"), "h5dump is not installed")
@@ -324,7 +324,7 @@ class Estimates(SweepTest):
     ]
 
     def estimate(self, text):
-        """In bytes: the estimated memory, file and parts; and the memory that the estimate itself took."""
+        """The estimated sizes of memory, file and parts, and the memory that the estimate itself took, all in bytes."""
         path = self.folder.write("sweep.toml", text)
         process = start("sweep", path, "--estimate", stdout=subprocess.PIPE)
         said = process.stdout.read().decode()
@@ -337,7 +337,7 @@ class Estimates(SweepTest):
         return [float(number) * units[unit] for _, number, unit in found], own * 2**20
 
     def test_memory_and_files_are_what_a_sweep_takes_within_a_factor_of_one_and_a_half(self):
-        # Sanitizers take memory of their own, which differs between the shapes; the first and the last file are written in other ways.
+        # Sanitizers take memory of their own. With them, only the files of the first and the last shape are compared: each is written in another way.
         for i, text in enumerate(self.SHAPES[::4] if SANITIZED else self.SHAPES):
             with self.subTest(shape=i):
                 (memory, file, parts), _ = self.estimate(text)
@@ -368,7 +368,7 @@ class Estimates(SweepTest):
 
 
 class Progress(SweepTest):
-    # Some seconds: the friction minimum is searched for.
+    # The sweep takes some seconds, as it searches for the friction minimum.
     TEXT = sweep({"load": '{ printed = "50" }', "speed": "{ from = 1e-3, to = 1 }",
                   "surface.summit_plane_offset": "0.919"},
                  onset='["friction_minimum"]', draws=4000 if SANITIZED else 25000)
@@ -386,7 +386,7 @@ class Progress(SweepTest):
 
     def test_a_terminal_sees_rate_and_time_left_on_one_line(self):
         reader, writer = os.openpty()
-        self.said_to(writer, stopped=1.0)  # so that a line comes before the first cases are there
+        self.said_to(writer, stopped=1.0)  # so that a progress line comes before the first cases are computed
         os.close(writer)
         said = read_terminal(reader)
         self.assertRegex(said, rb"\rcomputed [0-9.]+ %, .* points, .* a second, .* left")
@@ -432,7 +432,7 @@ class BadSweeps(SweepTest):
          ["lubricant.viscosity: this normal distribution reaches −0.06",
           "; viscosity must be a number above 0, in Pa·s: truncate it with `from`",
           "; 0.0217 of it lies beyond that range"]),
-        # Φ(−2.02), Φ(−6) and Φ(−4)
+        # 0.0217 above is Φ(−2.02). Below, 9.87e-10 is Φ(−6), and 3.17e-05 is Φ(−4).
         ({"lubricant.viscosity": '{ distribution = "normal", mean = 0.06, sd = 0.01 }'}, {},
          [", as from = 0.0", ", which cuts off ", " of it; 9.87e-10 of it lies beyond that range"]),
         ({"bodies.effective_modulus": None, "bodies.first_modulus": "2e11", "bodies.second_modulus": "2e11", "bodies.second_poisson_ratio": "0.3",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep, built without MPI: mpirun gets a message, and the work is not done n times."""
+"""tribocheck sweep without MPI refuses to be one of several ranks, as each of them would do the whole work."""
 
 import subprocess
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep show --cases: each kept point, and what `solve` says of the same scene."""
+"""tribocheck sweep show --cases gives each kept point, with the numbers of `solve` for the same scene."""
 
 import csv
 import io
@@ -81,7 +81,7 @@ class Cases(SweepTest):
             self.assertNotIn("case  ", run("sweep", "show", self.path("out.h5"), "--format", form).out)
 
     def test_a_grid_crossed_with_a_distribution_has_quantiles_for_each_set_of_its_values(self):
-        """Each is that of a sweep of this load alone, whose draws are the same."""
+        """The quantiles of each load are those of a sweep with this load alone, which has the same draws."""
         drawn = {"lubricant.viscosity": UNIFORM, "speed": "0.1"}
         alone = {}
         for load in ("20", "50"):

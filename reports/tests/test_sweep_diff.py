@@ -29,7 +29,7 @@ class Diff(SweepTest):
         self.swept(second or first, "--force", out="b.h5")
 
     def change(self, path, place, value, name="b.h5"):
-        """One number of a result, whose seal is made anew."""
+        """Changes one number of a result, and writes the checksum at its end anew."""
         import h5py
         with h5py.File(self.path(name), "r+") as file:
             file[path][place] = value(file[path][place]) if callable(value) else value

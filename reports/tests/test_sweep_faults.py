@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """tribocheck sweep under faults: killed at any moment, stopped, on a full disk, with damaged files. A
-resumed run ends in the bytes of an undisturbed one. TRIBOCHECK_KILLS asks for more kills than five."""
+resumed run gives the bytes of an undisturbed one. TRIBOCHECK_KILLS asks for more kills than five."""
 
 import os
 import random
@@ -160,14 +160,14 @@ class Killed(SweepTest):
             process.communicate()
             self.assertEqual(process.returncode, 130)
         os.replace(self.path("out.h5"), self.path("old.h5"))
-        shutil.copy(self.path("old.h5"), self.path("out.h5"))  # not the file that --force was to replace
+        shutil.copy(self.path("old.h5"), self.path("out.h5"))  # a copy, not the file that --force was to replace
         self.assert_refused(self.sweep(DAYS, "--resume"), "out.h5", "--force")
 
 
 class Disks(SweepTest):
     def limited(self, most, *options):
         path = self.folder.write("sweep.toml", SHORT)
-        # libhdf5 1.10.8 leaks what belongs to a file whose close has failed.
+        # libhdf5 1.10.8 leaks the memory of a file if closing it fails.
         environment = dict(ENVIRONMENT, ASAN_OPTIONS=ENVIRONMENT["ASAN_OPTIONS"] + ":detect_leaks=0")
         done = subprocess.run(
             [PROGRAM, "sweep", path, "-o", self.path("out.h5"), *options], capture_output=True,
@@ -237,7 +237,7 @@ class Damage(SweepTest):
                 if result.code == 0:
                     self.assertIn("is computed anew", result.err)
                     self.assert_whole(result)
-                else:  # the cut is within its mark
+                else:  # the cut is before the end of the mark of a part
                     self.assertEqual(result.code, 2, result.err)
                     self.assertLess(cut, 3000)
                     self.assertEqual(self.bytes_of("out.h5.part-0-9"), self.part[:cut])
@@ -341,7 +341,7 @@ class Damage(SweepTest):
         merge = ["sweep", "merge", self.path("1.shard"), self.path("2.shard"), "-o",
                  self.path("merged.h5")]
         own = self.set_of("whole.h5")
-        if own.startswith("no FMA"):  # then all sets of this machine have no FMA
+        if own.startswith("no FMA"):  # this machine has no FMA: both shards have the same arithmetic
             self.assertEqual(run(*merge).code, 0)
             return
         other = "no FMA"

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep in a folder that others write to: it neither follows nor replaces nor removes files that are not its
-own, and it ends soon when it is stopped or its folder is removed. TRIBOCHECK_ATTACKS asks for more attacks than
-four."""
+"""tribocheck sweep in a folder that others write to. It does not follow their links, and does not replace or remove their
+files. It ends soon when it is stopped or its folder is removed. TRIBOCHECK_ATTACKS asks for more attacks than four."""
 
 import errno
 import os
@@ -63,7 +62,7 @@ class Shared(SweepTest):
                         (os.rmdir if kind == "folder" else os.remove)(path)
 
     def of_days(self, out, **options):
-        """A sweep of days is refused at once where its result cannot be kept."""
+        """Starts a sweep that would take days, whose result cannot be kept. It has to end at once with one line."""
         path = self.folder.write("sweep.toml", DAYS)
         names = self.names()
         done = subprocess.run([PROGRAM, "sweep", path, "-o", out, *options.pop("arguments", [])], capture_output=True,
@@ -88,7 +87,7 @@ class Shared(SweepTest):
             environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0"
             done = subprocess.run([PROGRAM, "sweep", self.path("sweep.toml"), "-o", self.path("out.h5")],
                                   capture_output=True, text=True, timeout=20, env=environment)
-            if code == errno.EPERM:  # it says nothing about flags
+            if code == errno.EPERM:  # an error that also has other causes than flags
                 self.assertEqual(done.returncode, 1)
                 self.assertIn(os.strerror(code), done.stderr)
                 self.assertNotIn("out.h5", self.names())
@@ -201,7 +200,7 @@ class Shared(SweepTest):
 
 
 class Meanwhile(SweepTest):
-    """Changes by others, and stops, while a sweep computes."""
+    """While a sweep computes, others change files, or it is stopped."""
 
     def started(self, *arguments):
         process = start("sweep", *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
@@ -239,7 +238,7 @@ class Meanwhile(SweepTest):
         self.assert_refused(self.sweep(LONG, "--resume"), "out.h5", "move it away")
         self.assertEqual(self.bytes_of("out.h5"), b"of somebody")
         os.remove(self.path("out.h5"))
-        resumed = self.sweep(LONG, "--resume")  # and no computed part is lost
+        resumed = self.sweep(LONG, "--resume")  # no computed part is lost
         self.assertIn("going on", resumed.err)
         self.assertEqual((resumed.code, self.bytes_of("out.h5")), (0, whole), resumed.err)
         process = self.stopped_in_the_middle("--force")
@@ -300,7 +299,7 @@ class Meanwhile(SweepTest):
                     stopped += 1
                     self.assertIn(b"stopped: ", said)
                     self.assertEqual(names, [] if command is merge else self.parts())
-                else:  # the sweep had ended, and only told it
+                else:  # the result was complete before the signal
                     self.assertIn(process.returncode, (0, -signal.SIGINT), said)
                     self.assertTrue(os.path.exists(self.path("out.h5")))
                 if stopped == 2:

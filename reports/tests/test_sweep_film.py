@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep with solved_film = true: the film of lines over M and L, on threads."""
+"""tribocheck sweep with solved_film = true: solved films of line contacts over M and L."""
 
 import math
 import unittest
@@ -27,7 +27,7 @@ class SolvedFilms(SweepTest):
     solved_once = {}
 
     def solved(self):
-        """The program's output on SWEEP, the bytes of its result, and its columns. Films take long, so that all tests share them."""
+        """The program's output on SWEEP, the bytes of its result, and its columns. All tests share one run, because films take long."""
         if not self.solved_once:
             said = self.sweep(SWEEP, "--threads", "2", out="once.h5")
             with opened(self.path("once.h5")) as file:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep show of forged results, with the right checksum at the end: each is refused in
-a line, or gives the numbers that h5dump shows, and no other file is read. TRIBOCHECK_FORGED asks for more of them
-than forty, TRIBOCHECK_FORGED_FIRST for another first one."""
+"""tribocheck sweep show of forged results with the right checksum at the end. Each is refused in one line, or
+gives the numbers that h5py reads, and no other file is read. TRIBOCHECK_FORGED is the number of forged results in
+place of forty, TRIBOCHECK_FORGED_FIRST the number of the first one in place of 0."""
 
 import json
 import multiprocessing
@@ -27,7 +27,7 @@ GOOD = {
 }
 
 
-# --- Forging with h5py: a function a kind, which may take any dataset or attribute.
+# --- Forging with h5py: a function for datasets, and one for attributes.
 
 def shapes(shape, draw):
     longer = tuple(n + 1 for n in shape)
@@ -193,7 +193,7 @@ def forged_bytes(content, draw):
     return ["bytes"], bytes(changed)
 
 
-# --- What other programs read in it.
+# --- Comparison with h5py, which reads the same file.
 
 def close(a, b):
     if b is None:  # JSON has no NaN and no infinity
@@ -206,7 +206,7 @@ def text(value):
 
 
 def compare(path, said, cases):
-    """Raises AssertionError where the program's numbers are not those that h5py, and so h5dump, reads."""
+    """Raises AssertionError where a number of the program is not the one that h5py reads."""
     import h5py
     with h5py.File(path) as file:
         for scene in said["scenes"]:
@@ -232,7 +232,7 @@ def compare(path, said, cases):
                 if getattr(read, "shape", ()):
                     speed = list(group["speed"][()]).index(point["speed"])
                     read = read[speed]
-                # Words of outputs are told by the summary's list.
+                # The words of an output stand in an attribute of its summary.
                 listed = group[place if "inputs" in place else place.replace("outputs", "summary", 1)]
                 if "words" in listed.attrs:
                     words = [text(word) for word in listed.attrs["words"]]

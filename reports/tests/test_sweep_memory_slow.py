@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""sweep over a hundred million points of which summaries are kept: memory stays flat; the memory of each step is
-printed. TRIBOCHECK_POINTS asks for another number."""
+"""The memory of a sweep that keeps only summaries stays flat over a hundred million points, or as many as
+TRIBOCHECK_POINTS asks for. The memory of each step is printed."""
 
 import os
 import subprocess

@@ -13,7 +13,7 @@ SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=500
 
 
 class Closed(SweepTest):
-    """A stream that is closed when the program starts is not opened again as its part or its result."""
+    """Where a standard stream is closed when the program starts, no part or result gets its file descriptor."""
 
     def run_without(self, streams, *arguments):
         def close():

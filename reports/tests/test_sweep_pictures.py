@@ -195,7 +195,7 @@ class Pictures(SweepTest):
     def test_a_few_values_of_a_grid_are_shown_as_points(self):
         few, many = '["40 °C", "60 °C", "80 °C", "100 °C"]', '{ from = "40 °C", to = "100 °C", count = 13, spacing = "lin" }'
         oil = {"lubricant.viscosity": None, "lubricant.iso_vg": "68", "lubricant.viscosity_index": "95", "lubricant.density": "870"}
-        for values, points in ((few, 4 + 1), (many, 0)):  # one in the legend
+        for values, points in ((few, 4 + 1), (many, 0)):  # one point more is in the legend
             self.assertEqual(self.drawn(sweep({**oil, "lubricant.temperature": values, "speed": "0.1", "outputs": '["film"]'})),
                              ["film_curves"])
             os.remove(self.path("out.h5"))
@@ -206,7 +206,7 @@ class Pictures(SweepTest):
             self.assertEqual([round(float(curve[place]["field"]), 9) for place in (0, -1)], [40, 100])
 
     def test_indices_of_what_is_often_undefined_are_not_given(self):
-        # Λ lies on both sides of 3, below which friction is undefined where the summits are not given.
+        # Λ is below 3 in some cases. There friction is undefined, because the summits are not given.
         rough = {name: None for name in ("surface.summit_density", "surface.summit_radius", "surface.summit_height_sd",
                                          "surface.summit_plane_offset", "supply.inlet_film_ratio")}
         text = sweep({**rough, "accept": '["rough_as_smooth"]', "surface.rms_roughness": '{ distribution = "log_normal", median = 1e-8, log_sd = "30 %" }',

@@ -85,7 +85,7 @@ class Ranks(SweepTest):
         self.check_kills(KILLS, begin, end, pick)
 
     def with_rank_one(self, text, environment, first=False):
-        """Two ranks, of which the second, or the first, has its own environment."""
+        """Starts two ranks. Only the second one, or with `first` only the first one, has the variables of `environment`."""
         path = self.folder.write("sweep.toml", text)
         settings = ["env", *(f"{name}={value}" for name, value in environment.items())]
         command = [PROGRAM, "sweep", path, "-o", self.path("out.h5"), "--format", "csv"]

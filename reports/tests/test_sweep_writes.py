@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep with one write, sync, rename or close that fails, each in turn, HDF5's own among them: the right
-result, or exit code 1 and no computed part lost. TRIBOCHECK_FAILED_WRITES asks for larger sweeps."""
+"""tribocheck sweep in which one write, sync, rename or close fails, also those of HDF5, each in turn. It gives the right
+result, or exit code 1 and loses no computed part. TRIBOCHECK_FAILED_WRITES asks for larger sweeps."""
 
 import os
 import shutil
@@ -29,13 +29,13 @@ class FailingWrites(SweepTest):
         super().setUpClass()
         cls.library = preloadable("failing_writes")
 
-    part_chunks = 1  # each of two chunks is a part
+    part_chunks = 1  # chunks in a part: a sweep of two chunks has two parts
 
     def run_with(self, arguments, call=0, on=False):
         environment = dict(ENVIRONMENT, LD_PRELOAD=self.library, FAILING_PATH=self.path("out."),
                            TRIBOCHECK_PART_CHUNKS=str(self.part_chunks),
                            FAILING_CALL=str(call), FAILING_COUNT=self.path("count"))
-        # libhdf5 1.10.8 leaks what belongs to a file whose close has failed.
+        # libhdf5 1.10.8 leaks the memory of a file if closing it fails.
         environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0:detect_leaks=0"
         if on:
             environment["FAILING_ON"] = "1"
@@ -54,9 +54,9 @@ class FailingWrites(SweepTest):
                 os.remove(self.path(name))
 
     def check_each_call(self, ways, whole):
-        """ways: commands that make the same calls, each with what is done after a failure, without failing calls. Each call
-        that is no write fails alone, and each fifth write; in larger sweeps each write. Each seventeenth call fails with all
-        that follow it, as on a full disk; in larger sweeps each call; with sanitizers fewer. The ways take turns; in larger sweeps each fails all calls."""
+        """`ways` has pairs of commands: one that is run with a failing call, and one that recovers after it. The first commands of all
+        pairs make the same calls. Each call that is no write fails alone; EACH_WRITE and EACH_FULL_DISK tell the other failures. The
+        ways take turns at the failures; in larger sweeps each way has all of them."""
         out = "out.h5"
         seen = set()
         for command, _ in ways:
@@ -83,8 +83,8 @@ class FailingWrites(SweepTest):
                     done = self.run_with(command, call, on)
                     self.assertIn(done.returncode, (0, 1), done.stderr)
                     if done.returncode == 0:
-                        # No harm: leftovers that cannot be removed, closes of what is on the disk, and
-                        # HDF5's look whether there is a file already.
+                        # These failures do no harm: a leftover is not removed, a file that is on the disk
+                        # already is not closed, or HDF5 cannot look whether the file exists.
                         failed = self.calls()[0]
                         if failed == "openat":  # a part is opened and checked before it is removed
                             self.assertIn("needs it no more", done.stderr)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify asks a sample of the cases again: answers that change are told, and judged by the worse one."""
+"""verify asks some cases a second time. It tells which answers change, and judges the worse of the two."""
 
 import json
 import re
@@ -24,7 +24,7 @@ CACHE = """cache = globals().setdefault("cache", {})
         cache[key] = answer["value"]"""
 
 
-# A right radius, whose last bit differs in the last place of an array.
+# A solver with the right radius. Its last bit differs at the last place of an array.
 PLUGIN = """#include <math.h>
 #include <string.h>
 #include "tribocheck_plugin.h"
@@ -108,7 +108,7 @@ class Unsteady(ProgramTest):
 
     def test_with_a_baseline_one_that_was_steady_is_red(self):
         path = self.folder.path("base.json")
-        # Errors of 1e-10, so that the change is less than four times the worst error.
+        # The answers have errors of 1e-10, so that a later change is less than four times the worst error.
         coarse = """if name == "hertz_point":
         answer["radius"] *= 1 + 1e-10
         answer["approach"] *= 1 + 1e-10"""
@@ -123,7 +123,7 @@ class Unsteady(ProgramTest):
                 return json.load(file)["quantities"][quantity]
         self.assertEqual(self.asked(coarse, *gate, "--update-baseline").code, 0)
         self.assertNotIn("unsteady", row())
-        # Rounding in another order is told, and no loss; it makes no later change lawful.
+        # A change of the last bit, as by another order of operations, is told, but is no loss. It excuses no greater change later.
         last_bit = 'answer["radius"] = math.nextafter(answer["radius"], 1)'
         for more in ([], ["--update-baseline"], ["--update-baseline", "--force"]):
             rounded = changing(last_bit, *gate, *more)
@@ -138,12 +138,12 @@ class Unsteady(ProgramTest):
                              ("hertz_point.radius", "hertz_point.radius: its answers were the same each time, and change "
                                                     "now when they are asked again"))
         self.assertEqual(changing(noise, *gate, "--update-baseline", "--force").code, 0)
-        for quantity in ("hertz_point.radius", "hertz_point.approach"):  # of one function
+        for quantity in ("hertz_point.radius", "hertz_point.approach"):  # both are of one function
             self.assertTrue(row(quantity)["unsteady"])
         self.assertNotIn("unsteady", row("effective_modulus"))
         self.assertEqual(changing(noise.replace("radius", "approach"), *gate).code, 0)
         self.assertEqual(self.asked(coarse, *gate, "--update-baseline").code, 0)
-        self.assertTrue(row()["unsteady"])  # one run proves nothing
+        self.assertTrue(row()["unsteady"])  # one steady run does not prove that it is steady
         self.assertEqual(self.asked(coarse, *gate, "--update-baseline", "--force").code, 0)
         self.assertNotIn("unsteady", row())
 
@@ -179,9 +179,9 @@ class Unsteady(ProgramTest):
 
 
 class KeptAnswers(ProgramTest):
-    """A cache whose key lacks an input, which the second ask of a case does not show."""
+    """A cache whose key lacks an input. Asking the same case again does not show this mistake."""
 
-    # Each function but moments, on which others rest, keeps its answers without the input of this place among their names.
+    # Each function keeps its answers by all inputs except the one at `place` in the order of names; not moments, on which others rest.
     FORGETS = """cache = globals().setdefault("cache", {{}})
     inputs = [key for key, value in sorted(question.items()) if isinstance(value, (int, float))]
     is_whole = not case.endswith("d")  # in the others an input is left out, so that places are not the same

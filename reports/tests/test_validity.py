@@ -25,7 +25,7 @@ class ValidityTest(unittest.TestCase):
         return self.folder.write(name, tree)
 
     def passed(self, command, tree, *more):
-        """The words that a command warns of, in its line and in its JSON alike."""
+        """The words of the limits that a command warns of; asserts that its warning line and its JSON have the same ones."""
         done = run(command, self.write(tree), "--format", "json", *more)
         words = [one["word"] for one in done.json()["warnings"]]
         said = re.findall(r'"(\w+)"', done.warned.rpartition("accept = ")[2])
@@ -34,7 +34,7 @@ class ValidityTest(unittest.TestCase):
 
 
     def explained(self, tree):
-        """What passing each limit of a scene means, by its word."""
+        """The advice on each limit of a scene, by the limit's word."""
         return {one["word"]: one["advice"] for one in run("solve", self.write(tree), "--explain", "--format", "json").json()["validity"]}
 
 
@@ -46,7 +46,7 @@ class Warnings(ValidityTest):
         self.assertIn("lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was meant)", done.said)
         self.assertIn('accept = ["viscosity_range"] in the scene accepts them', done.said)
         tree = without_field(with_field(quiet_scene(speed=0.1), "lubricant.viscosity", 20.2), "accept")
-        said = run("solve", self.write(tree)).said  # it stands before what follows from it
+        said = run("solve", self.write(tree)).said  # it stands before the limits that are passed because of it
         self.assertIn("a.toml: outside of the model's limits: lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was meant), ", said)
 
     def test_a_number_just_beyond_its_bound_does_not_read_as_the_bound(self):
@@ -141,12 +141,12 @@ class Warnings(ValidityTest):
                 self.assertRegex(done.said, r"rough_as_smooth 0\.\d+ \(at least 3\)[;,] ")
                 self.assertIn(f"; {where} them, and accept = [", done.said)
                 self.assertNotIn("touches", done.said)
-                if command[0] != "onset":  # whose answer has this reason
+                if command[0] != "onset":  # its result has this advice without being asked
                     self.assertEqual("give summits or spectral moments" in re.sub(r"\s+", " ", done.out), where == of_results)
 
     def test_a_likely_unit_stands_in_the_table_in_place_of_advice(self):
         bodies = {"first_modulus": 210000, "first_poisson_ratio": 0.3, "second_modulus": 210e9, "second_poisson_ratio": 0.3, "reduced_radius": 9.5e-3}
-        for modulus, is_slip in ((210000, True), (2.1e6, False)):  # the other is one of rubber
+        for modulus, is_slip in ((210000, True), (2.1e6, False)):  # 2.1e6 Pa is the modulus of a rubber
             path = self.write(quiet_scene(speed=0.1, accept=[], supply=None, bodies=bodies | {"first_modulus": modulus}))
             for command in (["contact", path], ["solve", path, "--explain"]):
                 with self.subTest(command=command[0], modulus=modulus):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck verify: the model keeps its contracts on the certified tables, and a broken one is told."""
+"""tribocheck verify: the model keeps its contracts on the certified tables, and broken contracts and tables are told."""
 import hashlib
 import os
 import pathlib
@@ -45,7 +45,7 @@ class Tables(unittest.TestCase):
                     continue
                 exact = Fraction(cells[value])
                 pair = Fraction(float.fromhex(cells[high])) + Fraction(float.fromhex(cells[low]))
-                # 2^-104 of the value, or half a subnormal unit
+                # 2^-104 of the value, and half a subnormal unit
                 self.assertLessEqual(abs(exact - pair), abs(exact) / 2**104 + Fraction(2)**-1075, row)
 
     def test_regions_that_the_tables_promise_are_there(self):

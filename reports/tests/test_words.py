@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Texts of others in ids, names of files, arguments and answers have no effect on a terminal, and in files are plain text."""
+"""Texts of others in ids, file names, arguments and answers have no effect on a terminal, and are plain text in files."""
 
 import csv
 import io
@@ -16,7 +16,7 @@ import xml.etree.ElementTree
 from program import ENVIRONMENT, PROGRAM, ProgramTest, quiet_scene, run, strict_json
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
-# Escape sequences of both kinds, signs that turn the text around, that end a line, a cell, a quotation or an element, and formulas.
+# Escape sequences of both kinds, formulas, and signs that reverse the text, or that end a line, a cell, a quotation or an element.
 HOSTILE = ["\x1b[2J\x1b]0;owned\x07", "a\u009b31mred", "a\u202egpj.exe", "a\u2066b\u2069", "two\nlines", "a\rb", "tab\tbed",
            "del\x7f", 'a,"b",c', "=cmd|' /C calc'!A0", "+1+cmd|'x'!A1", "-2+3", "@SUM(1)", "-1e-5", "<script>alert(1)</script>",
            "<img src=x onerror=alert(1)>", "a|b`c`*d*_e_[f](g)", "&amp;&#27;", "{/Symbol a}_b^c@~", "' \" \\ $(touch x) `y`"]

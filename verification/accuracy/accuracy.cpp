@@ -35,8 +35,8 @@ void judge(QuantityResult& result, const ReferenceRow& row, double got) {
   result.worst_row = row.text("id");
 }
 
-// The value of a function at the arguments of a row; the columns have the names of the parameters.
-// A row of a function with several results has the one that its column `output` names.
+// The value of a function at the arguments of a row. The columns have the names of the parameters.
+// If the function has several results, the column `output` names the result of the row.
 double value_at(const catalogue::Function& function, const ReferenceRow& row) {
   catalogue::Arguments arguments{};
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model in double against the certified tables: for each quantity the number of cases, the
-// errors, the allowed errors and the verdict. |error| ≤ max(n, k·condition) ulp is allowed, with
-// the n and k that are declared beside the function.
+// Compares the model in double with the certified tables. Each quantity has a number of cases, its
+// errors, the allowed errors and a verdict. |error| ≤ max(n, k·condition) ulp is allowed; n and k
+// are declared beside the function.
 #pragma once
 
 #include <cstddef>

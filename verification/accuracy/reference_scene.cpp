@@ -11,7 +11,8 @@
 namespace tribo::verification {
 namespace {
 
-// The column of a field: the one with its name, but for radii and the number of a supply.
+// The column of a field; "" if the row has none. The column has the name of the field, except for
+// radii, ellipticity, length, the number of a supply and the viscosity law.
 std::string_view column_of(const ReferenceRow& row, std::string_view path) {
   const std::string& shape = row.text("shape");
   if (path == (shape == "circle" ? "bodies.reduced_radius" : "bodies.radius_x")) return "radius_x";

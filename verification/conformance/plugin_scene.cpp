@@ -13,7 +13,7 @@ namespace {
 
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-// A code of the header is the place in the enumeration.
+// A code in tribocheck_plugin.h equals the value of the enumerator.
 template <class Enum>
 constexpr bool is_code_of(Enum word, int code) {
   return static_cast<int>(word) == code;
@@ -34,7 +34,7 @@ static_assert(is_code_of(ViscosityLaw::barus, TRIBOCHECK_BARUS));
 static_assert(is_code_of(ViscosityLaw::ambient, TRIBOCHECK_AMBIENT));
 static_assert(is_code_of(ViscosityLaw::roelands, TRIBOCHECK_ROELANDS));
 
-// Calls copy(theirs, ours) for each number and each code of a scene.
+// Calls copy(theirs, ours) for each field of a tribocheck_scene and its counterpart in a Scene.
 template <class Theirs, class Ours, class Copy>
 void for_each_field(Theirs& theirs, Ours& ours, const Copy& copy) {
   copy(theirs.load, ours.load);

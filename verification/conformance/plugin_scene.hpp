@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes in the words of tribocheck_plugin.h, and back.
+// Converts scenes to the structures of tribocheck_plugin.h, and back.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace tribo::conformance {
 
-// All of a scene but id, speeds and outputs.
+// Both convert a circle with the default film law, without id, speeds and outputs.
 tribocheck_scene plugin_scene(const Scene& scene);
 Scene model_scene(const tribocheck_scene& scene);
 
@@ -28,7 +28,7 @@ inline constexpr auto plugin_numbers = std::to_array<double tribocheck_point::*>
 });
 static_assert(plugin_numbers.size() == number_count);
 
-// A point before it is solved: nothing offered.
+// A point before it is solved: no number and no code is offered.
 tribocheck_point empty_point();
 
 }  // namespace tribo::conformance

@@ -26,7 +26,7 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr double enough = 5e-3;  // s, of a measurement
+constexpr double enough = 5e-3;  // s, least length of a measurement
 constexpr int not_written = -1;  // a status that the plug-in has not written
 
 using protocol::FunctionCall;
@@ -73,7 +73,7 @@ void prepare_points(Block& block, const PluginFunctions& functions,
     const auto* reading = std::get_if<SceneReading>(&one);
     if (reading == nullptr) throw std::invalid_argument("a block has questions of one function");
     const Scene& scene = *reading->scene;
-    // The header knows circles with the default film law alone: no answer is asked of others.
+    // A plug-in's scene is a circle with the default film law. A block with others is not asked.
     if (scene.closures.film != FilmFormula::hamrock_dowson_central ||
         scene.bodies.shape() != ContactShape::circle)
       return;
@@ -133,9 +133,9 @@ void keep_answered(const PluginFunctions& functions, std::vector<Question>& ques
   questions = std::move(answered);
 }
 
-// The time of a call with new cases over the time of the same call made again. New cases differ
-// from the ones before by a part in 1e9 of one number. Both calls are made in turns, up to 15
-// times, until together they have taken 0.1 s.
+// The time of a call with new cases over the time of the same call made again, as the median of up
+// to 15 pairs of calls. In a new case one number is greater by a part in 1e9. No pair follows once
+// all calls together have taken 0.1 s.
 double new_over_asked(Block& block, const std::vector<Question>& questions) {
   constexpr std::size_t most_pairs = 15;
   constexpr double long_enough = 0.1;  // s

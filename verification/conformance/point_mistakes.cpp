@@ -22,7 +22,7 @@ using nlohmann::json;
 
 constexpr std::string_view operating_point = operating_point_functions[0];
 
-// A point whose scene `change` alters.
+// A mistake in operating points that misreads the scene: `change` alters it.
 Mistake changed(Mistake mistake, std::vector<std::string> touches,
                 std::function<void(Question&)> change) {
   mistake.touches = std::move(touches);
@@ -36,8 +36,8 @@ Mistake changed(const MistakeEntry& entry, std::vector<std::string> touches,
   return changed(titled(entry, operating_point), std::move(touches), std::move(change));
 }
 
-// A mistake of a function in operating points, of which `instead` gives a part. Where it gives
-// nothing, the mistake says nothing.
+// The mistake `wrong` of a function, made inside operating points. `instead` gives their numbers;
+// if it gives none, the mistake says nothing of the question.
 Mistake with_formula(const Mistake& wrong,
                      std::function<std::optional<Numbers>(const Question&)> instead) {
   return {.function = std::string(operating_point),
@@ -53,7 +53,7 @@ Mistake with_formula(const Mistake& wrong,
 
 // --- Changes of fields
 
-// The number or word that a scene's JSON has at a dotted path, or the default.
+// The number or word that a scene's JSON has for the field, or the field's default.
 json written_at(const json& inputs, const FieldInfo& field) {
   if (!is_left_out(inputs, field.path)) return inputs.at(pointer_to(field.path));
   return field.choices.empty() ? json::parse(field.default_text, nullptr, false)
@@ -103,8 +103,8 @@ Mistake with_fields(const MistakeEntry& entry) {
   });
 }
 
-// The words that a field has whatever the others are: solved starved films need solved flooded
-// ones.
+// The words that a field may have beside any other field. Starvation `solved` is left out: it needs
+// the film formula `solved`.
 std::vector<std::string_view> words_alone(const Field& field) {
   std::vector<std::string_view> words(field.info->choices.begin(), field.info->choices.end());
   std::erase(words, starvation_words[static_cast<std::size_t>(StarvationClosure::solved)]);
@@ -126,7 +126,7 @@ std::vector<Mistake> swaps_of(const MistakeEntry& entry) {
   return all;
 }
 
-// Another default of a word.
+// One mistake for each word that is taken as the field's default in place of the right one.
 std::vector<Mistake> defaults_of(const MistakeEntry& entry) {
   std::vector<Mistake> all;
   const Field field = field_at(entry.left_out);
@@ -157,7 +157,7 @@ void scale_film(Scene& scene, double factor) {
 
 namespace {
 
-// The contact changed as Hertz sees it, with the film formula left as it is.
+// Changes the bodies in Hertz' contact only: the film formula keeps its result.
 void change_contact(Scene& scene, const std::function<void(Bodies&)>& change) {
   const double right = right_film(scene);
   change(scene.bodies);
@@ -166,7 +166,7 @@ void change_contact(Scene& scene, const std::function<void(Bodies&)>& change) {
 
 }  // namespace
 
-// By the radii: it goes as R^{2/3}, and of a line as R^{1/2}.
+// Changes the radii: the area goes as R^{2/3}, and for a line as R^{1/2}.
 void scale_area(Scene& scene, double factor) {
   change_contact(scene, [&](Bodies& bodies) {
     const bool is_line = bodies.shape() == ContactShape::line;
@@ -177,7 +177,7 @@ void scale_area(Scene& scene, double factor) {
 
 namespace {
 
-// Changes of an ellipse.
+// Mistakes in the contact of an ellipse.
 void take_circle(Question& question) {
   change_contact(*question.scene, [](Bodies& bodies) {
     bodies.ellipticity = ellipse_of_circle(bodies.radius_x, bodies.radius_y).axes_ratio;
@@ -193,7 +193,7 @@ constexpr std::pair<std::string_view, void (*)(Question&)> ellipse_changes[] = {
 
 }  // namespace
 
-// √(σ_s/β) grows at constant nβ; the number of summits grows by the factor's square.
+// At constant nβ, √(σ_s/β) grows by the factor, and the number of summits by its square.
 double scale_stiffness(Scene& scene, double factor) {
   scene.surface.summit_density *= factor * factor;
   scene.surface.summit_radius /= factor * factor;
@@ -213,12 +213,12 @@ void take_stiffness_of_greenwood_williamson(Question& question) {
       scale_stiffness(s, 4.0 / 3 / (16 * std::sqrt(2) / 15 * std::numbers::pi * roughness));
 }
 
-// Two numbers: of Greenwood and Tripp, and of Greenwood and Williamson.
+// Each takes two numbers: one for Greenwood and Tripp, one for Greenwood and Williamson.
 constexpr std::pair<std::string_view, double Question::*> summit_numbers[] = {
     {"real_area_times", &Question::real_area_times},
     {"summit_count_times", &Question::summit_count_times}};
 
-// A line's nominal area of the summits times c L^a, with its pressure left as it is.
+// Multiplies the nominal area of a line's rough contact by c L^a, at unchanged pressure.
 void scale_rough_line(Question& question, double c, double a) {
   const Bodies& bodies = question.scene->bodies;
   if (bodies.shape() != ContactShape::line) return;
@@ -226,7 +226,7 @@ void scale_rough_line(Question& question, double c, double a) {
   question.summit_count_times *= factor * scale_stiffness(*question.scene, factor);
 }
 
-// h_oil as a part of the flooded film, where the field is one of σ_s.
+// Reads an inlet film ratio, which is h_oil/σ_s, as h_oil over the flooded film.
 void take_inlet_of_flooded_film(Question& question) {
   Scene& scene = *question.scene;
   if (scene.supply.kind == SupplyKind::inlet_film_ratio)
@@ -242,7 +242,7 @@ constexpr std::pair<std::string_view, double FrictionReading::*> friction_number
     {"limiting_by_tangent", &FrictionReading::limiting_by_tangent},
     {"eyring_by_line", &FrictionReading::eyring_by_line}};
 
-// The function's results with the mistake, for arguments that a point has.
+// The first result of the wrong function at these arguments; empty if there is no finite one.
 std::optional<double> value_with(const Mistake& wrong, const catalogue::Arguments& arguments) {
   const Mistake* const one = &wrong;
   const std::optional<Numbers> numbers =
@@ -266,7 +266,7 @@ Mistake with_inlet(const Mistake& wrong) {
     const LoadShares<double>& shares = flooded.shares;
     if (!contact.sharing().has_floor())
       return numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
-    // Near a floor the engine takes 1 − y from the right law, and the template takes any.
+    // Near a floor complete() for double takes 1 − y from the right law. The template takes any.
     const MixedContact<long double> any = contact.in<long double>();
     const FloodedFilm<long double> same{flooded.speed,
                                         {shares.film_parameter, shares.asperity, shares.fluid, 0}};
@@ -277,7 +277,7 @@ Mistake with_inlet(const Mistake& wrong) {
   });
 }
 
-// λ of load_sharing, which has the exponent of hamrock_dowson_central.
+// λ by load_sharing, whose exponent is that of hamrock_dowson_central; by `wrong` if not null.
 std::optional<double> usual_sharing(const Mistake* wrong, const MixedContact<double>& contact,
                                     const Scene& scene) {
   const Question question = sharing_question(contact, scene);
@@ -287,7 +287,7 @@ std::optional<double> usual_sharing(const Mistake* wrong, const MixedContact<dou
 }
 constexpr double usual_exponent = hamrock_dowson_central_law.sharing_power.value;
 
-// A mistake of load_sharing in operating points whose film law has its exponent.
+// A mistake of load_sharing inside operating points whose film law has the same exponent.
 Mistake with_sharing(const Mistake& wrong) {
   return with_formula(wrong, [wrong](const Question& question) -> std::optional<Numbers> {
     const MixedContact<double> contact(*question.scene);
@@ -298,7 +298,7 @@ Mistake with_sharing(const Mistake& wrong) {
   });
 }
 
-// The usual exponent with each other film law.
+// The mistake to take the usual exponent for film laws that have another one.
 Mistake with_usual_sharing(const Mistake& titled) {
   return with_formula(titled, [](const Question& question) -> std::optional<Numbers> {
     const MixedContact<double> contact(*question.scene);
@@ -309,7 +309,7 @@ Mistake with_usual_sharing(const Mistake& titled) {
   });
 }
 
-// The place of a result of a function of Hertz.
+// The index of the result with this name; the number of results if there is none.
 std::size_t result_place(const catalogue::Function& function, std::string_view name) {
   const auto found = std::find_if(function.results.begin(), function.results.end(),
                                   [&](const catalogue::Result& one) { return one.name == name; });
@@ -380,7 +380,7 @@ Mistake with_film_and_sharing(const Mistake& law) {
     const MixedContact<double> contact(scene);
     const Question film = film_question(scene);
     if (film.function->name != law.function) return right_numbers(question);
-    // The exponent of an argument of the film; laws of soft bodies have no α.
+    // The exponent of an argument in the film law; 0 for α in laws of soft bodies, which lack it.
     const auto exponent_of = [&](std::string_view name) {
       const std::size_t place = catalogue::place_in(film.function->parameters, name);
       if (place == film.function->parameters.size()) return std::optional(0.0);

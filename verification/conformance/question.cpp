@@ -13,7 +13,7 @@
 namespace tribo::conformance {
 namespace {
 
-// λ of ln λ − ln λ₀ + e ln(1 − A(λ)) = 0 by bisection from where A < 1; A falls with λ.
+// Solves ln λ − ln λ₀ + e ln(1 − A(λ)) = 0 by bisection where A(λ) < 1; A falls with λ.
 double shared_film(const catalogue::Arguments& a, const SharingReading& reading) {
   const bool is_gt = a[0] == 0, is_fit = reading.fit_constant != 0;
   const double lambda0 = a[1], stiffness = a[2], offset = reading.offset_times * a[3];
@@ -21,7 +21,7 @@ double shared_film(const catalogue::Arguments& a, const SharingReading& reading)
   const double q = reading.share_exponent != 0 ? reading.share_exponent : is_gt ? 0.5 : 1;
   const double e = reading.film_exponent != 0 ? reading.film_exponent
                                               : hamrock_dowson_central_law.sharing_power.value;
-  // Where powers underflow a mistake tells nothing.
+  // If powers may leave the range of double, nothing is said.
   if (!(lambda0 > 1e-250 && lambda0 < 1e250 && stiffness < 1e301)) return unsaid;
   const auto moment = [&](double d) {
     if (!is_fit) return gaussian_moment(static_cast<Order>(static_cast<int>(2 * order)), d);
@@ -71,7 +71,7 @@ double mean_pressure_of(const Scene& scene) {
 ShearedFilm sheared_film_of(const OperatingPoint<double>& point, const Scene& scene,
                             double mean_pressure, const FrictionReading& reading) {
   const Lubricant& oil = scene.lubricant;
-  // Another p_R in Roelands' law is the right one with αp_R′/p_R and p·p_R/p_R′; Barus' αp stays.
+  // Roelands' law with another p_R′ is the right law at αp_R′/p_R and p·p_R/p_R′. Barus' αp stays.
   const double times = reading.roelands_pressure / roelands_pressure<double>();
   const double pressure = reading.pressure.value_or(mean_pressure * point.fluid_load_share);
   const double log_viscosity = reading.log_viscosity.value_or(log_viscosity_ratio(
@@ -173,7 +173,7 @@ Numbers numbers_of(const OperatingPoint<double>& right_point, const Question& qu
   by_model(question.count_model, point.summit_count, tribo::summit_count<double>);
   point.summit_count *= question.summit_count_times;
   point.real_area_ratio *= question.real_area_times;
-  Numbers numbers = tribo::numbers_of(point);  // where the film has collapsed some are NaN: unsaid
+  Numbers numbers = tribo::numbers_of(point);  // some are NaN, so unsaid, if the film collapsed
   const bool is_friction_other = point.real_area_ratio != right_point.real_area_ratio ||
                                  question.friction != FrictionReading{};
   if (point.regime != Regime::collapsed && is_friction_other)

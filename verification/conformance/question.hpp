@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of a case as numbers, read once, which mistakes then change.
+// The inputs of a case as numbers. They are read once; mistakes then change them.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@
 namespace tribo::conformance {
 
 // The results of a function, in the order of the catalogue, or the numbers of an operating point,
-// in the order of Output. NaN: nothing is said of this one.
+// in the order of Output. NaN: nothing is said of this number.
 using Numbers = std::array<double, number_count>;
 static_assert(number_count >= catalogue::most_results);
 inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
 
-// Load sharing: λ = λ₀ (1−A)^−e with A = (K F_n(λ − jδ))^q; 0 stands for the model's own n, q and
-// e. With the numbers of a fit, F is c (d₁ − d)^m, and 0 beyond d₁.
+// How the load is shared: λ = λ₀ (1−A)^−e with A = (K F_n(λ − jδ))^q. If n, q or e is 0, it is that
+// of the model. If c is not 0, F is a fit: c (d₁ − d)^m, and 0 beyond d₁.
 struct SharingReading {
   double order = 0, share_exponent = 0, film_exponent = 0;  // n, q, e
   double offset_times = 1;                                  // j
@@ -35,18 +35,18 @@ struct SharingReading {
   bool operator==(const SharingReading&) const = default;
 };
 
-// How friction is put together: μ = μ_b A + d τ (1 − A_r/A_nom)/p̄ with the weight d = 1, and the
-// fluid's shear stress τ.
+// How friction is computed: μ = μ_b A + d τ (1 − A_r/A_nom)/p̄. τ is the fluid's shear stress. The
+// right weight is d = 1.
 struct FrictionReading {
   double film = 1;  // d
   double roelands_pressure = tribo::roelands_pressure<double>();
   double roelands_log_viscosity = tribo::roelands_log_viscosity<double>();  // 9.67
-  double roelands_logarithm = 1;   // 1/ln 10: log₁₀ η₀ for ln η₀
+  double roelands_logarithm = 1;   // times ln η₀; 1/ln 10: log₁₀ η₀
   double limiting_by_minimum = 0;  // 1: min(ηγ̇, τ₀) for τ₀(1 − e^{−ηγ̇/τ₀})
   double limiting_by_tangent = 0;  // 1: τ₀ tanh(ηγ̇/τ₀) for the same
   double eyring_by_line = 0;       // 1: ηγ̇ for τ₀ asinh(ηγ̇/τ₀)
-  // In place of the point's own: the pressure that thickens in Pa, ln(η/η₀), shear rate in 1/s, gap
-  // in m, ηγ̇/τ₀; A beside μ_b, A_r/A_nom, and p̄ in Pa under τ.
+  // Each replaces the point's own number: the pressure in the viscosity law in Pa, ln(η/η₀), shear
+  // rate in 1/s, gap in m, ηγ̇/τ₀; A in μ_b A, A_r/A_nom, and p̄ in Pa.
   std::optional<double> pressure = {}, log_viscosity = {}, shear_rate = {}, gap = {},
                         shear_number = {};
   std::optional<double> boundary_share = {}, real_area = {}, mean_pressure = {};
@@ -54,8 +54,8 @@ struct FrictionReading {
   bool operator==(const FrictionReading&) const = default;
 };
 
-// The numbers that the fluid's shear stress is computed from: the pressure that thickens it in Pa,
-// ln(η/η₀), the shear rate in 1/s, the gap in m, and ηγ̇/τ₀.
+// The numbers from which the fluid's shear stress is computed: the pressure in its viscosity law in
+// Pa, ln(η/η₀), the shear rate in 1/s, the gap in m, and ηγ̇/τ₀.
 struct ShearedFilm {
   double pressure, log_viscosity, shear_rate, gap, shear_number;
 };
@@ -66,11 +66,11 @@ struct Question {
   catalogue::Arguments arguments{};     // of the function
   std::optional<FilmLaw> law = {};      // another film law in place of the function's own
   std::optional<Scene> scene = {};      // of an operating point, with its one speed
-  SharingReading sharing = {};    // of load_sharing; of an operating point its film's exponent
-  double summit_count_times = 1;  // of an operating point
-  double real_area_times = 1;     // of an operating point
-  // The model by which the real area or the summits of a point are computed, where that is not the
-  // model that shares its load.
+  SharingReading sharing = {};          // for load_sharing; for a point if film_exponent is not 0
+  double summit_count_times = 1;        // of an operating point
+  double real_area_times = 1;           // of an operating point
+  // The model of a point's real area, and that of its number of summits. Empty: the model that
+  // shares its load.
   std::optional<AsperityModel> area_model = {}, count_model = {};
   FrictionReading friction = {};  // of an operating point
 };
@@ -80,8 +80,8 @@ Question question_of(const TestCase& asked);
 struct ResultName {
   std::string_view name, unit;
 };
-// The results of a function in the order of Numbers; of an operating point (null) those that are
-// words come last.
+// The results of a function, or of an operating point (null), in the order of Numbers. The words
+// of a point come last.
 std::vector<ResultName> results_of(const catalogue::Function* function);
 
 Numbers numbers_of(const catalogue::Results& results);
@@ -99,12 +99,12 @@ Numbers right_numbers(const Question& question);
 // The question to load_sharing at the first speed of a scene.
 Question sharing_question(const MixedContact<double>& contact, const Scene& scene);
 
-// The point with the flooded film parameter `lambda`, wherever that comes from: its shares follow
-// from λ = λ₀ (1 − A)^−e, where e is `exponent`.
+// The numbers of the point if its flooded film parameter is `lambda`. The load shares follow from
+// λ = λ₀ (1 − A)^−e, where e is `exponent`.
 Numbers shared_point(const Question& question, const MixedContact<double>& contact, double lambda,
                      double exponent);
 
-// The place of a field or an argument, as "closures.film", in a request; whether it is left out.
+// The place in a request of a field or argument, such as "closures.film"; whether it is left out.
 nlohmann::json::json_pointer pointer_to(std::string_view path);
 bool is_left_out(const nlohmann::json& inputs, std::string_view path);
 

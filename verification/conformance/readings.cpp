@@ -22,8 +22,8 @@ namespace {
 
 using Real = long double;
 
-// --- Roelands' law with the viscosity at which all isotherms meet as it is printed: 9.67 is −ln of
-// it, rounded.
+// --- Roelands' law with the printed viscosity at which all isotherms meet. The usual constant 9.67
+// is minus the logarithm of it, rounded.
 
 Real log_thickening(Real viscosity, Real alpha, Real pressure, Real log_pole) {
   const Real scale = std::log(viscosity) - log_pole,
@@ -68,7 +68,7 @@ Real log_pole() {
 Real term(Real viscosity) {
   return std::exp(-(Real(147) + viscosity * (Real(184) + Real(51) * viscosity)) / 100);
 }
-// ν of Z − 0.7 by the printed inverse, which meets the former term to some 1e-3 of ν.
+// ν from Z − 0.7 by the printed inverse, which inverts the term above to about 1e-3 of ν.
 Real printed_viscosity(Real z) {
   const Real power = -7487 + z * (-32950 + z * (6119 - z * 3193));
   return z - std::exp(power / 10000);
@@ -95,14 +95,14 @@ std::optional<Real> full_astm_d341(const Question& question, Real (*viscosity_of
   return viscosity_of(z) / 1000000;
 }
 
-// --- The viscosity index by the rows of the standard's table 1, between which one interpolates,
-// and beyond them by its equations 1 and 2, whose constants are those of table X2.1 rounded.
+// --- The viscosity index by the standard's table 1, with interpolation between its rows. Beyond
+// them equations 1 and 2 hold. Their constants are those of table X2.1, rounded.
 
 std::optional<Real> index_by_table(const Question& question) {
   const Real at_100 = 1000000 * Real(question.arguments[1]);
   const auto viscosity = [](std::size_t row) { return Real(index_table_tenths(row)) / 10; };
   const std::size_t last = index_table.size() - 1;
-  // The ends in m²/s, as doubles: in long double 1e6 · 2e-6 is less than 2.
+  // The ends are compared in m²/s as doubles: in long double 1e6 · 2e-6 is less than 2.
   if (!(question.arguments[1] >= 2e-6)) return std::nullopt;
   detail::IndexOils<Real> oils{(Real(8353) / 10000 * at_100 + Real(1467) / 100) * at_100 - 216,
                                (Real(1684) / 10000 * at_100 + Real(1185) / 100) * at_100 - 97};
@@ -118,8 +118,8 @@ std::optional<Real> index_by_table(const Question& question) {
   return detail::index_among(Real(question.arguments[0]), Real(question.arguments[1]), oils);
 }
 
-// --- Films of a solver that is given both radii, with the ellipticity k by the fits that the
-// films' own authors use: B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of
+// --- Films of a solver that is given both radii, and computes the ellipticity k by a fit of the
+// film laws' own authors: B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of
 // point contacts, part I. J. Lubr. Technol. 98 (1976) 223, k = 1.03 (R_y/R_x)^0.64; D. E. Brewe,
 // B. J. Hamrock: Simplified solution for elliptical-contact deformation between two elastic solids.
 // J. Lubr. Technol. 99 (1977) 485, k = 1.0339 (R_y/R_x)^0.636.
@@ -140,11 +140,11 @@ std::optional<Real> film_with(const Question& question, double factor, double ex
 constexpr std::string_view film_of_radii = "film of radii";
 
 struct Reading {
-  // Or "operating_point" for each kind of points, film_of_radii for each film that is asked so.
+  // "operating_point": each kind of point. film_of_radii: each film law asked with both radii.
   std::string_view function;
   std::string_view field;
   std::string_view text;
-  std::optional<Real> (*value)(const Question&);  // none: as the certified reading has it
+  std::optional<Real> (*value)(const Question&);  // empty: the certified value holds
 };
 
 constexpr std::string_view with_631 =
@@ -192,7 +192,7 @@ Expected* expected_of(TestCase& one, std::string_view field) {
   return nullptr;
 }
 
-// The answer that a reading expects: the certified one where it says nothing else.
+// The answer that a reading expects; `expected` itself if the reading has no finite value.
 Expected read_as(const Reading& reading, const TestCase& one, Expected expected) {
   const std::optional<Real> value = reading.value(question_of(one));
   if (!value || !std::isfinite(static_cast<double>(*value))) return expected;
@@ -241,8 +241,8 @@ std::size_t count_met(const std::vector<Judged>& answers, const std::vector<Expe
   return count;
 }
 
-// Whether at least half of the answers that tell the reading from the certified one are as the
-// reading has them: a few may be so by accident, of a solver that is wrong elsewhere.
+// Whether the reading is met by at least half of the answers where it differs from the certified
+// one. A few answers of a solver that is wrong elsewhere may meet it by accident.
 bool is_likely(const std::vector<Judged>& answers, const std::vector<Expected>& expected,
                const Tolerance& tolerance) {
   std::size_t moved = 0, met = 0;
@@ -266,10 +266,10 @@ std::vector<std::string> take_readings(std::vector<TestCase>& cases,
   for (const TestCase& one : cases) functions.insert(one.function);
   std::vector<std::string> notes;
   for (const std::string& function : functions) {
-    // The answers of the function that are numbers of a reading's field.
+    // The answers to cases of the function that expect a number in the reading's field.
     std::vector<Judged> answers;
     const Reading* best = nullptr;
-    std::size_t most = 0;  // answers that are met
+    std::size_t most = 0;  // answers that meet the best reading
     std::vector<Expected> best_expected;
     for (const Reading& reading : readings) {
       if (!is_of(reading, function, ways)) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws with more than one right reading: their sources print a constant in two ways, a further
-// term, a table beside a formula, or a fit for the ellipticity. A solver may follow any one
-// reading, in all its answers.
+// Laws with more than one right reading. Their sources print a constant in two ways, a further
+// term, a table beside a formula, or a fit for the ellipticity. A solver may follow any reading,
+// but the same one in all its answers.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace tribo::conformance {
 
-// Where the answers to a function meet another reading of its law in more cases than the certified
-// one, puts that reading in the place of what is expected. Returns a note on each.
+// If the answers to a function meet another reading of its law in more cases than the certified
+// one, replaces the expected values by those of this reading. Returns a note for each function.
 std::vector<std::string> take_readings(std::vector<TestCase>& cases,
                                        const Conversation& conversation, const Tolerance& tolerance,
                                        const AskedWays& ways);

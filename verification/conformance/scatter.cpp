@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t fewest_scattered = 20;
 constexpr double small_error = 1e-3;        // relative
-constexpr double least_of_each_sign = 0.2;  // of the errors
-constexpr double least_changes = 0.25;  // of the signs, from one value of a variable to the next
+constexpr double least_of_each_sign = 0.2;  // share of the errors
+constexpr double least_changes = 0.25;      // share of neighbours with opposite signs
 constexpr double least_changes_of_lost = 0.05;
 constexpr double strong = 0.8;  // correlation of ranks
 
@@ -42,7 +42,7 @@ std::vector<double> ranks_in_order(const std::vector<double>& values) {
   return ranks;
 }
 
-// Spearman's, of the sizes of the errors with the variable.
+// Spearman's rank correlation of the sizes of the errors with the variable.
 double correlation(const std::vector<Error>& errors) {
   std::vector<double> x, size;
   for (const Error& one : errors) {
@@ -60,9 +60,9 @@ double share_of_changes(const std::vector<Error>& errors) {
   return static_cast<double>(changes) / static_cast<double>(errors.size());
 }
 
-// The errors in the order of the variable; empty where the variable has no value somewhere. Errors
-// up to `least`, relative and over the condition, are left out; `least` = 0 takes only wrong
-// answers that are not explained.
+// The errors in the order of the variable. `least` = 0: those of wrong answers not explained. Else:
+// all that are not explained and above `least`, relative and over the condition. Empty if the
+// variable has no value for one of them, or 0 is expected there.
 std::vector<Error> errors_along(const Part& part, const Variable& variable, double least = 0) {
   std::vector<Error> errors;
   for (const Part::Number& one : part.all) {
@@ -89,7 +89,7 @@ bool has_both_signs(const std::vector<Error>& errors) {
   return share > least_of_each_sign && share < 1 - least_of_each_sign;
 }
 
-// The middle of the sizes of the errors in a part of the list.
+// The median size of the errors from place `first` to before `last`.
 double middle_size(const std::vector<Error>& errors, std::size_t first, std::size_t last,
                    double Error::*of = &Error::relative) {
   std::vector<double> sizes;
@@ -97,7 +97,7 @@ double middle_size(const std::vector<Error>& errors, std::size_t first, std::siz
   return boost::math::statistics::median(sizes);
 }
 
-// Whether the errors along the right answer are of one size, while the answer grows.
+// Whether the absolute errors keep their size while the right answer, their x, grows.
 bool is_of_one_size(const std::vector<Error>& errors) {
   constexpr double of_answer = 30, of_size = 4;
   const std::size_t third = errors.size() / 3, last = errors.size() - third;
@@ -108,7 +108,7 @@ bool is_of_one_size(const std::vector<Error>& errors) {
   return grown(&Error::x) > of_answer && grows < of_size && grows > 1 / of_size;
 }
 
-// Text where errors of both signs have one size, whatever the answer is. Empty: they do not.
+// A sentence if the errors have both signs and one size, whatever the answer is; else empty.
 std::string fixed_width(const Part& part) {
   const Variable answer{
       {}, false, [&part](const Question& asked) { return right_numbers(asked)[part.place]; }};
@@ -127,20 +127,20 @@ std::string fixed_width(const Part& part) {
 
 namespace {
 
-constexpr double of_rounding = 1e-13;  // of the condition
+constexpr double of_rounding = 1e-13;  // relative, over the condition
 constexpr double nothing = 1e-5, many_times = 1e4, in_order = 0.95;
-constexpr double beside = 2e-8;  // of the greatest error: less is noise of something else
+constexpr double beside = 2e-8;  // of the greatest error: smaller ones are noise
 constexpr std::size_t fewest_in_order = 6;
 constexpr double least_power_of_numerics = 3;
 
-// The correlation as the variable falls. Errors of one size are in the order of the variable.
+// The correlation with the falling variable. Equal errors get their ranks in its order.
 double correlation_down(std::vector<Error> errors) {
   std::reverse(errors.begin(), errors.end());
   for (Error& one : errors) one.x = -one.x;
   return correlation(errors);
 }
 
-// The smaller correlation on both sides of 1, outward; 0: the variable is not on both sides.
+// The smaller of the correlations from 1 downwards and upwards; 0: too few errors on one side.
 double correlation_from_one(const std::vector<Error>& errors) {
   constexpr std::ptrdiff_t fewest_of_each = 4;
   const auto one =
@@ -151,8 +151,8 @@ double correlation_from_one(const std::vector<Error>& errors) {
   return std::min(correlation_down({errors.begin(), one}), correlation({one, errors.end()}));
 }
 
-// The power of the variable, or of its logarithm where the errors are nearly 0 near 1, as which
-// those errors grow that are the smallest. Empty: they are of no power.
+// The exponent of the power of the variable, or of its logarithm if `is_of_one`, with which the
+// smallest third of the errors grows. Empty: they do not grow as a power.
 std::optional<double> first_power(std::vector<Error> errors, bool is_of_one) {
   constexpr double closeness = 0.1, closeness_of_one = 0.5, greatest_power = 12;
   if (errors.front().x <= 0) return std::nullopt;
@@ -172,8 +172,8 @@ std::optional<double> first_power(std::vector<Error> errors, bool is_of_one) {
   return power;
 }
 
-// The method that may stop too early, where a function's values come from an integral, a root or a
-// series; empty where they are sums and products of powers.
+// The numerical method of a function, which may stop too early. Empty: the function's values are
+// sums and products of powers.
 std::string_view numerics_of(const catalogue::Function& function) {
   if (function.name == "gaussian_moment") return "a quadrature or a series";
   if (function.name == "persson_contact_area") return "a series";
@@ -190,7 +190,7 @@ std::string_view numerics_of(const catalogue::Function& function) {
   return is_given ? "" : "a quadrature, a series or an iteration";
 }
 
-// The greatest error where that is small beside 1, though not beside small answers.
+// A sentence if all errors are small beside 1, but not beside small answers; else empty.
 std::string approximation_of(const Part& part) {
   constexpr double small_beside_one = 1e-4, times_as_great = 10;
   double greatest = 0, relative = 0, answer = 0;
@@ -213,7 +213,7 @@ std::string approximation_of(const Part& part) {
 
 namespace {
 
-constexpr double grain = 1e-9;  // of the range: no grid is finer
+constexpr double grain = 1e-9;  // of the range: finer grids are not looked for
 constexpr double least_grains = 300, lost_digits = 1e-10;
 constexpr double on_grid = 0.01, most_off = 1.01, least_off = 0.05;  // of a step
 constexpr std::size_t fewest_on_grid = 8;
@@ -241,7 +241,7 @@ double step_of(const std::vector<double>& values) {
 }
 
 // ", which is 10/2^15: as of a bisection of a width of 10 that ends after 15 steps"; empty: the
-// step is no such part of a round width.
+// step is no round width over a power of 2.
 std::string halved_width(double step, double range) {
   const int first = std::max(3, static_cast<int>(std::ceil(std::log2(range / step))));
   for (const bool is_any_digit : {false, true})
@@ -258,8 +258,8 @@ std::string halved_width(double step, double range) {
   return {};
 }
 
-// Answers that are whole parts, by halving, of 1 or of what each question gives: of an input, or of
-// 1 over it. Empty: no number of halvings gives all of them.
+// A sentence if, with one n, each wrong answer is a whole multiple of w/2^n, where w is 1, an input
+// of its question, or 1 over an input. Empty: there is no such n.
 std::string halved_bracket(const Part& part, const std::vector<const Part::Number*>& wrong) {
   constexpr int fewest_halvings = 4, most_halvings = 30;
   constexpr std::size_t fewest_of_each = 3;
@@ -279,7 +279,7 @@ std::string halved_bracket(const Part& part, const std::vector<const Part::Numbe
              }});
   for (int halvings = fewest_halvings; halvings <= most_halvings; ++halvings) {
     std::map<std::string, std::size_t> count;
-    std::vector<std::string> symbols;  // some answers need them: powers of 2 fit others too
+    std::vector<std::string> symbols;  // met by at least 3 answers: fewer may be chance
     std::size_t odd = 0;
     const bool are_parts = std::all_of(wrong.begin(), wrong.end(), [&](const Part::Number* one) {
       for (const Bracket& bracket : all) {
@@ -328,7 +328,7 @@ std::string grid_of(const Part& part) {
   for (const Part::Number& one : part.all)
     if (one.answered->is_left()) wrong.push_back(&one);
   if (part.function() == nullptr || wrong.size() < fewest_on_grid) return {};
-  // The answer itself, or what it is beyond an input, or times an input.
+  // The answer itself, the answer less an input, or the answer over an input.
   std::vector<Variable> bases{{{}, false, [](const Question&) { return 0.0; }}};
   for (Variable& one : variables_of(part.function()))
     if (one.is_input) bases.push_back(std::move(one));
@@ -339,7 +339,7 @@ std::string grid_of(const Part& part) {
       double off = 0;
       for (const Part::Number* const one : wrong) {
         const double by = base.value(one->of->asked), got = one->answered->got;
-        // Beside a great number a step has no digits left.
+        // Next to a far greater input a step has no digits left.
         if (!is_ratio && lost_digits * std::abs(by) > std::abs(one->answered->error())) continue;
         values.push_back(is_ratio ? got / by : got - by);
         off = std::max(off, std::abs(one->answered->error() / (is_ratio ? by : 1)));
@@ -374,7 +374,7 @@ Growth growth_of(const Part& part) {
     double to = 0;
     for (const Error& one : errors) to = std::max(to, std::abs(one.relative));
     std::erase_if(errors, [&](const Error& one) { return std::abs(one.relative) < beside * to; });
-    // Errors beyond the growth have no order.
+    // The greatest errors need not be in order.
     for (Error& one : errors) one.relative = std::clamp(one.relative, -to / 10, to / 10);
     const bool is_size = variable.symbol.starts_with('|');
     if (errors.size() < fewest_in_order || variable.is_result || is_size) continue;
@@ -391,7 +391,7 @@ Growth growth_of(const Part& part) {
     best = with;
     const char* const good = is_of_one ? "values near 1 of" : up > down ? "small" : "large";
     const std::optional<double> power = first_power(errors, is_of_one);
-    // An iteration that is ended after some steps leaves errors of any power.
+    // The errors of an iteration that ends after some steps may grow as any power.
     const std::string_view numerics = numerics_of(*part.function());
     found.is_numerics = !numerics.empty() && (numerics == "an iteration" || !power ||
                                               std::abs(*power) >= least_power_of_numerics);
@@ -409,8 +409,8 @@ Growth growth_of(const Part& part) {
 
 namespace {
 
-// Whether the errors are those of lost digits: then answers at one end of the variable have all
-// digits of a double. A root that stops too early leaves errors at both ends.
+// Whether the errors come from lost digits: then the answers at one end of the variable have all
+// digits of a double. An iteration that stops too early leaves errors at both ends.
 bool are_digits_lost(const Part& part, const Variable& variable) {
   constexpr double all_digits = 1e-11;
   const std::vector<Error> errors = errors_along(part, variable, 1e-300);
@@ -420,8 +420,8 @@ bool are_digits_lost(const Part& part, const Variable& variable) {
                   middle_size(errors, errors.size() - third, errors.size())) < all_digits;
 }
 
-// Whether there are as many small errors as large ones, and in no order along any variable; the
-// errors may be of 1 where the value is less. The greatest one, or 0.
+// The greatest error if there are as many small errors as large ones, in no order along any
+// variable; else 0. Errors are relative; with `is_of_one` they are absolute for values below 1.
 double greatest_in_no_order(const Part& part, bool is_of_one) {
   double greatest = 0;
   for (const Variable& variable : variables_of(part.function())) {
@@ -472,7 +472,7 @@ std::string scatter_of(const Part& part) {
     const std::size_t third = errors.size() / 3;
     const double low = middle_size(errors, 0, third);
     const double high = middle_size(errors, errors.size() - third, errors.size());
-    // Digits that cancel, to more than the value, may leave most errors of one sign.
+    // If digits cancel until errors exceed the value, most errors may have one sign.
     const bool is_lost = std::max(low, high) > 100 * std::min(low, high) &&
                          share_of_changes(errors) > least_changes_of_lost;
     if (!is_lost && (!has_both_signs(errors) || share_of_changes(errors) < least_changes))

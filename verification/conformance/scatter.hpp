@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of numerics: in no order, as of digits that cancel, or in one, as of a series cut off.
+// Numerical errors: without order, as from cancelled digits, or with one, as from a cut-off series.
 #pragma once
 
 #include <string>
@@ -8,27 +8,27 @@
 
 namespace tribo::conformance {
 
-// "The errors are of both signs and in no order, and grow where U is small …", or that they are
-// small everywhere, of one size, or anything up to a tolerance. Empty: they are nothing of this.
+// "The errors are of both signs and in no order, and grow where U is small …", or a sentence
+// that they are of one size, or small everywhere. Empty: none of these is true.
 std::string scatter_of(const Part& part);
 
-// Errors that are nearly 0 for small values of a variable and grow smoothly beyond, or errors that
-// are all small beside 1. `cause` may be that of other results, too. `text` is empty where the
-// errors are neither. `is_numerics`: the law has a root, an integral or a series, and the errors
-// grow as a high power, as the errors of such a method do.
+// Errors that are nearly 0 at an end of a variable, or where it is 1, and grow smoothly beyond; or
+// errors that are all small beside 1. `text` is empty if they are neither. Other results may have
+// the same `cause`. `is_numerics`: the law has a root, an integral or a series, and its numerical
+// method may leave such errors.
 struct Growth {
   std::string text, cause;
   bool is_numerics = true;
 };
 Growth growth_of(const Part& part);
 
-// "No error is above 0.00098 of the value …": errors of an iteration that stops at a tolerance or
-// after some steps, which are anything up to it, in no order. Empty: they are larger, of one size,
+// "No error is above 0.00098 of the value …": an iteration that stops at a tolerance, or after some
+// steps, leaves errors of any size up to a bound, in no order. Empty: they are larger, of one size,
 // or in an order, or the function has no iteration.
 std::string ended_early(const Part& part);
 
-// Errors of the last digits of 1 where the right answers are far less: "No error is above 1.1e-16
-// …". Empty: some are greater, or the answers do not reach 1.
+// "No error is above 1.1e-16 …": the errors are in the last digits of 1, and the right answers are
+// far smaller. Empty: some errors are greater, or the greatest answer is not near 1.
 std::string digits_lost_below_one(const Part& part);
 
 // Answers that are whole steps from each other, as of a bisection that ends early, or of rounding:

@@ -54,7 +54,7 @@ bool is(const WordResult<Word>& result, Word word) {
   return result.kind == WordResult<Word>::Kind::word && result.word == word;
 }
 
-// A number that rests on the balance of the load. Where nothing balances the load, NaN says that
+// A number that depends on the balance of the load. If nothing balances the load, NaN means that
 // the number is undefined.
 std::optional<OutputValue> of_balance(double number, const PointResult& point) {
   const bool has_collapsed = is(point.inlet, Inlet::collapsed);
@@ -87,7 +87,7 @@ Fields fields_of(const PointResult& point, const Question& asked) {
   return fields;
 }
 
-// The only result of a function is always offered, so that NaN is no answer.
+// A function with one result always offers it: any NaN, not_offered too, is an error.
 bool is_nan_alone(const catalogue::Results& values, const Question& asked) {
   return std::get<FunctionCall>(asked).function->results.size() == 1 && std::isnan(values[0]);
 }
@@ -133,7 +133,7 @@ std::string_view subject_of(const Question& question) {
 }
 
 // Questions of one kind in a row go to the solver together, once no complete line is waiting.
-// Earlier answers are written by then, whatever the solver does.
+// Earlier answers are written before that, so that they are not lost if the solver crashes.
 class Server {
  public:
   Server(const Solver& solver, int descriptor, bool tells_places)
@@ -201,8 +201,8 @@ class Server {
     }
   }
 
-  // False: one of the cases threw an exception, and all have failed. Which one it was shows when
-  // each is asked alone.
+  // Returns false if the solver threw an exception. All cases have failed then, and the caller asks
+  // each of them alone.
   template <class Asked, class Result>
   static bool answers_all(const Batch<Asked, Result>& batch, std::span<const Asked> cases,
                           std::span<Answer<Result>> answers) {

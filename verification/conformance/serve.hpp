@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solver in C++ that answers tribocheck: give functions, link tribocheck::conformance_serve.
+// Makes a C++ solver answer tribocheck: offer its functions, link tribocheck::conformance_serve.
 //
 //   int main() {
 //     tribo::conformance::Solver solver;
@@ -11,8 +11,8 @@
 //
 //   tribocheck verify --subject ./my_solver
 //
-// SI units. `tribocheck functions NAME` says what the arguments of a function are, in which order.
-// Formulas, symbols and ranges: model/README.md. Cases are in range.
+// All numbers are in SI units. `tribocheck functions NAME` lists the arguments of a function in
+// their order. Formulas, symbols and ranges: model/README.md. All cases are in range.
 #pragma once
 
 #include <array>
@@ -35,17 +35,17 @@
 
 namespace tribo::conformance {
 
-// A number in a result that is not finite has a meaning. not_offered, to which all results are set
-// before the call: this result is not offered. Infinity: this result is undefined at this point.
-// Any other NaN is an error, except where the regime is collapsed: then numbers that rest on the
-// balance of the load are undefined by it. A function with only one result always offers it.
+// The meaning of a result that is not finite. not_offered: the solver does not offer this result;
+// all results are not_offered before the call. Infinity: the result is undefined at this point. Any
+// other NaN is an error; only if the regime is collapsed, it means that a number which depends on
+// the balance of the load is undefined. A function with only one result always offers it.
 inline constexpr double not_offered = std::bit_cast<double>(std::uint64_t{0x7FF8'6E6F'7468'6572});
 inline bool is_not_offered(double number) {
   return std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(not_offered);
 }
 inline constexpr double undefined_here = std::numeric_limits<double>::infinity();
 
-// A word of a result.
+// A result that is a word.
 template <class Word>
 struct WordResult {
   enum class Kind : std::uint8_t { absent, undefined, word };
@@ -65,7 +65,7 @@ struct PointResult {
   WordResult<Inlet> inlet;
 };
 
-// Instead of a result.
+// How a case ended, and the reason that takes the place of a result.
 enum class Status : std::uint8_t { done, skipped, undefined, failed };
 struct NoResult {
   Status status;
@@ -83,15 +83,15 @@ struct Answer {
   Result result{};
   Status status = Status::failed;
   std::string reason = "no answer was given";
-  std::size_t place = 0, of = 0;  // in an array that the solver got, from 1; 0: it is not told
+  std::size_t place = 0, of = 0;  // place in an array of `of` cases, from 1; 0: not known
 };
 
 // Answers several cases; both spans have the same size, at least 1.
 template <class Asked, class Result>
 using Batch = std::function<void(std::span<const Asked>, std::span<Answer<Result>>)>;
 
-// The arguments of a function in the order of `tribocheck functions NAME`: of a word its place in
-// the list of words. Its results are in the first places.
+// The arguments of a function are in the order of `tribocheck functions NAME`. A word is given by
+// its place in the list of words. The results fill the first places.
 using FunctionBatch = Batch<catalogue::Arguments, catalogue::Results>;
 
 // One argument, for a parameter that is a number or one of the enumerations in tribo/scene.hpp.
@@ -125,8 +125,8 @@ class Solver {
  public:
   // Offers the function of this name. `function` takes its arguments one by one, in the order of
   // `tribocheck functions NAME`, and returns a number, all results in an array, or an Answer or
-  // NoResult in place of these. Throws std::invalid_argument if there is no such function, or if it
-  // has another number of arguments.
+  // NoResult in place of these. Throws std::invalid_argument if the catalogue has no such function,
+  // or one with another number of arguments.
   template <class Function>
   void offer(std::string_view name, Function function) {
     offer_of(name, std::move(function), std::index_sequence<>());
@@ -155,7 +155,7 @@ class Solver {
     return results;
   }
 
-  // As many arguments as `function` takes.
+  // Finds by recursion how many arguments `function` takes.
   template <class Function, std::size_t... places>
   void offer_of(std::string_view name, Function function, std::index_sequence<places...>) {
     if constexpr (std::invocable<Function, decltype((void)places, std::declval<Argument>())...>) {
@@ -175,17 +175,17 @@ class Solver {
 };
 
 // Answers JSON lines from stdin on stdout until the input ends: the protocol of `tribocheck verify
-// --subject`. From then on what the solver prints to stdout comes out on stderr. Returns an exit
-// code: 0, or 1 after a line on stderr where input or output broke.
+// --subject`. From then on, text that the solver prints to stdout goes to stderr. Returns an exit
+// code: 0, or 1 if input or output failed, after a line on stderr.
 int serve(const Solver& solver);
 
 // The same, but writes the answers to the descriptor `answers`, for callers that have used
-// take_stdout() before. With `tells_places` an answer has its place in the array that the solver
-// got: "place": "place 3 of an array of 32".
+// take_stdout() before. With `tells_places` an answer has its place in the array that was passed to
+// the solver: "place": "place 3 of an array of 32".
 int serve(const Solver& solver, int answers, bool tells_places = false);
 
-// Returns a copy of stdout, or −1 if there is no stdout. From then on stdout leads to stderr, or
-// nowhere if stderr is closed.
+// Returns a copy of stdout, or −1 if there is no stdout. From then on, output to stdout goes to
+// stderr, or nowhere if stderr is closed.
 int take_stdout();
 
 }  // namespace tribo::conformance

@@ -23,7 +23,7 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr double of_answer = 1e-4;  // how closely a candidate has to meet answers
+constexpr double of_answer = 1e-4;  // of an error: how closely a candidate must give the answer
 constexpr std::size_t most_looked_at = 12;
 
 struct WrongAnswer {
@@ -31,7 +31,7 @@ struct WrongAnswer {
   const AnsweredNumber* number;
 };
 
-// Some of the wrong answers, far from each other.
+// At most `most_looked_at` of the wrong answers, evenly spread.
 std::vector<WrongAnswer> some_wrong(const std::vector<AnsweredCase>& cases) {
   std::vector<WrongAnswer> all, some;
   for (const AnsweredCase& one : cases)
@@ -55,7 +55,7 @@ Mistake with_formula(const char* function, std::string name, std::string text, F
       }};
 }
 
-// ∫ (s − d)ⁿ φ(s) ds from d to the end, with s = d + t², so that half orders are smooth.
+// ∫ (s − d)ⁿ φ(s) ds from d to `end`. With s = d + t² the integrand is smooth for half orders.
 double moment_to(double order, double d, double end) {
   const double from = std::sqrt(std::max(0.0, std::min(end, 0.0) - 9 - d));
   const double to =
@@ -104,9 +104,9 @@ std::vector<Mistake> cut_integrals(const std::vector<WrongAnswer>& wrong) {
   return found;
 }
 
-constexpr int most_points = 40;  // of Gauss
+constexpr int most_points = 40;  // of Gauss' rule
 
-// Places on a width of 1, and their weights.
+// The points of Gauss' rule between 0 and 1, and their weights.
 const std::vector<std::pair<double, double>>& gauss_points(int count) {
   static const auto all = [] {
     std::array<std::vector<std::pair<double, double>>, most_points + 1> points;
@@ -122,14 +122,14 @@ const std::vector<std::pair<double, double>>& gauss_points(int count) {
   return all[static_cast<std::size_t>(count)];
 }
 
-// A rule of quadrature for the integral from d to an end: trapezoids, Simpson's rule, midpoints of
-// intervals, or Gauss's and Legendre's points.
+// A quadrature rule for the integral from d to an end: trapezoids, Simpson's rule, midpoints of
+// intervals, or the rule of Gauss and Legendre.
 enum class Rule { trapezoids, simpson, midpoints, gauss };
 struct Quadrature {
   Rule rule;
-  int count;  // intervals; points of Gauss
+  int count;  // of intervals, or of points of Gauss' rule
   double end;
-  bool is_distance;  // from d
+  bool is_distance;  // `end` is a distance from d
 
   std::string name() const {
     const char* const rules[] = {"trapezoids", "simpson", "midpoints", "gauss"};
@@ -167,7 +167,7 @@ struct Quadrature {
   }
 };
 
-// Quadratures that give the wrong answers.
+// Quadratures that give at least `fewest` of the wrong answers.
 std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
   constexpr int tried_all = 64;
   // The numbers and ends that people write: round ones, powers of 2, and one point more or less.
@@ -175,8 +175,8 @@ std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
                             200, 201, 249, 250, 255, 256, 299, 300,  399,  400,  499,  500, 501,
                             511, 512, 599, 600, 799, 800, 999, 1000, 1023, 1024, 1999, 2000};
   constexpr double ends[] = {3, 4, 4.5, 5, 6, 7, 8, 9, 10, 12, 15, 20, 30, 50, 100};
-  constexpr double times_off = 3;    // how far the errors' fall may be from a power
-  constexpr std::size_t fewest = 3;  // answers that decide
+  constexpr double times_off = 3;    // allowed factor between an error and its estimate
+  constexpr std::size_t fewest = 3;  // answers that a quadrature must give
   if (wrong.size() < fewest) return {};
   const auto meets = [](const WrongAnswer& one, double value) {
     return std::abs(value - one.number->got) <=
@@ -187,7 +187,7 @@ std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
   };
   std::sort(wrong.begin(), wrong.end(),
             [&](const WrongAnswer& a, const WrongAnswer& b) { return size(a) < size(b); });
-  // Small errors are those of the rule, great ones may be those of the end.
+  // Small errors come from the rule; great ones may come from the end of the range.
   std::map<std::string, Mistake> found;
   for (const std::size_t quarter : {1, 2}) {
     const WrongAnswer& first = wrong[quarter * wrong.size() / 4];
@@ -219,7 +219,7 @@ std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
             if (count == tried_all / 2) half = value - whole;
             last = value - whole;
           }
-          // The error falls as the power that it has now, or less steeply, but at least as 1/count.
+          // The error falls at least as 1/count, and at most as the power of 1/count found here.
           const double power = std::max(1.0, std::log2(std::abs(half / last)));
           const double wanted = std::abs(first.number->got - whole) / std::abs(last);
           for (const int count : others) {
@@ -249,7 +249,7 @@ std::vector<Mistake> other_rows(const std::vector<WrongAnswer>& wrong) {
   const auto row_of = [](const catalogue::Arguments& a) {
     return static_cast<std::ptrdiff_t>(detail::index_row(a[1]));
   };
-  // The rows whose numbers the wrong answers are.
+  // The right row, and the row whose numbers give the wrong answer.
   std::set<std::pair<std::ptrdiff_t, std::ptrdiff_t>> taken;
   for (const auto& [of, number] : wrong)
     for (std::ptrdiff_t row = 0; row < rows; ++row)

@@ -9,9 +9,9 @@
 
 namespace tribo::conformance {
 
-// Mistakes that give some of the wrong answers of these cases, which are all of one function: an
-// integral that ends too early, at one number or at one distance from d, or that is a sum of too
-// few points, and another row of a table.
+// Mistakes that give some of the wrong answers of these cases, which are all of one function. For a
+// moment: an integral that ends too early, at one s or at one distance from d, or a quadrature with
+// too few points. For the viscosity index: another row of the table.
 std::vector<Mistake> solved_mistakes(const std::vector<AnsweredCase>& cases);
 
 }  // namespace tribo::conformance

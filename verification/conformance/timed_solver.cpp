@@ -18,15 +18,15 @@ namespace {
 using nlohmann::json;
 
 constexpr std::chrono::seconds longest_answer{60};
-constexpr double enough = 1e-2;  // s, of a lap
+constexpr double enough = 1e-2;  // s, least time of a lap
 constexpr std::size_t most_passes = 1000;
 constexpr unsigned microseconds_between_looks = 500;
 constexpr int exit_failed = 1, exit_bad = 2;
 
 constexpr std::size_t least_pairs = 5, most_pairs = 15;
-constexpr double longest_pass = 2e-2;  // s, where new cases are compared with asked ones
+constexpr double longest_pass = 2e-2;  // s, for comparing new cases with asked ones
 
-// The inputs of the case, with one number greater by `change` parts in 1e9: so a case becomes new.
+// The inputs of the case, made new: one number is greater by `change` parts in 1e9.
 json changed_inputs(const TestCase& one, std::size_t change) {
   json inputs = one.inputs;
   if (change == 0) return inputs;
@@ -95,7 +95,7 @@ void TimedSolver::fail(const std::string& why, const TimedFunction& function) {
                      exit_failed);
 }
 
-// The next line that is a JSON object; lines between the answers are passed over.
+// The next line that begins with {. Other lines are skipped.
 std::string TimedSolver::next_answer(const TimedFunction& function) {
   const Clock::time_point last = std::min(deadline_, Clock::now() + longest_answer);
   std::string line;
@@ -107,7 +107,7 @@ std::string TimedSolver::next_answer(const TimedFunction& function) {
                : fmt::format("gives no answer within {} s, or does not flush its answers,",
                              longest_answer.count()),
            function);
-    // A writer pays for waking its reader: this one sleeps, and then takes all that has come.
+    // Waking a reader costs the writer time. So this reader sleeps, and then reads all lines.
     if (process_->lines_at_hand() == 0) ::usleep(microseconds_between_looks);
     switch (process_->next_line(line, std::min(left, ChildProcess::Time(1)))) {
       case ChildProcess::Event::line:
@@ -171,7 +171,7 @@ double TimedSolver::cpu_seconds_of(const TimedFunction& function, std::size_t ch
   return function.measured == Measured::reported ? pass.reported : spent;
 }
 
-// New cases and the same once more in turns, so that what disturbs one disturbs the other.
+// Asks new cases and the same again in turns, so that a disturbance affects both alike.
 void TimedSolver::compare_new_with_asked(TimedFunction& function, double seconds_a_case) {
   TimedFunction some = function;
   const double most = std::max(1.0, longest_pass / std::max(seconds_a_case, 1e-9));

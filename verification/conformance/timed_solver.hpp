@@ -16,7 +16,7 @@
 
 namespace tribo::conformance {
 
-// How the time of a solver is known.
+// How the time of a solver is measured.
 enum class Measured : std::uint8_t {
   reported,     // "seconds" of each answer
   process_cpu,  // CPU time of the subject's processes, from the first question of a block to its
@@ -25,23 +25,23 @@ enum class Measured : std::uint8_t {
 };
 const char* name_of(Measured measured);  // "reported", "process", "calls"
 
-// The cases of one function that a solver is asked for its time, and the state of their measuring.
+// The cases of one function that are timed, and the state of their measurement.
 struct TimedFunction {
   std::string name;
-  std::vector<TestCase> cases;  // of a subject, from the first pass on, only those with an answer
+  std::vector<TestCase> cases;  // after the first pass of a subject: only those with an answer
   Measured measured = Measured::call_cpu;
-  std::size_t answered = 0;  // cases with an answer; 0: it is not offered
-  std::size_t passes = 1;    // over the cases in a lap, so that it takes some milliseconds
+  std::size_t answered = 0;  // cases with an answer; 0: the function is not offered
+  std::size_t passes = 1;    // over the cases in a lap, enough for some milliseconds
   // The time of a new case over the time of a case that was asked before; 0: not measured.
   double new_over_asked = 0;
 };
 
 // At most `most` cases of each function in the order of the table, spread evenly over those that
-// are not extreme, or over all where there are no others.
+// are not extreme, or over all if every case is extreme.
 std::vector<TimedFunction> timed_functions(const std::vector<TestCase>& cases, std::size_t most);
 
-// From this ratio on, the solver is said to keep its answers, as a cache does: nothing else makes a
-// case that was asked before so much faster than one that differs from it by a part in 1e9.
+// Above this `new_over_asked` the solver is said to keep its answers, as a cache does. Nothing else
+// makes a repeated case so much faster than a case that differs from it by a part in 1e9.
 inline constexpr double kept_ratio = 2;
 
 struct Lap {
@@ -61,11 +61,11 @@ class TimedSolver {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Starts it by the shell. `deadline`: no wait goes beyond it.
+  // Starts the command in a shell. No wait lasts beyond `deadline`.
   TimedSolver(const std::string& command, bool is_plugin, Clock::time_point deadline);
 
   // Asks a subject all cases, which warms it up. With `is_first`, in the first process, this also
-  // finds which cases have an answer, how the time is known, and the passes of a lap. A plug-in is
+  // finds which cases have an answer, how time is measured, and the passes of a lap. A plug-in is
   // asked only with `is_first`.
   void warm_up(TimedFunction& function, bool is_first);
   // Throws SolverFailed, as warm_up() does.

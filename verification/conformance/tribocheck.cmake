@@ -5,14 +5,14 @@
 #     [TOLERANCE strict|engineering|<file>] [BASELINE <file>] [REQUIRE <quantity>…] [SAMPLE <count>]
 #     [JUNIT <file>] [SPEED <baseline>])
 #
-# adds the CTest test <test>: the solver is put to tribocheck's tests, and the test fails where it does
-# (with BASELINE: where it does worse than that file says). A COMMAND that is a target of the project is
-# its program. JUNIT writes the verdict on each quantity to a file.
-# SPEED adds a second test, <test>_speed with the label `speed`, which runs alone: it fails where the solver
-# is slower than the baseline says, which is made by `tribocheck bench --subject COMMAND`, or by
-# `tribocheck bench --plugin LIB --alone`, with `--baseline <baseline> --update-baseline`. With JUNIT it
-# writes a file of its own, with _speed before the extension.
-# The target tribocheck::plugin has the plug-in's header.
+# adds the CTest test <test>, which checks the solver by `tribocheck verify`. The test fails if the solver
+# fails (with BASELINE: if it does worse than that file says). If the first word of COMMAND is a target of
+# the project, its program is run. JUNIT writes the verdict on each quantity to a file.
+# SPEED adds a second test, <test>_speed, with the label `speed`, which runs alone. It fails if the solver
+# is slower than the baseline says. `tribocheck bench --subject COMMAND`, or `tribocheck bench --plugin LIB
+# --alone`, makes the baseline with `--baseline <baseline> --update-baseline`. With JUNIT this test writes
+# a file of its own, with _speed before the extension.
+# The target tribocheck::plugin adds the folder of tribocheck_plugin.h.
 find_program(TRIBOCHECK_PROGRAM tribocheck HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../bin"
   "${CMAKE_CURRENT_LIST_DIR}/../../../../bin"
   DOC "The program tribocheck" REQUIRED)
@@ -38,7 +38,7 @@ function(tribocheck_add_subject test)
     if(TARGET ${program})
       set(program $<TARGET_FILE:${program}>)
     endif()
-    # Plain words stay as they are typed in a shell: a baseline of speed names its solver by the command.
+    # Plain words get no quotes, as if typed in a shell: a speed baseline names its solver by the command.
     set(words "")
     foreach(word IN LISTS program arg_COMMAND)
       if(NOT word MATCHES "^[A-Za-z0-9_./+=:@%,-]+$")
@@ -72,7 +72,7 @@ function(tribocheck_add_subject test)
   if(DEFINED arg_SPEED)
     set(options --baseline ${arg_SPEED})
     if(arg_PLUGIN)
-      list(APPEND options --alone)  # not beside the contenders, whose program is not installed
+      list(APPEND options --alone)  # without the contenders, whose program is not installed
     endif()
     if(DEFINED arg_JUNIT)
       cmake_path(GET arg_JUNIT EXTENSION LAST_ONLY extension)

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * A solver of yours as a shared library that tribocheck checks and times, in C99, C++, Fortran
- * (bind(C)) or whatever else makes functions of C:
+ * The interface of a solver as a shared library, which tribocheck checks and times. The solver is
+ * written in C99, C++, Fortran (bind(C)) or any other language that can export C functions:
  *
  *   cc -O2 -shared -fPIC -I PREFIX/include solver.c -o libsolver.so -lm
  *   tribocheck verify --plugin ./libsolver.so
  *   tribocheck bench --plugin ./libsolver.so
  *
- * PREFIX is where tribocheck is installed; `tribocheck init subject --language c` writes a file to
- * start from, and prints the line for where tribocheck is. The library exports
- * tribocheck_plugin_version() and any of the functions below; what it leaves out is skipped. Arrays
- * belong to the caller, hold `count` numbers each, count >= 1, do not overlap, and are not to be
- * kept. The library is called from one thread, in any order and with any count. It writes for each
- * case one status and, where it is TRIBOCHECK_DONE, the results. A case that gets no status has
- * failed. Text that a plug-in prints to stdout comes out on stderr.
+ * PREFIX is where tribocheck is installed. `tribocheck init subject --language c` writes a file to
+ * start from, and prints the command with the right folder. The library exports
+ * tribocheck_plugin_version() and any of the functions below; the others are skipped. Arrays belong
+ * to the caller and have `count` >= 1 numbers each. They do not overlap, and the library must not
+ * keep them. It is called from one thread, in any order and with any count. For each case it writes
+ * one status and, if this is TRIBOCHECK_DONE, the results. A case without a status has failed. Text
+ * that the library prints to stdout goes to stderr.
  *
- * SI units throughout. A result that is left as the caller has set it is not offered; the only
- * result of a function is always offered. An infinity says that there is none at this point. A NaN
- * that the library writes is an error: for a case that it does not offer, as out of its range, it
- * has the status TRIBOCHECK_NOT_OFFERED. Only where the film has collapsed, and no floor keeps the
- * faces apart, does NaN mean that nothing balances the load: both load shares and friction are NaN
- * there, and the regime is TRIBOCHECK_NO_FILM. A plug-in's values of these are not judged.
+ * All numbers are in SI units. A result that is left as the caller has set it is not offered; a
+ * function with one result always offers it. An infinity means that the result does not exist at
+ * this point. A NaN that the library writes is an error; a case that it does not offer, for example
+ * out of its range, has the status TRIBOCHECK_NOT_OFFERED. NaN is no error only if the film has
+ * collapsed and no floor keeps the faces apart. Then nothing balances the load, both load shares
+ * and friction are NaN, and the regime is TRIBOCHECK_NO_FILM. These values are not judged.
  *
- * Formulas, symbols and ranges: model/README.md. */
+ * Formulas, symbols, ranges and the sections named below: model/README.md. */
 #ifndef TRIBOCHECK_PLUGIN_H
 #define TRIBOCHECK_PLUGIN_H
 
@@ -32,13 +32,13 @@
 extern "C" {
 #endif
 
-/* This header's version. It grows when a plug-in built with an older one would be read wrongly. */
+/* The version of this header. It grows if plug-ins built with an older one would be misread. */
 enum { TRIBOCHECK_PLUGIN_VERSION = 3 };
 
 /* The status of a case. */
 enum {
   TRIBOCHECK_DONE = 0,
-  TRIBOCHECK_NOT_OFFERED = 1, /* as a closure that the solver does not have: the case is skipped */
+  TRIBOCHECK_NOT_OFFERED = 1, /* such as a closure that the solver lacks: the case is skipped */
   TRIBOCHECK_UNDEFINED = 2,   /* the result does not exist there */
   TRIBOCHECK_FAILED = 3       /* the input is refused, or an iteration did not converge */
 };
@@ -66,21 +66,21 @@ enum {
   TRIBOCHECK_NO_FILM = 3 /* no film, and no floor that keeps the faces apart */
 };
 enum { TRIBOCHECK_FLOODED = 0, TRIBOCHECK_STARVED = 1, TRIBOCHECK_COLLAPSED = 2 };
-/* Instead of a code in tribocheck_point: not offered, and none at this point. */
+/* In place of a code in tribocheck_point: it is not offered, or there is none at this point. */
 enum { TRIBOCHECK_NO_CODE = -1, TRIBOCHECK_UNDEFINED_CODE = -2 };
 
-/* Has to be there: returns TRIBOCHECK_PLUGIN_VERSION. */
+/* Required; returns TRIBOCHECK_PLUGIN_VERSION. */
 int tribocheck_plugin_version(void);
 
 /* The name of the solver in results: UTF-8, ends with 0, lives as long as the library. Without this
- * function: the file's name. */
+ * function the name of the file is used. */
 const char* tribocheck_plugin_name(void);
 
-/* Any function of `tribocheck functions`, by its name; `tribocheck functions NAME` says what its
- * arguments and results are. argument[k][i] is argument k of case i, in that order from 0; of a
- * word, its code. result[k][i] is for result k of case i; the caller has set all to a NaN of its
- * own, by which it knows what is left. Returns 0 where the function of this name is not offered,
- * and else another number.
+/* Answers any function of `tribocheck functions` by its name; `tribocheck functions NAME` lists its
+ * arguments and results. argument[k][i] is argument k of case i, counted from 0 in that order; a
+ * word is given by its code. result[k][i] is for result k of case i. The caller sets all results to
+ * a special NaN before, and so knows those that are left out. Returns 0 if the function of this
+ * name is not offered, and else another number.
  *
  *   if (strcmp(name, "gaussian_moment") != 0) return 0;
  *   for (size_t i = 0; i < count; ++i) {
@@ -91,8 +91,8 @@ const char* tribocheck_plugin_name(void);
 int tribocheck_function(const char* name, size_t count, const double* const* argument,
                         double* const* result, int* status);
 
-/* One contact, its lubricant and its supply of oil. All > 0 and finite unless said. It is a circle,
- * and its film law is hamrock_dowson_central: other contacts are not asked. */
+/* One contact, its lubricant and its supply of oil. Numbers are > 0 and finite unless noted. The
+ * contact is a circle, and its film law hamrock_dowson_central: other contacts are not asked. */
 typedef struct tribocheck_scene {
   double load;                 /* F, N */
   double summit_density;       /* n, 1/m^2 */
@@ -117,8 +117,8 @@ typedef struct tribocheck_scene {
   int viscosity_law;           /* TRIBOCHECK_BARUS ... */
 } tribocheck_scene;
 
-/* One operating point. The caller has set all numbers to that NaN and both codes to
- * TRIBOCHECK_NO_CODE. */
+/* One operating point. The caller sets all numbers to the special NaN and both codes to
+ * TRIBOCHECK_NO_CODE before. */
 typedef struct tribocheck_point {
   double film_flooded;        /* h_ff, m: fully flooded, with load sharing */
   double film;                /* h*, m: behind the starved inlet */
@@ -133,7 +133,7 @@ typedef struct tribocheck_point {
   int inlet;                  /* TRIBOCHECK_FLOODED ... */
 } tribocheck_point;
 
-/* One scene at `count` speeds, so that it need be prepared once. */
+/* Solves one scene at `count` speeds, so that the scene need be prepared only once. */
 void tribocheck_operating_point(const tribocheck_scene* scene, size_t count,
                                 const double* speed, /* u > 0, m/s: the mean of the surfaces' */
                                 tribocheck_point* point, int* status);

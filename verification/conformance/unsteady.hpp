@@ -35,7 +35,7 @@ struct Unsteady {
   double apart_per_condition = 0;
 };
 
-// The quantities of which any answer differs in any bit, in the order of the cases.
+// The quantities with an answer that changes in any bit, in the order of the cases.
 std::vector<Unsteady> unsteady_quantities(const std::vector<TestCase>& cases,
                                           const Conversation& conversation);
 

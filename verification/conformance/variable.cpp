@@ -15,7 +15,7 @@
 namespace tribo::conformance {
 namespace {
 
-// A number of a scene that is this parameter of a film law.
+// The number that a scene gives for this parameter of a film law.
 double number_of_film(const Scene& scene, std::string_view parameter) {
   const auto numbers = detail::numbers_of<double>(scene);
   if (parameter == "speed") return scene.speeds[0];
@@ -33,7 +33,7 @@ const catalogue::Function& film_function(const Scene& scene) {
       film_formula_words[static_cast<std::size_t>(scene.closures.film)]);
 }
 
-// The groups of the function, and of others that have the same arguments, as laws of lines do.
+// Adds the groups of the function, and of others with the same arguments, such as laws of lines.
 void add_groups(const catalogue::Function& function, std::vector<Variable>& variables) {
   const auto is_same = [](const auto& a, const auto& b) { return a.name == b.name; };
   for (const catalogue::Function& other : catalogue::functions()) {
@@ -73,7 +73,7 @@ bool is_number(const catalogue::Parameter& parameter) {
   return parameter.words.empty() && parameter.range != catalogue::Range::half_order;
 }
 
-// The share of the load that asperities carry, A of λ = λ₀ (1 − A)^−e.
+// The share A of the load that the asperities carry, from λ = λ₀ (1 − A)^−e.
 double share_of(const Question& question, double lambda) {
   const double exponent = hamrock_dowson_central_law.sharing_power.value;
   return -std::expm1(std::log(question.arguments[1] / lambda) / exponent);
@@ -116,7 +116,7 @@ std::vector<Variable> variables_of_function(const catalogue::Function& function)
   return all;
 }
 
-// Numbers of a point that are not its fields, in the order of their symbols.
+// Numbers of a point that are not fields of its scene. PointNumbers are in this order.
 constexpr std::array point_symbols{"k",      "λ₀",          "αp̄",
                                    "η₀γ̇/τ₀", "the right λ", "the right asperity_load_share"};
 using PointNumbers = std::array<double, point_symbols.size()>;

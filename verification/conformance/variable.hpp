@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers on which it may depend whether an answer is right: the inputs of a question, the
-// groups of inputs that its law is written in, and the right results.
+// Numbers that may decide whether an answer is right: the inputs of a question, the groups of
+// inputs in which its law is written, and the right results.
 #pragma once
 
 #include <functional>

@@ -8,7 +8,7 @@
 
 namespace tribo::conformance {
 
-// Viscosities at 40 °C of the oils of index 0 and 100 that share one at 100 °C; mm²/s.
+// Viscosities at 40 °C in mm²/s of the oils of index 0 and 100 with the same one at 100 °C.
 struct IndexTableRow {
   double zero, hundred;  // L, H
 };

@@ -10,7 +10,7 @@ namespace {
 
 using catalogue::WayToAsk;
 
-constexpr const char* modulus_field = "effective_modulus";  // and the function that gives it
+constexpr const char* modulus_field = "effective_modulus";  // also the function's name
 
 void double_in(nlohmann::json& object) {
   const auto found = object.find(modulus_field);
@@ -22,8 +22,8 @@ void halve(Reply& answer) {
   if (value != answer.fields.end() && value->is_number()) *value = value->get<double>() / 2;
 }
 
-// Puts the numbers of the way in the place of what follows from them. An argument with a default
-// may be left out.
+// Replaces inputs by the numbers of the way, from which these inputs follow. An argument with a
+// default may be left out.
 void ask_by(const WayToAsk& way, const catalogue::Function* function, nlohmann::json& inputs) {
   catalogue::Arguments replaced{};
   for (std::size_t i = 0; i < way.in_place_of.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Other numbers in which a solver may be asked: E′ = 2E*, or the moduli and Poisson ratios of both
-// bodies, in place of E*; both radii in place of the ellipticity of a film.
+// Other numbers that a solver may be given: E′ = 2E*, or the moduli and Poisson ratios of both
+// bodies, in place of E*; both radii in place of the ellipticity in a film law.
 #pragma once
 
 #include <string>
@@ -17,13 +17,13 @@ struct AskedWays {
 
   bool has_twice_the_modulus() const { return modulus == "E'"; }
   bool has_radii() const { return ellipticity == "radii"; }
-  // Do these numbers need other arguments, and not only other values of the same ones? A plug-in
-  // cannot be asked so.
+  // Whether the numbers are other arguments, not only other values of the same arguments. A plug-in
+  // cannot be asked with other arguments.
   bool has_other_arguments() const { return modulus == "bodies" || has_radii(); }
 };
 
-// The cases as the solver is asked them. The numbers give those that they replace to the last bit;
-// only the radii give the ellipticity to some roundings.
+// The cases as they are sent to the solver. The replaced numbers follow from the new ones to the
+// last bit; only the ellipticity follows from the radii with some rounding.
 std::vector<TestCase> asked_by(const AskedWays& ways, std::vector<TestCase> cases);
 
 // Halves the moduli of a solver that gives E′, so that they can be judged as E*.

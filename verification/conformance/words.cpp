@@ -21,13 +21,13 @@ namespace {
 
 struct AnsweredWord {
   std::string asked, got;  // the right word, and the answer
-  Numbers point;           // the right one
+  Numbers point;           // the right numbers of the point
 };
 
-constexpr std::size_t fewest_words = 8;  // with the word, and without it
-// Points next to a limit may be on either side, by rounding, if they are few of those beyond it.
+constexpr std::size_t fewest_words = 8;  // points with the word, and points without it
+// Rounding may put points next to a limit on the wrong side, if they are few of those beyond it.
 constexpr double next_to_limit = 1e-12, few_next_to_limit = 0.1;
-constexpr double few_points = 0.1;  // of a limit: points on both sides are so far apart
+constexpr double few_points = 0.1;  // of a limit: points farther apart than this do not fix it
 
 // A number of a point that may decide on a word.
 struct Deciding {
@@ -95,10 +95,10 @@ std::optional<WordLimit> limit_of(const std::vector<AnsweredWord>& answers, cons
   return std::nullopt;
 }
 
-// "`boundary` is answered from … on": the first number that decides on the word. Empty: the right
-// limit may be the one of the answers, or no number decides.
+// "The word `boundary` is answered from … on", with the first number that decides on the word.
+// Empty: no number decides, or the limit of the answers may be the right one.
 std::string told(const std::vector<AnsweredWord>& answers, const std::string& word) {
-  // The limit may be anywhere between the points, of which two may be far from each other.
+  // The limit may be anywhere between two neighbouring points, which may be far apart.
   const auto place_in_words = [](const WordLimit& limit, const Deciding& number) {
     const std::string border = limit.high - limit.low > few_points * limit.high
                                    ? fmt::format("between {:.3g} and {:.3g}", limit.low, limit.high)
@@ -110,7 +110,7 @@ std::string told(const std::vector<AnsweredWord>& answers, const std::string& wo
   for (const Deciding& number : deciding)
     if (auto limit = limit_of(answers, number, word, &AnsweredWord::asked);
         limit && right.empty()) {
-      for (const double border : {0.01, 0.95, 0.99})  // of the words' definitions
+      for (const double border : {0.01, 0.95, 0.99})  // in the words' definitions
         if (limit->low <= border && border <= limit->high) limit->low = limit->high = border;
       right = place_in_words(*limit, number);
     }

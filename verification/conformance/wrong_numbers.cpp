@@ -12,7 +12,7 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr double few = 0.03;  // of the wrong answers
+constexpr double few = 0.03;  // of the explained wrong answers
 
 }  // namespace
 
@@ -95,8 +95,8 @@ std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
 
 std::string few_digits(const std::vector<AnsweredCase>& cases, double greatest) {
   constexpr int fewest = 3, of_single = 8, most = 9;
-  constexpr double half_a_digit = 0.51;  // with what a solver adds to the rounding itself
-  constexpr double of_formula = 1e-5;    // a formula in single precision is off by some 2^−24
+  constexpr double half_a_digit = 0.51;  // 0.01 more than rounding: the solver's own error
+  constexpr double of_formula = 1e-5;    // single precision is off by only a few 2^−24
   std::size_t count = 0;
   int digits = fewest;
   for (const AnsweredCase& one : cases)

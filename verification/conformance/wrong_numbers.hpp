@@ -33,7 +33,7 @@ struct AnsweredNumber {
 
 struct AnsweredCase {
   Question question;
-  Question asked;  // as it was sent; wrong functions below may change `question` (follow.hpp)
+  Question asked;  // as it was sent; wrong inner functions may change `question` (follow.hpp)
   // The case's branch of the function, because one branch may be wrong alone: "order 1.5",
   // "greenwood_tripp". It is empty for operating points, and if the function has no branches.
   std::string branch;
@@ -59,7 +59,7 @@ struct Part {
   std::size_t place = 0;
   std::string branch = {};
   std::vector<Number> all = {};
-  std::vector<const AnsweredNumber*> wrong = {};  // those that one sentence of the report is about
+  std::vector<const AnsweredNumber*> wrong = {};  // those that the report has to explain
 
   const std::string& quantity() const { return wrong.front()->expected->quantity; }
   // The function that was asked; null for operating points.
@@ -80,7 +80,7 @@ std::string branch_of(const Question& question);
 
 inline constexpr std::size_t fewest_cases = 8;  // fewer cases are too few to report a pattern
 
-// A sentence where every answer has at most nine digits, or is a number of single precision, and
+// A sentence if every answer has at most nine digits, or is a number of single precision, and
 // this explains the greatest relative error. Empty if it does not, or there are fewer than
 // `fewest_cases` numbers.
 std::string few_digits(const std::vector<AnsweredCase>& cases, double greatest);

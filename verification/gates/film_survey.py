@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Judges the errors that the film solver states, on random contacts.
 
-The program film_survey solves 300 line contacts to four tolerances, and writes a row a contact and tolerance, with
-each film, its stated error and how far it is from the film of a tolerance of 1e-6. With --points it solves 200 point
-contacts to the tolerance that the solver promises, and holds 60 of them, 20 beyond M = 500, to cells of half the size
-and a grid of twice the length. This script runs it on all processors in parts. A part that is done stays in
-build/film_survey/<the program's digest>, so that a run that was stopped goes on where it was. Then it writes what came
-out, with commit and environment. It ends with 1 where a film lies outside its stated error, a looser tolerance was
-harder to meet, or more than one line contact in a hundred, or one point contact in twenty, was refused.
+The program film_survey solves 300 line contacts to four tolerances. It writes a row for each contact and tolerance, with
+each film, its stated error and its distance from the film to a tolerance of 1e-6. With --points it solves 200 point
+contacts to the tolerance that the solver promises. It compares the films of 60 of them, 20 beyond M = 500, with films on
+cells of half the size and a grid of twice the length. This script runs the program in parts on all processors. Finished
+parts stay in build/film_survey/<the program's digest>, so that a stopped run goes on where it was. Then the script writes
+the results with commit and environment. The exit code is 1 if a film lies outside its stated error, if a looser tolerance
+was harder to meet, or if more than one line contact in a hundred, or one point contact in twenty, was refused.
 
   verification/gates/film_survey.py build/release/verification/tests/film_survey --out reference/baselines/film_survey.json
 """
@@ -29,16 +29,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "verification/gates/faults"))
 import plant  # noqa: E402
 FILMS = ("central", "minimum", "at_greatest_pressure")
-PART = 10  # line contacts; a part of points is one contact, whose memory is that of the program
+PART = 10  # line contacts in a run; a run for points has one contact, so that the memory of the run is that of the contact
 HELD, HELD_BEYOND_500 = 60, 20
-# The groups of point contacts: what a row of one looks like.
+# The groups of point contacts, each with a function that tells whether a row belongs to it.
 GROUPS = {"circles": lambda row: row["radius_ratio"] == "1" and row["supply"] == "0",
           "ellipses": lambda row: row["radius_ratio"] != "1",
           "starved": lambda row: row["supply"] != "0"}
 
 
 def rows_of_part(program, seed, what, first, end, folder, until=float("inf")):
-    """The rows of a part; none where it was not run by the time `until`."""
+    """The rows of a part. There are none if the part has no file yet and the time `until` is over."""
     path = folder / f"{what}_{seed}_{first}_{end}.csv"
     if not path.exists():
         if time.monotonic() > until:
@@ -50,8 +50,8 @@ def rows_of_part(program, seed, what, first, end, folder, until=float("inf")):
 
 
 def judged(rows):
-    """How many films were judged, which are off by more than they state, and by how much the others state too much. A
-    film counts where the error of the finer film is at most a third of its own, or where it is off by more than both."""
+    """The number of judged films, those that are off by more than they state, and the median of stated over true errors. A film is
+    judged if the error of the finer film is below a third of the stated one, or if the film is off by more than both errors together."""
     cautions, outside = [], []
     for row in rows:
         for film in FILMS:
@@ -66,7 +66,7 @@ def judged(rows):
 
 
 def summary(rows):
-    """Of lines: one entry a tolerance, from the coarsest."""
+    """The summary of line contacts, with one entry per tolerance from the coarsest."""
     tolerances = []
     contacts = {}
     for row in rows:
@@ -86,14 +86,14 @@ def summary(rows):
 
 
 def to_be_held(drawn):
-    """The first contacts of each kind, by their numbers: 20 beyond M = 500, and 40 others."""
+    """The numbers of the contacts that are compared with finer films: the first 20 beyond M = 500, and the first 40 others."""
     beyond = [row["contact"] for row in drawn if float(row["load_number"]) > 500]
     others = [row["contact"] for row in drawn if float(row["load_number"]) <= 500]
     return set(beyond[:HELD_BEYOND_500] + others[:HELD - HELD_BEYOND_500])
 
 
 def summary_of_points(drawn, rows):
-    """What was solved, by groups, and what the held films are worth. Seconds of one processor."""
+    """The summary of point contacts: the solved ones by groups, and the errors of the held films. Seconds are those of one processor."""
     solved, held = ([row for what, row in rows if what == one] for one in ("solved", "held"))
     groups = {}
     for name, is_in in GROUPS.items():
@@ -136,7 +136,7 @@ def main():
     if arguments.points:
         drawn = rows_of_part(arguments.program, arguments.seed, "drawn", 0, count, folder)
         chosen = to_be_held(drawn)
-        # The cheap ones first; the others as they were drawn, so that those that are not run differ from no others.
+        # Cheap contacts come first. The others keep their order, which is random, so that those that are not run are no special ones.
         contacts = [(what, int(row["contact"])) for is_dear in (False, True) for what in ("solved", "held") for row in drawn
                     if (float(row["load_number"]) > 200) == is_dear and (what == "solved" or row["contact"] in chosen)]
         parts = [(what, one, one + 1) for what, one in contacts]

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The inventory gate: the checks that the manifest lists are those that ran, each on no fewer cases than listed.
+"""The inventory gate: the checks that ran are those that the manifest lists, each on no fewer cases than listed.
 
-Reads the JUnit file that `ctest --output-junit` wrote (`make test` does) and gates/manifest.tsv. Red:
-a check that is listed and did not run, or was skipped; one that ran on no case or on fewer than listed;
-one that ran and is not listed; one whose errors have all shrunk to under a quarter of what the manifest
-says that they take of their bounds, because a bound was widened (or the code became better: then the
-bound has to be tightened). A check is a TEST of a C++ program, a Python file or a command. Cases are the
-comparisons of the first and the tests of the second; a command counts as one.
+It reads gates/manifest.tsv and the JUnit file of `ctest --output-junit`, which `make test` writes. It is red
+if a listed check did not run or was skipped, if a check ran on no case or on fewer than listed, or if a
+check ran that is not listed. It is also red if the greatest error/bound of a check fell below a quarter of
+the listed one: then a bound was widened, or the code became better and the bound has to be tightened. A
+check is a TEST of a C++ program, a Python file or a command. The cases of a TEST are its comparisons, those
+of a Python file are its tests, and a command is one case.
 
   python3 verification/gates/inventory.py build/release/ctest.xml            hold
   python3 verification/gates/inventory.py build/release/ctest.xml --write    make the manifest anew
@@ -45,7 +45,7 @@ def ran_on(output):
 
 def endings(junit):
     """The name of each check, what it printed, and how it ended: OK, FAILED or SKIPPED. A program of
-    GoogleTest, concern.program for CTest, has the checks concern.Suite.Test."""
+    GoogleTest, which CTest calls concern.program, has the checks concern.Suite.Test."""
     for test in ElementTree.parse(junit).iter("testcase"):
         name = test.get("name").split("  #")[0]
         output = test.findtext("system-out") or ""
@@ -57,14 +57,14 @@ def endings(junit):
             if suite in types:  # the name that CTest has for it
                 _, suite, kind = types[suite].groups()
                 one += f"<{kind}>"
-            yield f"{name.split('.')[0]}.{suite}.{one}", printed, ended or "FAILED"  # a crash has no end
+            yield f"{name.split('.')[0]}.{suite}.{one}", printed, ended or "FAILED"  # a TEST that crashed has no last line
         if not tests:
             yield name, output, status
 
 
 def checks_that_ran(junit):
-    """Name → Ran of each check; no cases where it was skipped or not run."""
-    # A failed test ran. CTest says that it failed.
+    """Name → Ran of each check. A check that was skipped or not run has no cases."""
+    # A failed check ran, too. CTest reports its failure.
     return {name: Ran(0, 0) if ended == "SKIPPED" else ran_on(output) for name, output, ended in endings(junit)}
 
 

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Solves the starved films of the paper's three surfaces over their speeds, for the report.
 
-`tribocheck film` solves the flooded and the starved film of smooth faces at each speed. Its ratio then stands in for
-the scene's closure of starvation: Damiens' closure, with the exponent chosen so that it gives the solved ratio, and the film
-law that is nearest to the solved flooded films, give the shares of the load and the friction. One contact takes ten
-seconds to a minute, all of them a quarter of an hour on one core. A contact that is done stays in build/paper_films/<the
-program's digest>, so that a run that was stopped goes on where it was. Then the script writes what came out, with
-commit and environment. It ends with 1 where a contact was not solved.
+`tribocheck film` solves the flooded and the starved film of smooth faces at each speed. In place of the scene's closure of
+starvation, `tribocheck solve` then takes Damiens' closure with the exponent that gives the solved ratio of the two films. With
+the film law that is nearest to the solved flooded films, it gives the load shares and the friction. One contact takes ten
+seconds to a minute, all of them a quarter of an hour on one core. Finished contacts stay in build/paper_films/<the program's
+digest>, so that a stopped run goes on where it was. Then the script writes the results with commit and environment. The
+exit code is 1 if a contact was not solved.
 
   verification/gates/paper_films.py build/release/tribocheck --out reference/baselines/paper_films.json
 """
@@ -24,8 +24,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "verification/gates/faults"))
 import plant  # noqa: E402
 SURFACES = ("smooth", "medium", "rough")
-FASTEST, STEPS, RATIO = 3.0, 16, 1.3  # of the scenes' speeds, in m/s
-THICKEST = 2.6  # layer over the flooded film: the film is then within a few per cent of the flooded one
+FASTEST, STEPS, RATIO = 3.0, 16, 1.3  # the greatest speed in m/s, the number of speeds, and the ratio of neighbouring ones
+THICKEST = 2.6  # greatest ratio of oil layer to flooded film: there the film is within a few per cent of the flooded one
 TOLERANCE = 1e-2
 FILM_LAW = "nijenbanning_venner_moes"
 TAKEN = ("speed", "load_number", "material_number", "inlet_film", "central_film", "minimum_film", "flooded_central_film",
@@ -34,7 +34,7 @@ SHARES = ("film_parameter", "asperity_load_share", "friction")
 
 
 def speeds(fastest):
-    """From the fastest down, as far as the layer is not too thick. Films go with u^0.67."""
+    """The speeds from the fastest down, as far as the oil layer is below THICKEST times the flooded film, which grows as u^0.67."""
     all_of_them = [float(f"{FASTEST / RATIO ** step:.4g}") for step in range(STEPS)]
     return [u for u in all_of_them if fastest["inlet_film"] < THICKEST * fastest["flooded_central_film"]["value"] * (u / FASTEST) ** 0.67]
 
@@ -49,7 +49,7 @@ def at_speed(scene, speed):
 
 
 def solved(program, scene, speed, folder):
-    """One contact: what `film` tells, and the shares and the friction that follow."""
+    """The row of one contact: the films that `tribocheck film` gives, and the load shares and the friction that follow."""
     kept = folder / f"{hashlib.sha256(f'{scene}{speed} {TOLERANCE}'.encode()).hexdigest()[:16]}.json"
     if not kept.exists():
         done = told(program, "film", at_speed(scene, speed), "--tolerance", str(TOLERANCE))
@@ -65,7 +65,7 @@ def solved(program, scene, speed, folder):
     exponent = row["damiens_exponent"]
     closure = "" if exponent is None else f'starvation = "damiens"\ndamiens_exponent = {exponent}\n'
     mixed = re.sub(r"(?m)^starvation = .*\n?", f'{closure}film = "{FILM_LAW}"\n', at_speed(scene, speed))
-    if exponent is None:  # the ratio is the layer's or 1 within its error: no exponent gives it
+    if exponent is None:  # within its error the ratio is 1 or that of the oil layer, and no exponent gives it
         return row
     point = json.loads(told(program, "solve", mixed).stdout)["points"][0]
     return row | {name: point[name] for name in SHARES}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The inventory gate: its reading of CTest's file, and each fault that turns it red."""
+"""Tests the inventory gate: how it reads CTest's file, and each fault that turns it red."""
 import contextlib
 import io
 import pathlib

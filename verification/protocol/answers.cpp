@@ -28,9 +28,9 @@ bool is_plain(std::string_view text) {
                      [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; });
 }
 
-// Has no branch, so that the compiler can look at several numbers in one step.
+// The loop has no branch, so that the compiler can vectorise it.
 bool all_finite(std::span<const double> numbers) {
-  std::uint64_t any = 0;  // its highest bit is set where the exponent of a number has all its bits
+  std::uint64_t any = 0;  // its highest bit is set if the exponent of a number has all bits set
   for (const double number : numbers)
     any |= (std::bit_cast<std::uint64_t>(number) & ~(std::uint64_t{1} << 63)) +
            (std::uint64_t{1} << 52);
@@ -66,7 +66,7 @@ void append_function_answer(Text& to, const FunctionCall& call) {
   to.push_back('\n');
 }
 
-// Lines that follow one another, and their answers.
+// The answers to lines that follow one another.
 struct Part {
   Text text;
   std::vector<std::pair<std::size_t, std::vector<Validity>>> passed;  // by the line's number
@@ -92,8 +92,8 @@ struct Part {
 void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
                 std::span<double> to) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  // The same as value_of(), but only the numbers on which the output rests are looked at. Where one
-  // is NaN, as where the film has collapsed, so is the output, but for the regime.
+  // Gives what value_of() gives, but looks only at the numbers on which the output depends. If one
+  // of them is not finite, the output is NaN; but the regime `collapsed` stays.
   const auto put = [&](const auto& column, const std::vector<double>& rests_on) {
     std::transform(column.begin(), column.begin() + std::ssize(to), to.begin(),
                    [](auto value) { return static_cast<double>(value); });
@@ -148,7 +148,7 @@ void append_json_text(Text& to, std::string_view text) {
 }
 
 void append_number(Text& to, double number) {
-  std::array<char, 32> digits;  // a shortest number has at most 24
+  std::array<char, 32> digits;  // the shortest form has at most 24
   const char* const end = fmt::format_to(digits.data(), FMT_COMPILE("{}"), number);
   append(to, {digits.data(), static_cast<std::size_t>(end - digits.data())});
 }

@@ -4,7 +4,7 @@
 //
 //   {"id": "p1", "film": 3.42e-8, "friction": null, "undefined": {"friction": "the film …"}}
 //
-// Numbers read back to the same double; what is undefined is null and has its reason at the end.
+// Numbers read back to the same double. Undefined outputs are null; their reasons stand at the end.
 #pragma once
 
 #include <array>
@@ -26,24 +26,24 @@
 
 namespace tribo::protocol {
 
-// Writes an output at the first `to.size()` points of a batch into `to`: its number, of a word its
-// place among the output's words, and NaN where value_of() has it undefined.
+// Writes an output at the first `to.size()` points of a batch into `to`: a number as it is, a word
+// as its place among the output's words, and NaN if value_of() gives a reason why it is undefined.
 void put_values(const OperatingPoints& points, const SmoothContact* smooth, Output output,
                 std::span<double> to);
 
-// The outputs to compute so that value_of() has what it needs: those that are asked for, and the
-// film for the least film, for Λ, for the word of the inlet, which is undefined where the film
-// overflows, and where the film law is solved or Rq alone is known.
+// The outputs that value_of() needs: those that are asked, and the film if the least film, Λ or the
+// inlet is asked (the inlet is undefined if the film overflows), if the film law is solved, or if
+// outputs of summits are asked and Rq alone is known.
 OutputSet needed_for(const Scene& scene);
 OutputSet needed_for(const Scene& scene, OutputSet asked);  // `asked`, not the scene's own outputs
 
-// A JSON text with its quotes; bytes that are not UTF-8 become U+FFFD.
+// Appends a JSON text with its quotes. Bytes that are not UTF-8 become U+FFFD.
 void append_json_text(Text& to, std::string_view text);
 
-// The shortest decimal that reads back to the same double; finite numbers only.
+// Appends the shortest decimal that reads back to the same double. The number must be finite.
 void append_number(Text& to, double number);
 
-// The id of a line, which its answer has too: null where there is none.
+// The id of a line, which its answer repeats. Without a text the answer has the id null.
 struct LineId {
   std::optional<std::string_view> text;
   bool is_number = false;
@@ -58,8 +58,8 @@ class AnswerObject {
  public:
   AnswerObject(Text& to, LineId id);
 
-  // Members in the order of the calls. Names and reasons must outlive the object.
-  void number(std::string_view name, double value);  // undefined where it is not finite
+  // Each call appends a member. Names and reasons must outlive the object.
+  void number(std::string_view name, double value);  // undefined if it is not finite
   void word(std::string_view name, std::string_view value);
   void undefined(std::string_view name, std::string_view reason);
   void value(std::string_view name, const OutputValue& value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads JSON that others have written as a tree: a baseline, an answer, a program's output.
+// Reads JSON of other origin into a tree: a baseline, an answer, a program's output.
 #pragma once
 
 #include <istream>
@@ -13,8 +13,8 @@
 
 namespace tribo::protocol {
 
-// The text as a tree; is_discarded() where it is no JSON. Throws std::runtime_error where it is
-// nested too deep.
+// Returns the text as a tree. Its is_discarded() is true if the text is no JSON. Throws
+// std::runtime_error if the text is nested too deep.
 template <class Json = nlohmann::json>
 Json parse_bounded_json(std::string_view text) {
   if (scene_detail::nests_too_deep(text))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// simdjson in place of the model's JSON parser. Entries and binder are the model's own.
+// Reads a line with simdjson in place of the model's JSON parser, into the model's own entries.
 #include "protocol/ordinary_scene.hpp"
 
 #include <simdjson.h>
@@ -21,8 +21,8 @@ using scene_detail::ValueKind;
 constexpr std::size_t most_bytes = 4096;
 constexpr std::size_t most_entries = 64;
 
-// Might a number be nearer to 0 than 4.9e-324? Then it has an exponent of three digits, or far over
-// a hundred digits.
+// May a number of the line be nearer to 0 than 4.9e-324? Such a number has an exponent of at least
+// three digits, or more than a hundred digits.
 bool may_underflow(std::string_view line) {
   std::size_t digits = 0;  // in a row, with the point
   bool negative_exponent = false;
@@ -59,7 +59,7 @@ class OrdinaryReader {
  private:
   bool take(std::string_view name, const dom::element& element) {
     dom::object section;
-    // "surface.summit_radius" is not the name of one member, and quotes in a name are escaped.
+    // json_entries() puts a name with a point or a quote in quotes, and escapes it.
     for (const char sign : {'.', '"'})
       if (name.find(sign) != std::string_view::npos) return false;
     if (element.get(section) != simdjson::SUCCESS) return take_field("", name, element);
@@ -87,7 +87,7 @@ class OrdinaryReader {
     return true;
   }
 
-  // Lines of one program have the same names in the same order: mostly the entry still has this
+  // Successive lines mostly have the same names in the same order. The entry then still has this
   // path and its field from the line before.
   void set_path(Entry& entry, std::string_view section, std::string_view name) const {
     const std::string_view path = entry.path;

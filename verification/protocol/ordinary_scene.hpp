@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A short cut past the model's JSON reader for the lines that a stream is mostly made of.
+// A faster reader than the model's JSON reader, for the ordinary lines of a stream.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace tribo::protocol {
 
 // The result of parse_scene_json() for one speed, to the last bit and word, in a third of the time.
-// Empty if that is not certain: the line is no JSON, a name is unknown, a number may be outside its
+// Empty if the two may differ: the line is no JSON, a name is unknown, a number may be outside its
 // type, a list or table is in a wrong place, or the line holds far more than a scene.
 std::optional<SceneReading> read_ordinary_scene(std::string_view line, std::string_view source);
 

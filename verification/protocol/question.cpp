@@ -27,7 +27,7 @@ const Entry* find(Members members, std::string_view name) {
   return nullptr;
 }
 
-// The name as it was given, in printable signs: paths have odd names in quotes.
+// The name as it was given, in printable characters. A path has an odd name in quotes.
 std::string name_of(const Entry& member) {
   const std::string& path = member.path;
   return path.starts_with('"') ? path.substr(1, path.size() - 2) : path;
@@ -85,16 +85,15 @@ bool has(std::span<const Parameter> parameters, std::string_view name) {
   return place_in(parameters, name) < parameters.size();
 }
 
-// The way to ask that gives a number of this name, which is not an argument of the function itself.
-// Null where there is no such way.
+// The function's way to ask in which a number of this name is given. Null if there is none.
 const WayToAsk* way_with(const catalogue::Function& function, std::string_view name) {
   for (const WayToAsk& way : catalogue::ways_to_ask())
     if (has_way(function, way) && has(way.given, name)) return &way;
   return nullptr;
 }
 
-// The way by which the line gives an argument that does not stand in the line itself. Null where
-// the line does not give it.
+// The way by which the line gives this argument indirectly, by a number that stands for it. Null if
+// there is none.
 const WayToAsk* way_to(const catalogue::Function& function, std::string_view argument,
                        Members members) {
   for (const WayToAsk& way : catalogue::ways_to_ask()) {
@@ -127,7 +126,7 @@ std::optional<CallFault> fault_in_names(const catalogue::Function& function, Mem
   return std::nullopt;
 }
 
-// The numbers of a list that stand in the line; the first one that cannot be read is the fault.
+// Reads the parameters of a list from the line. The first one that cannot be read is the fault.
 std::optional<CallFault> read_list(std::span<const Parameter> list, Members members,
                                    catalogue::Arguments& arguments) {
   std::size_t place = 0;
@@ -142,7 +141,7 @@ std::optional<CallFault> read_list(std::span<const Parameter> list, Members memb
   return std::nullopt;
 }
 
-// The arguments of a function of which some may be given in another way.
+// Reads the arguments of a function. Some of them may be given in another way.
 std::optional<CallFault> read_arguments(const catalogue::Function& function, Members members,
                                         catalogue::Arguments& arguments) {
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -213,7 +212,7 @@ std::optional<FunctionCall> read_function_call(std::string_view line) {
   scene_detail::Problems problems(unused, "");
   auto members = scene_detail::json_entries(line, problems, line.size());
   if (!members) return std::nullopt;
-  // A scene's tables have entries for their fields, too; for a function the table itself is enough.
+  // json_entries() also has entries for the fields of tables. A call needs only the table's own.
   std::erase_if(*members, [](const Entry& one) {
     return !one.path.starts_with('"') && one.path.find('.') != std::string::npos;
   });

@@ -23,12 +23,12 @@ struct CallFault {
 struct FunctionCall {
   std::optional<std::string> id;  // empty: not given, or neither text nor number
   bool id_is_number = false;
-  const catalogue::Function* function = nullptr;  // this and the next are set if no fault is:
-  catalogue::Arguments arguments{};               // in range, with defaults filled in
-  std::optional<CallFault> fault;                 // the first one in the line
+  const catalogue::Function* function = nullptr;  // set if there is no fault
+  catalogue::Arguments arguments{};  // if there is no fault: in range, with defaults filled in
+  std::optional<CallFault> fault;    // the first one found
 };
 
-// Both may hold faults in place of a question. A line that is no JSON is a scene with a fault.
+// Both may hold faults in place of a question. A line that is no JSON gives a scene with a fault.
 using Question = std::variant<SceneReading, FunctionCall>;
 
 // `number` is the number of the line, for messages.

@@ -15,7 +15,7 @@
 namespace tribo::protocol {
 namespace {
 
-// After a failed call: may the call be tried again? Waits until it may.
+// May a failed call be tried again? Waits until the descriptor is ready for it.
 bool try_again(int descriptor, short event) {
   if (errno == EINTR) return true;
   if (errno != EAGAIN) return false;
@@ -26,7 +26,7 @@ bool try_again(int descriptor, short event) {
 
 constexpr std::size_t block_bytes = std::size_t{1} << 16, most_of_pipe = std::size_t{1} << 20;
 
-// Written without a branch, because it is called for each block.
+// Is all text printable ASCII, line ends and tabs? The loop has no branch: each block is checked.
 bool is_plain(const Text& text) {
   unsigned odd = 0;
   for (const char sign : text) {
@@ -60,7 +60,7 @@ std::string system_message(int code) { return std::generic_category().message(co
 // The buffer has room for the longest line with its "\r\n", and for one more block.
 LineReader::LineReader(int descriptor, std::size_t longest)
     : descriptor_(descriptor), longest_(longest), buffer_(longest + 2 + block_bytes) {
-  // A pipe gets room for 1 MiB, if the system allows that, so that many lines come together.
+  // A pipe gets room for 1 MiB, if the system allows it, so that one read gives many lines.
   ::fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(most_of_pipe));
 }
 

@@ -15,8 +15,8 @@
 
 namespace tribo::protocol {
 
-// read(2) and write(2), repeated after interruptions and on descriptors that somebody made
-// non-blocking. They return −1 and set errno at an error that is to be reported.
+// read(2) and write(2), repeated after interruptions and on non-blocking descriptors. At any other
+// error they return −1 and set errno.
 ssize_t read_some(int descriptor, char* to, std::size_t most);
 ssize_t write_some(int descriptor, const char* from, std::size_t count);
 
@@ -66,21 +66,21 @@ inline void append(Text& text, std::string_view part) {
   std::copy(part.begin(), part.end(), text.data() + before);
 }
 
-// Whoever reads the output has ended (`| head -1`): the end, and no error. SIGPIPE has to be
-// ignored.
+// Thrown if the program that reads the output has ended (`| head -1`), which is no error. The
+// caller has to ignore SIGPIPE.
 struct OutputClosed {};
 
-// Any other write that failed, as on a full disk.
+// Thrown if a write fails for another reason, such as a full disk.
 struct OutputFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Every failed write is noticed, and signs that would steer a terminal are written as \u001b, which
-// JSON reads as the sign itself.
+// Collects text and writes it in blocks. Control characters, which would steer a terminal, are
+// written as escapes such as \u001b, which JSON reads as the character itself.
 class OutputStream {
  public:
   explicit OutputStream(int descriptor) : descriptor_(descriptor) {}
-  OutputStream() = default;  // keeps all text
+  OutputStream() = default;  // keeps all text in memory
   OutputStream(const OutputStream&) = delete;
   OutputStream& operator=(const OutputStream&) = delete;
 

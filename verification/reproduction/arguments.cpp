@@ -26,7 +26,7 @@ Printed printed(const std::vector<Item>& items, std::string_view id) {
 
 using Value = std::function<std::optional<double>(const PaperScenes&)>;
 
-// The scenes with one input at an end of what prints alike.
+// The scenes with one input at the least (side −1) or greatest value that prints alike.
 PaperScenes at_end(PaperScenes scenes, const Input& input, int side) {
   for (std::size_t i = 0; i < contact_count; ++i)
     if (input.is_of(i))
@@ -34,8 +34,8 @@ PaperScenes at_end(PaperScenes scenes, const Input& input, int side) {
   return scenes;
 }
 
-// Candidates with the interval that the print precision of their inputs leaves open. Each input
-// moves a value one way only, so that the ends of the interval lie in two corners.
+// Makes candidates with the interval that the print precision of their inputs leaves open. A value
+// is monotonic in each input, so that the ends of its interval lie at two corners of the inputs.
 class Candidates {
  public:
   Candidates(const PaperScenes& scenes, const std::vector<Input>& inputs)
@@ -70,7 +70,7 @@ class Candidates {
   const std::vector<Input>& inputs_;
 };
 
-// A number of formulas alone, which are exact as published.
+// A candidate from published formulas alone, which have no print error.
 Candidate exact(std::string name, double value) {
   return {std::move(name), value, value, value, false};
 }
@@ -82,7 +82,7 @@ Argument decided(Argument argument) {
   return argument;
 }
 
-// A = (K F_{5/2})^q: between the rough and the smooth surface K doubles, at equal λ.
+// A = (K F_{5/2})^q. At equal λ, K of the rough surface is twice that of the smooth surface.
 Argument sharing_exponent(const PaperScenes& scenes, const std::vector<Item>& items,
                           const Candidates& candidate) {
   const Printed a = printed(items, "C4.rough"), b = printed(items, "C4.smooth");
@@ -113,7 +113,7 @@ Argument sharing_exponent(const PaperScenes& scenes, const std::vector<Item>& it
                   [&](const PaperScenes& changed) { return std::pow(shares(changed), 2); })}});
 }
 
-// λ is h_oil/σ_s times a number of the inlet alone.
+// At the greatest film λ is h_oil/σ_s times a number that depends on the inlet alone.
 Argument onset_film_parameter(const std::vector<Item>& items, const Candidates& candidate) {
   const Printed lambda = printed(items, "C2.smooth");
   Argument argument{"the inlet, from λ at the greatest film, whatever the surface",
@@ -164,7 +164,7 @@ Argument film_formula(const PaperScenes& scenes, const std::vector<Item>& items)
               film_constant(scenes, with(Switch::film_constant, 1)))}});
 }
 
-// 0.82 σ in units of σ_s, beside Table 1's number. Both factors are printed to two digits.
+// D_d = 0.82σ in units of σ_s, against Table 1's D_d. Both 0.82 and 1.4 have two printed digits.
 Argument plane_offset(const PaperScenes& scenes, const std::vector<Input>& inputs) {
   const double offset = scenes.scene[smoothest].surface.summit_plane_offset;
   const auto precision = std::find_if(inputs.begin(), inputs.end(), [](const Input& one) {

@@ -24,8 +24,8 @@ constexpr std::string_view nothing = "–";
 constexpr double near_by = 0.1;                       // “within 10 %”
 constexpr double order_factor = 3.16227766016837933;  // “order only”: √10
 
-// The least (side −1) or greatest number that prints as reported; the slack is the rounding of the
-// decimals.
+// The least (side −1) or greatest (side 1) number that prints as reported. The factor 1 + 1e-9
+// allows for the rounding of the decimals.
 double printed_limit(double reported, double last_digit, int side) {
   return reported + side * (last_digit / 2 * (1 + 1e-9));
 }

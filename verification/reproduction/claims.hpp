@@ -50,7 +50,7 @@ struct Item {
   std::string id;     // "C1.rough"
   std::string claim;  // "C1"
   Quantity quantity;
-  PaperSurface surface;  // of items that have one
+  PaperSurface surface;  // smooth if the item has none
   bool has_surface;
   std::string surface_text, model;
   Rule rule;
@@ -68,9 +68,9 @@ struct Item {
 struct Observed {
   std::optional<double> value;  // the deciding number: the worst of a comparison over speeds
   double other_end = 0;         // the best of a comparison over speeds; else the value
-  double part = 1;              // of the compared (logarithmic) speeds, or surfaces, where it holds
+  double part = 1;              // share of the compared ln u, or surfaces, where the item holds
   std::string_view none{};      // why there is no value
-  // Numerical errors, absolute: the number itself lies within them.
+  // Absolute numerical errors: the exact number lies within them.
   double error = 0;                    // of value, other_end and middle
   std::optional<double> part_error{};  // of part; none where speeds are not compared
   // Where few numbers are compared: the greatest that at least half of them reach.
@@ -88,7 +88,7 @@ enum class Verdict : std::uint8_t {
 };
 std::string_view name(Verdict verdict);
 // The short scale for tables of many claims: yes, partly, no. “Partly” is each verdict between the
-// first and the last one, order_only as well.
+// first and the last one, including order_only.
 std::string_view short_name(Verdict verdict);
 inline constexpr std::string_view partly_words =
     "“Partly” is within 10 %, or to the order of magnitude (order only), or in part (at half or "
@@ -98,8 +98,8 @@ inline constexpr std::string_view partly_words =
 bool is_as_printed(double value, double reported, double last_digit);
 
 Verdict judge(const Item& item, const Observed& observed);
-// The same item with its tolerance multiplied: the print precision of a number, the width of
-// `equal`; the threshold of `at_least` is divided by the factor. `order` has no tolerance.
+// The same item with its tolerance multiplied by the factor: the print precision of `number`, the
+// width of `equal`. The threshold of `at_least` is divided by it. `order` has no tolerance.
 Item with_tolerance(Item item, double factor);
 
 // The measure in which a verdict's distance from the nearest other verdict is given.
@@ -118,7 +118,7 @@ struct Margin {
 inline constexpr std::string_view undecided_words = "the margin is below the numerical error";
 
 // The distance to the nearest threshold beyond which the verdict would change. A threshold within
-// the error goes before all others. Empty where there is no number.
+// the numerical error is chosen before all others. Empty where there is no number.
 std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observed);
 
 // Is it sure, whatever the numerical error, whether the item is reproduced?
@@ -126,10 +126,10 @@ bool is_sure(const Item& item, const Observed& observed);
 
 // The rule as continuous functions of the value, all above 0 where the rule is met. A number has
 // two: ln(value/least) and ln(greatest/value), of the least and the greatest number that print as
-// reported. The other rules have one, and NaN; both are NaN where there is no number above 0.
+// reported. The other rules have one, and the second is NaN. Both are NaN without a number above 0.
 std::array<double, 2> threshold_margins(const Item& item, const Observed& observed);
 
-// For the rule `number`: the number nearest to the value that prints as reported.
+// For the rule `number`: of the numbers that print as reported, the one nearest to the value.
 double nearest_as_printed(const Item& item, double value);
 
 // Reads claims.tsv. Throws std::runtime_error with one line.

@@ -47,8 +47,8 @@ Reading with_law(std::size_t number) {
   return reading;
 }
 
-// The choices of the film's switches that give one film formula. Two choices may give the same: U
-// is twice as large by E* in place of E′, or by the sum of the speeds.
+// The choices of the film's switches that give the same film formula. There are one or two: E* in
+// place of E′ doubles U, and so does the sum of the speeds in place of their mean.
 struct FilmGroup {
   std::vector<std::size_t> numbers;  // of film_switches
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// All readings, each judged by every item. Readings share the stages of the computation: flooded
-// films are found once for each film formula and rough contact, starved films once for each of
-// these and each inlet, friction once for each of those and each pair of laws. No stage is computed
-// twice from the same choices.
+// All readings, each judged by every item. Readings share the stages of the computation, so that no
+// stage is computed twice from the same choices: flooded films once for each film formula and rough
+// contact, starved films once for each flooded film and inlet, friction once for each starved film
+// and pair of laws.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,24 @@
 
 namespace tribo::reproduction {
 
-// Bit i: item i (or claim i) is reproduced.
+// Bit i is of item i (or claim i): it is reproduced, refined or undecided.
 using ItemMask = std::uint32_t;
 
 struct Enumeration {
   std::vector<ItemMask> items;   // of every reading, by index_of()
   std::vector<ItemMask> claims;  // of every reading, by index_of()
-  std::size_t films;             // how many of each of these three stages were computed
+  std::size_t films;             // the numbers of curves computed in the three stages
   std::size_t inlets;
   std::size_t friction_curves;
-  // For every reading the items that the grid of speeds left open, and that were therefore computed
-  // between its speeds as well; and those whose margin is below the numerical error even so.
+  // Of every reading. Refined items were left open by the grid of speeds and were computed between
+  // its speeds as well. The margin of undecided items is below the numerical error even then.
   std::vector<ItemMask> refined;
   std::vector<ItemMask> undecided;
 };
 
 Enumeration enumerate(const PaperScenes& scenes, const std::vector<Item>& items);
 
-// Bits of the claims of which all items are set, in the order of claim_names().
+// Sets the bit of each claim whose items are all set. Claims are in the order of claim_names().
 ItemMask claims_of(ItemMask items_reproduced, const std::vector<Item>& items);
 
 // ranking.cpp: statistics of the enumeration. They say how readings rank, how many tie, and which
@@ -41,15 +41,15 @@ struct RankedGroup {
   ItemMask claims;
   int score;               // how many claims that is
   std::size_t ties;        // how many readings
-  Reading representative;  // of readings that reproduce most items, the one with fewest departures
-                           // from the corrected reading
-  std::string fixed;       // "offset_planes=2 …": departures that all of them share
+  Reading representative;  // of those that reproduce the most items, the one with the fewest
+                           // departures from the corrected reading
+  std::string fixed;       // "offset_planes=2 …": departures that all these readings share
   std::string free;        // "viscosity, criterion": switches in which they differ
 };
 
 struct Ranking {
   std::vector<std::size_t> histogram;  // readings by the number of claims they reproduce
-  double mean_score;                   // of a reading drawn at random
+  double mean_score;                   // of all readings
   double score_sd;
   std::size_t best_ties;          // readings that reproduce the most claims of all
   std::vector<RankedGroup> best;  // `groups` of them, the highest scores first

@@ -84,7 +84,7 @@ Evidence evidence(const std::string& id, const PaperScenes& scenes) {
     return {"∫ over s from λ = 2 up: of φ(s−λ); of (s−λ) φ(s)", gaussian_moment(Order::zero, 0.0),
             gaussian_moment(Order::one, 2.0), "the printed one is so at any λ"};
   if (id == "E6") {
-    // The area in a unit of length of 1/scale m.
+    // The real area ratio, with lengths in units of 1/scale m.
     const auto area = [&](double scale, bool as_printed) {
       const double n = surface.summit_density / (scale * scale);
       const double beta = surface.summit_radius * scale, sd = surface.summit_height_sd * scale;

@@ -13,7 +13,7 @@
 namespace tribo::reproduction {
 namespace {
 
-// Significant digits of "1.0913928830611e-4".
+// The number of significant digits of "1.0913928830611e-4". The first digit must not be 0.
 double digits_of(const std::string& text) {
   const std::string mantissa = text.substr(0, text.find('e'));
   return static_cast<double>(std::count_if(mantissa.begin(), mantissa.end(),

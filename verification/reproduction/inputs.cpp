@@ -38,7 +38,7 @@ Scene read_one(const std::string& path, AsperityModel model) {
   return *std::move(reading.scene);
 }
 
-// An input's name and its place in a scene; the conventions of the film formula have no place.
+// An input's name and its place in a scene. Factors of the film formula have no place there.
 struct FieldInfo {
   std::string_view name;
   double* (*place)(Scene&);

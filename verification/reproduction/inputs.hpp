@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's scenes, and its inputs one by one, with the precision of the print and the plausible
-// range.
+// The paper's scenes, and each of its inputs with its print precision and plausible range.
 #pragma once
 
 #include <array>
@@ -46,7 +45,7 @@ std::string_view name(Field field);
 // One line of inputs.tsv.
 struct Input {
   Field field;
-  std::string surface;  // or "all"
+  std::string surface;  // "rough", "medium", "smooth" or "all"
   double value, last_digit, low, high;
   std::string unit, reason;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ledger: every claim and erratum of the paper under every reading, and the evidence for each
-// verdict. Each part has a source, which the comments name.
+// verdict. Each part has its own source file, which its comment names.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ namespace tribo::reproduction {
 // compared with the number; both are intervals, by their print precision.
 struct Candidate {
   std::string name;
-  std::optional<double> value;  // empty: it gives no such number
-  // By the print precision of what it is computed from; empty where there is no number at that end.
+  std::optional<double> value;  // empty: the candidate gives no number
+  // The value's interval by the print precision of its inputs. Empty: no number at that end.
   std::optional<double> low, high;
-  bool agrees;                       // this interval and the reported one meet
-  std::optional<Reading> reading{};  // with which it is computed, where it is one of the enumerated
+  bool agrees;                       // this interval and the reported one overlap
+  std::optional<Reading> reading{};  // that gives the value; empty: none of the enumerated ones
 };
 
 struct Argument {
@@ -28,16 +28,16 @@ struct Argument {
   std::string reported;  // "0.82/0.60 = 1.37"
   double low, high;      // by print precision
   std::vector<Candidate> candidates;
-  std::string claim{};  // the claim whose number the candidates give; empty: of no claim alone
+  std::string claim{};  // whose identified switches the candidates restrict; empty: no claim
 
-  std::size_t agreeing() const;  // how many candidates agree; if one, the number identifies it
+  std::size_t agreeing() const;  // how many candidates agree; a single one is identified
 };
 
 std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
                                 const std::vector<Input>& inputs);
 
-// Takes from each item of an argument's claim the switches on which its agreeing candidates differ:
-// the print precision of the inputs leaves these open.
+// Removes an identified switch from the items of an argument's claim if an agreeing candidate has
+// another choice there: the print precision of the inputs leaves such a switch open.
 void keep_what_print_precision_identifies(std::vector<ItemStatistics>& statistics,
                                           const std::vector<Item>& items,
                                           const std::vector<Argument>& arguments);
@@ -51,17 +51,17 @@ struct Erratum {
   std::string decided_by;  // the number of the paper, or the bound, that settles it
 };
 
-// Throws std::runtime_error: the file must list exactly the errata that the code knows.
+// Throws std::runtime_error if the file lists an erratum that the code does not know.
 std::vector<Erratum> read_errata(const std::string& path, const PaperScenes& scenes);
 
-// independent.cpp: film and Hertz contact beside another library's numbers,
+// independent.cpp: film and Hertz contact compared with another library's numbers in
 // reference/published/independent.tsv.
 struct IndependentNumber {
-  std::string case_name;  // "u = 1 m/s, F = 20 N"
+  std::string case_name;  // "1 m/s, 20 N"
   std::string quantity, unit;
   double reported, computed;
   double digits;    // of the reported number
-  bool reproduced;  // to half a unit of its last digit, but for the films' documented constant
+  bool reproduced;  // to half a unit of its last digit; films with the other library's constant
 };
 std::vector<IndependentNumber> independent_numbers(const std::string& path);
 
@@ -71,9 +71,9 @@ struct Requirement {
   std::size_t item;  // index
   Field field;
   std::optional<double> sensitivity{};     // d ln(number)/d ln(input) at the scene's inputs
-  std::optional<double> by_sensitivity{};  // of numbers: the factor that it predicts
-  // The factor on the input, between 1/30 and 30, that is nearest to 1 and at which the item holds
-  // (if it is a number, prints as reported); empty: there is none.
+  std::optional<double> by_sensitivity{};  // of rule number: the factor that this predicts
+  // The factor on the input, between 1/30 and 30 and nearest to 1, at which the item holds (for a
+  // number: prints as reported). Empty: there is none.
   std::optional<double> factor{};
   std::string surface;  // of the values below: the item's surface, or else rough
   std::string unit;     // of the values
@@ -81,7 +81,7 @@ struct Requirement {
   double value;         // the input at that factor
   double low, high;     // its plausible range
   bool plausible = false;
-  bool at_limit = false;  // outside by at most a tenth of half the range, in logarithms
+  bool at_limit = false;  // outside by at most a twentieth of the range, in logarithms
   std::vector<std::string> broken{}, mended{};  // claims that the change breaks or mends
 };
 
@@ -101,11 +101,11 @@ struct CommonDeparture {
 CommonDeparture common_departure(const PaperScenes& scenes, const Reading& reading,
                                  const std::array<double, surface_count>& reported);
 
-// uncertainty.cpp: how sure the computed numbers are: the corrected reading with Table 1 varied
-// within its print precision, and within plausible ranges. Draws come from a counter (Philox), so
-// that draw i is the same whatever was drawn before it.
+// uncertainty.cpp: the uncertainty of the computed numbers under the corrected reading. The inputs
+// vary within their print precision or within plausible ranges. Draws come from a counter (Philox),
+// so that draw i is the same whatever was drawn before it.
 enum class Spread : std::uint8_t {
-  print,      // uniform within half of the last printed digit
+  print,      // uniform within half a unit of the last printed digit
   plausible,  // log-uniform within the plausible range
 };
 
@@ -141,7 +141,7 @@ struct NamedReading {
   int score;                        // claims reproduced
 };
 
-// How many claims the ledger's readings reproduce where all tolerances are wider by a factor.
+// How many claims the ledger's readings reproduce with all tolerances multiplied by a factor.
 struct ToleranceScores {
   double factor;
   std::vector<int> scores;  // in the order of the readings
@@ -158,7 +158,7 @@ struct Ledger {
   Ranking ranking;
   std::vector<ItemStatistics> item_statistics;
   std::vector<double> claim_parts;
-  Enumeration work;  // its counts; the masks are dropped
+  Enumeration work;  // only its counts: the masks are cleared
   std::vector<Argument> arguments;
   std::vector<Requirement> requirements;  // of the corrected reading
   CommonDeparture departure;
@@ -172,7 +172,7 @@ struct LedgerOptions {
   std::vector<Reading> asked;  // further columns
   std::size_t best = 3;        // how many of the best sets of claims to show
   std::size_t draws = 10000;   // of each uncertainty
-  bool requirements = true;    // computed; they take a third of the time
+  bool requirements = true;    // whether to compute them; they take a third of the time
 };
 
 // Throws std::runtime_error with one line: file, and what is wrong with it.
@@ -188,9 +188,9 @@ std::string ledger_csv(const Ledger& ledger, const std::vector<NamedReading>& re
                        const std::vector<std::string>& claims);
 
 struct LedgerChanges {
-  std::vector<std::string> verdicts;  // one line for each change; also of switches, and new items
-  std::vector<std::string> numbers;   // with the verdict unchanged: numbers and parts that moved by
-                                      // more than 1e-6 of themselves, and what is decided
+  std::vector<std::string> verdicts;  // one line for each change of verdict or switches or new item
+  std::vector<std::string> numbers;   // if the verdict is the same: one line for a number or part
+                                      // that moved by over 1e-6 of itself, or a changed `decided`
 };
 // The changes since the committed ledger, of the readings that both have. An item that the
 // committed ledger lacks is a change, too. Throws std::runtime_error with one line.

@@ -28,7 +28,7 @@ constexpr std::string_view no_ratio = "a film vanishes within the speeds that ar
 
 // ln of the speeds at which contacts are compared: from the lowest speed (for mixed lubrication
 // from ten times that speed) to the onset by film_maximum on the smooth surface, but not beyond the
-// collapse of a film that is compared. Between these ends, the speeds of the grid.
+// collapse of a film that is compared. Between these ends they are the speeds of the grid.
 struct Zone {
   std::vector<double> log_speed;  // both ends are among them
   std::size_t first_on_grid = 0;  // index of log_speed[1] in the grid
@@ -50,7 +50,7 @@ Zone zone(const Stages& stages, std::initializer_list<ContactName> compared, boo
     if (found.none.empty()) found.none = no_zone;
     return found;
   }
-  // A speed of the grid that all but meets an end is that end.
+  // A speed of the grid that nearly equals an end is left out.
   const double least_step = 0.01 * std::log(grid[1].speed / grid[0].speed);
   const double from = std::log(low), to = std::log(high);
   found.log_speed.push_back(from);
@@ -98,15 +98,15 @@ class OverZone {
   OfPoints of_points_;
 };
 
-// Is a ratio above 1 (order), or within a tolerance of 1 (equal), at every speed of a zone? From ln
-// of the ratio, as a function of ln u and at the speeds of the zone.
+// Is a ratio above 1 (order), or within a tolerance of 1 (equal), at every speed of a zone? Both
+// `at_speeds`, at the speeds of the zone, and `log_ratio`, a function of ln u, are ln of the ratio.
 template <class LogRatio>
 Observed over(const Zone& where, const Item& item, std::vector<double> at_speeds,
               LogRatio log_ratio, double noise, Effort effort) {
   if (!std::all_of(at_speeds.begin(), at_speeds.end(), [](double x) { return std::isfinite(x); }))
     return {{}, 0, 0, no_ratio};
   const double tolerance = std::log1p(item.tolerance);
-  // Above 0 where the comparison holds; what is 1 but for rounding is not greater than 1.
+  // Above 0 where the comparison holds. A ratio above 1 by no more than `noise` is not above 1.
   const auto held = [&](double of_ratio) {
     return item.rule == Rule::equal ? tolerance - std::abs(of_ratio) : of_ratio - noise;
   };
@@ -130,8 +130,8 @@ Observed over(const Zone& where, const Item& item, std::vector<double> at_speeds
   return {value, other_end, part.value, {}, error, part.error};
 }
 
-// The rounding error of a ratio of two points' numbers over a zone: the greatest rounding of any
-// point of the contacts on the grid, for both numbers.
+// The relative rounding error of a ratio of two points' numbers: twice the greatest rounding of any
+// point of the contacts on the grid.
 double rounding_of_ratio(const Stages& stages, std::initializer_list<ContactName> compared) {
   double greatest = 0;
   for (const ContactName name : compared)
@@ -171,7 +171,7 @@ Observed friction_over(const Stages& stages, const Item& item, Effort effort) {
       rounding_of_ratio(stages, {gt, gw}), effort);
 }
 
-// Ratios of successive numbers that should rise from smooth to rough; their errors are relative.
+// Ratios of successive numbers that should rise from smooth to rough. Their errors are relative.
 Observed rising(const std::array<std::optional<Estimate>, surface_count>& value,
                 std::string_view none) {
   const auto &rough = value[0], &medium = value[1], &smooth = value[2];
@@ -273,7 +273,7 @@ Observed area_transition(const Stages& stages, const Item&, Effort effort) {
         where.log_speed, std::move(values), [&](double x) { return area.at(x); },
         slowest * rounding_of_ratio(stages, {name}));
     Estimate least = curve.least(effort);
-    // On a floor the area is constant but for its last digits; a fall in these does not count.
+    // At the floor the area is constant except for its last digits. A fall in these does not count.
     const double fallen = (1 - 1e-9) * slowest;
     if (effort == Effort::grid && least.value > fallen && least.value - least.error < fallen)
       least = curve.least(Effort::refined);
@@ -313,7 +313,7 @@ Observed flooded_slope(const Stages& stages) {
   return {slope, slope, 1, {}, 1e-13};
 }
 
-// Beyond its maximum the film's slope falls from 0 through −0.9 and −1.1.
+// Beyond the film's maximum, its slope falls from 0 through −0.9 and −1.1.
 Observed starved_slope_range(const Stages& stages) {
   const ReadInlet& inlet = *stages.inlet;
   const ReadContact& film = contact(stages, ContactName::smooth);
@@ -373,7 +373,7 @@ template <ContactName above, ContactName below, double ContactPoint::*quantity, 
 Observed ratio_of(const Stages& stages, const Item& item, Effort effort) {
   return ratio_over(stages, item, above, below, quantity, mixed, effort);
 }
-// A quantity that is one number asks for no item and no effort.
+// Adapts the function of a quantity that needs neither item nor effort.
 template <Observed (*number)(const Stages&)>
 Observed alone(const Stages& stages, const Item&, Effort) {
   return number(stages);
@@ -416,7 +416,7 @@ const QuantityInfo& info(Quantity quantity) {
   return quantities[static_cast<std::size_t>(quantity)];
 }
 
-// ln u at the least friction between two speeds, and how far it may be off.
+// The least friction between two speeds, ln u there, and the error of this ln u.
 struct LeastFriction {
   double log_speed, friction, error;
 };
@@ -475,7 +475,7 @@ std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const St
     return flooded.contact.friction(flooded.contact.point(std::exp(x), inlet), law);
   };
   const auto log_speed = [&](std::size_t i) { return std::log(grid[i].speed); };
-  constexpr double margin = 1 + 1e-12;  // differences within rounding make a plateau
+  constexpr double margin = 1 + 1e-12;  // smaller differences are rounding: a plateau
   std::optional<LeastFriction> lowest;
   const auto look_between = [&](std::size_t from, std::size_t to) {
     const LeastFriction found = least_friction(at, log_speed(from), log_speed(to));
@@ -483,7 +483,7 @@ std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const St
   };
   for (std::size_t i = 1; i + 1 < f.size(); ++i)
     if (f[i] * margin < f[i - 1] && !(f[i] * margin >= f[i + 1])) look_between(i - 1, i + 1);
-  // A minimum in the first or the last cell shows in that friction falls from the end inwards.
+  // The first or the last cell has a minimum if friction falls from the end and then rises.
   const std::size_t last = f.size() - 1;
   const double step = (log_speed(1) - log_speed(0)) / 64;
   if (f[1] > f[0] && at(log_speed(0) + step) * margin < f[0]) look_between(0, 1);

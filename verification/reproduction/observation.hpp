@@ -13,7 +13,7 @@
 
 namespace tribo::reproduction {
 
-// The paper's three surfaces with GT, and the smooth one with GW: there the paper compares both.
+// The paper's three surfaces with GT, and the smooth one with GW, because the paper compares both.
 enum class ContactName : std::uint8_t { rough, medium, smooth, smooth_gw };
 inline constexpr std::size_t contact_count = 4;
 template <class T>
@@ -35,7 +35,7 @@ struct FloodedCurve {
 };
 FloodedCurve flooded_curve(const ReadContact& contact, const std::vector<double>& speeds);
 
-// One contact's films behind an inlet.
+// One contact's starved films.
 struct StarvedCurve {
   std::vector<ContactPoint> points;
   std::optional<OnsetPoint> film_maximum;
@@ -48,13 +48,13 @@ struct FrictionCurve {
 };
 FrictionCurve friction_curve(const FloodedCurve& flooded, const StarvedCurve& starved,
                              FrictionLaw law);
-// The lowest interior minimum, and how far its speed may be off.
+// The lowest interior minimum, with the error of its speed. Empty if there is none.
 std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const StarvedCurve& starved,
                                            const FrictionCurve& friction, const ReadInlet& inlet,
                                            FrictionLaw law);
 
-// All from which the quantities of one reading are computed. What the pointers point to has to live
-// as long.
+// All that the quantities of one reading are computed from. The objects behind the pointers have to
+// outlive it.
 struct Stages {
   const ReadInlet* inlet;
   PerContact<const FloodedCurve*> flooded;
@@ -71,8 +71,8 @@ enum class Stage : std::uint8_t { films, friction, onsets, constant };
 Stage stage(Quantity quantity);
 
 // The result for an item. Effort::grid uses the speeds of the grid alone: the error covers the
-// numbers between them, and a comparison holds at all speeds or at none. Effort::refined also
-// computes points between the speeds of the grid.
+// numbers between them, and a comparison of speeds has part 1 or 0. Effort::refined also computes
+// points between the speeds of the grid.
 Observed observe(const Item& item, const Stages& stages, Effort effort = Effort::refined);
 
 }  // namespace tribo::reproduction

@@ -26,7 +26,7 @@ void count_choices(Counts& counts, const Reading& reading) {
   for (std::size_t i = 0; i < switch_count; ++i) ++counts[i][reading.choice[i]];
 }
 
-// The readings seen so far that reproduce one set of claims, and the best representative of them.
+// The readings seen so far that reproduce one set of claims, and their best representative.
 struct Group {
   std::size_t ties = 0;
   int items = -1;

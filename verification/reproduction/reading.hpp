@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readings of the paper: each of its open or misprinted places is a switch, and a reading is a
-// choice at each. The authors may have computed with any of them; the model knows only the
+// Readings of the paper. Each open or misprinted place of it is a switch, and a reading is one
+// choice at each switch. The authors may have computed with any reading. The model knows only the
 // corrected one.
 #pragma once
 
@@ -33,10 +33,9 @@ enum class Switch : std::uint8_t {
 };
 inline constexpr std::size_t switch_count = 15;
 
-// The choices of the switch `offset_planes`, in its order: the offset δ = m D_d/σ_s of one rough
-// face, of two as printed, and of two equal faces whose printed D_d/σ_s is that of one face and
-// whose printed σ_s is that of their sum, so that m = 2/√2. Which of them the paper computed with,
-// nothing in it decides.
+// The choices of the switch `offset_planes`, in its order: m in the offset δ = m D_d/σ_s. It is 1
+// for one rough face, 2 for two as printed, and 2/√2 for two equal faces if the printed D_d/σ_s is
+// that of one face and the printed σ_s that of their sum. The paper does not say which m it used.
 inline constexpr std::array offset_planes{1.0, 2.0, std::numbers::sqrt2};
 
 // The choices of the switch `inlet`, in its order.
@@ -90,12 +89,12 @@ std::size_t reading_count();
 Reading reading_at(std::size_t index);
 std::size_t index_of(const Reading& reading);
 
-// "inlet=printed_exponents speed=sum": the departures from the corrected reading, which itself is
-// “corrected”.
+// The departures from the corrected reading, such as "inlet=printed_exponents speed=sum". If there
+// are none, the text is "corrected".
 std::string departures(const Reading& reading);
 
-// Sets one switch from "speed=sum". Throws std::invalid_argument with what is allowed, and the
-// nearest known name for a misspelt one.
+// Sets one switch from "speed=sum". Throws std::invalid_argument that names the allowed choices,
+// and for an unknown switch the nearest known name.
 void set_switch(Reading& reading, std::string_view assignment);
 
 }  // namespace tribo::reproduction

@@ -25,7 +25,7 @@ double nominal_area(const Scene& scene, const Reading& reading) {
 // The switches of the prefactor and of two rough faces apply to GT only (the paper prints no
 // prefactor of GW).
 AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading) {
-  // β is printed as 0.1 µm, but all three products nβσ_s ask for 10 µm.
+  // β is printed as 0.1 µm, but all three printed products nβσ_s need 10 µm.
   const double radius =
       scene.surface.summit_radius * (reading.is(Switch::summit_radius, 1) ? 0.01 : 1);
   const double planes = is_gt(scene) ? offset_planes[reading.at(Switch::offset_planes)] : 1;
@@ -37,7 +37,7 @@ AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading
   return contact;
 }
 
-// The circular contact's gap is greater by 4/π than the line contact's, and c is less.
+// The circular contact's gap is 4/π times the line contact's, and its c is π/4 times as great.
 InletCurve<double> curve_of(const Reading& reading) {
   const StarvationClosure closure = reading.inlet() == InletRule::as_printed
                                         ? StarvationClosure::flooded_inlet
@@ -45,7 +45,7 @@ InletCurve<double> curve_of(const Reading& reading) {
   return {closure, reading.is(Switch::gap, 1) ? std::numbers::pi / 4 : 1};
 }
 
-// The nodes of InletLengths. The paper's films, at all its speeds, lie within.
+// The nodes of InletLengths. The paper's films lie within them at all its speeds.
 constexpr double least_log_r = -12, greatest_log_r = 4, nodes_a_unit = 32;
 
 // E11: equations 1.12 to 1.14 as printed give h*/h_oil = (2/π) arctan(2.7ψ) and
@@ -87,7 +87,7 @@ double InletLengths::log_length(double flooded_over_inlet) const {
   const double place = (log_r - least_log_r) * nodes_a_unit;
   if (!(place >= 0 && place < static_cast<double>(log_length_.size() - 1)))
     return curve_.log_inlet_length(flooded_over_inlet);
-  // Hermite's cubic, and its slope for the step.
+  // Hermite's cubic gives t, and its slope is used in the Newton step.
   const auto i = static_cast<std::size_t>(place);
   const double x = place - static_cast<double>(i);
   const double rise = log_length_[i + 1] - log_length_[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's contact under one reading, from the parts of the model: what a switch changes is
-// changed here, and the rest is the model's own. The supply has to be a constant h_oil/σ_s, as in
-// the paper.
+// The paper's contact under one reading, from the parts of the model. The changes by switches are
+// made here, and the rest is the model's own. The supply has to be a constant h_oil/σ_s, as in the
+// paper.
 #pragma once
 
 #include <array>
@@ -28,9 +28,9 @@ FrictionLaw friction_law(const Reading& reading);
 // The film law of a reading, by its choices of E_HD, of u and of the constant.
 FilmLaw film_law(const Reading& reading);
 
-// ln ψ as a function of ln r, for a closure whose y needs a root: by a table and one step of
-// Newton's method, while the root takes a dozen evaluations. Enumerations ask for millions of films
-// behind one inlet.
+// ln ψ as a function of ln r, for a closure whose y needs a root. A table and one step of Newton's
+// method replace the dozen evaluations of that root, because an enumeration asks for millions of
+// films behind one inlet.
 class InletLengths {
  public:
   explicit InletLengths(const InletCurve<double>& curve);
@@ -46,7 +46,7 @@ class InletLengths {
 // The starved inlet of a reading: the model's with the reading's gap, or the inlet as printed.
 class ReadInlet {
  public:
-  // `of_many`: with InletLengths where the closure needs a root.
+  // `of_many`: use InletLengths if the closure needs a root.
   explicit ReadInlet(const Reading& reading, bool of_many = false);
 
   // y = h*/h_ff at r = h_ff/h_oil > 0; 0 where the film has collapsed.
@@ -90,16 +90,15 @@ struct OnsetPoint {
   double error = 1e-13;   // relative, of both
 };
 
-// A scene under a reading. film_scale multiplies the film formula. It is 1, except where
-// requirements are sought.
+// A scene under a reading. film_scale multiplies the film formula. It is 1, except in the search
+// for requirements.
 class ReadContact {
  public:
   ReadContact(const Scene& scene, const Reading& reading, double film_scale = 1);
 
-  // λ of the flooded film at a speed, the only root to find; `flooded`, an argument below, is this
-  // λ.
+  // λ of the flooded film at a speed, which is the only root to find. `flooded` below is this λ.
   double flooded_film_parameter(double speed) const;
-  // The same at each of some speeds, to the last bit.
+  // The same at several speeds, with the same bits.
   std::vector<double> flooded_film_parameters(std::span<const double> at) const;
   ContactPoint point(double speed, double flooded, const ReadInlet& inlet) const;
   ContactPoint point(double speed, const ReadInlet& inlet) const {
@@ -110,7 +109,7 @@ class ReadContact {
 
   // The speed at which the flooded film is λ; empty at the floor and below.
   std::optional<double> speed_at(double film_parameter) const;
-  // Onset at a given r, whatever the criterion.
+  // Onset at a given r, whatever the criterion; empty at the floor and below.
   std::optional<OnsetPoint> onset_at_ratio(double r, const ReadInlet& inlet) const;
   // d ln h*/d ln u at r, and the slope of the flooded film at λ.
   double film_slope(double r, const ReadInlet& inlet) const;

@@ -25,7 +25,7 @@ class Search {
     scale_all(changed, field_, std::exp(log_factor));
     return evaluate(changed, reading_, item_);
   }
-  // The margin of each threshold, of which a number has two: the ends of what prints as reported.
+  // The margin of each threshold. A number has two: the ends of the interval that prints alike.
   std::array<double, 2> margins_at(double log_factor) const {
     return threshold_margins(item_, at(log_factor));
   }
@@ -38,8 +38,8 @@ class Search {
     return std::log(*above.value / *below.value) / (2 * step);
   }
 
-  // The change that is nearest to factor 1 and makes the item hold by its rule: a zero of the
-  // margin of one of its thresholds; there, or a little beyond, the item holds.
+  // ln of the factor nearest to 1 at which the item holds by its rule. It is a zero of the margin
+  // of a threshold, or a little beyond.
   std::optional<double> nearest_log_factor() const {
     const double width = std::log(widest) / steps;
     const std::array<double, 2> here = margins_at(0);
@@ -169,7 +169,7 @@ CommonDeparture common_departure(const PaperScenes& scenes, const Reading& readi
       worst = std::max(worst, std::abs(log_factor(i, departure)));
     return worst;
   };
-  // Each factor rises with ε, so the greatest of their sizes has one minimum.
+  // Each ln of a factor rises with ε, so that their greatest magnitude has one minimum.
   found.best = golden_section_minimum(worst_factor, least, most, 1e-9);
   for (std::size_t i = 0; i < surface_count; ++i)
     found.factor[i] = std::exp(log_factor(i, found.best));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes, parts and crossings of a function that is known at nodes and can be computed anywhere
-// between them, each with its numerical error. The nodes alone bound what lies between them: beyond
-// a node the function stays on that side of the line through two neighbouring nodes to which it
-// curves. Only cells in which such bounds leave a question open are searched.
+// between them, each with its numerical error. The nodes alone give bounds between them: if the
+// curvature keeps its sign, the line through two neighbouring nodes bounds the function in the next
+// cell. Only cells in which such bounds leave a question open are searched.
 #pragma once
 
 #include <algorithm>
@@ -88,8 +88,8 @@ class SampledCurve {
   }
 
  private:
-  // A lower bound of the function times `sign` within cell i: twice as far below the nodes as the
-  // lines through the two nodes on its left and its right are, because the curvature may change.
+  // A lower bound of sign·f within cell i. It is twice as far below the lower node as the higher of
+  // the lines through the two nodes on the left and on the right, as the curvature may change.
   double lowest_possible(std::size_t i, double sign) const {
     const auto extended = [&](std::size_t from, std::size_t through, std::size_t to) {
       const double slope = (y_[through] - y_[from]) / (x_[through] - x_[from]);
@@ -123,8 +123,8 @@ class SampledCurve {
     return {best, noise_ + (effort == Effort::grid ? best - bound : flatness(best_x, best, sign))};
   }
 
-  // How far below its value at x the function may lie close to x: by its rise to both sides, or, at
-  // an end, by its curvature.
+  // The error of an extremum: how far sign·f may fall below y close to x. Estimated from its rise
+  // to both sides or, at an end, from its curvature.
   double flatness(double x, double y, double sign) const {
     const double step = std::ldexp(2 + 2 * std::abs(x), -minimum_bits);
     const auto rise = [&](double to) { return sign * at_(to) - y; };
@@ -139,7 +139,7 @@ class SampledCurve {
   Estimate root_between(double from, double to, Estimate level) const {
     const double x = bracketed_root([&](double where) { return at_(where) - level.value; }, from,
                                     to, root_width);
-    // Where the ends are within the noise, the place in the cell is unknown.
+    // If the ends are within the noise, the place of the root in the cell is unknown.
     if (std::isnan(x)) return {(from + to) / 2, (to - from) / 2};
     const double step = std::min(1e-5, (to - from) / 4);
     const double left = std::max(x - step, from), right = std::min(x + step, to);

@@ -9,7 +9,7 @@
 namespace tribo::reproduction {
 namespace {
 
-// The factor on an input, of a number that is uniform in (0, 1).
+// The random factor on an input, from a number `uniform` in (0, 1).
 double factor(const Input& input, Spread spread, double uniform) {
   if (spread == Spread::print) return 1 + (uniform - 0.5) * input.last_digit / input.value;
   return std::exp(std::log(input.low) + uniform * std::log(input.high / input.low)) / input.value;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random samples of the checks by Philox4x32-10 (Salmon, Moraes, Dror, Shaw: Parallel random
-// numbers: as easy as 1, 2, 3, SC11; Random123), which turns a counter into four random words. No
-// state: sample i is the same whatever was drawn before it.
+// numbers: as easy as 1, 2, 3, SC11; Random123), which turns a counter into four random words. It
+// has no state: sample i is the same whatever was drawn before it.
 #pragma once
 
 #include <Random123/philox.h>

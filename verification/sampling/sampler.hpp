@@ -10,7 +10,7 @@
 
 namespace tribo::verification {
 
-// Seeded and the same on every standard library: uniform_real_distribution is not.
+// A seed gives the same numbers with every standard library, unlike uniform_real_distribution.
 class Sampler {
  public:
   explicit Sampler(std::uint64_t seed) : engine_(seed) {}

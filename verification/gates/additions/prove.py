@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Adds one of each kind of thing to a scratch copy of the tree, sees each offered where it should be, and says how many
-files each takes by hand.
+"""Adds one thing of each kind to a scratch copy of the tree, checks that each is offered where it should be, and says how
+many files each takes by hand.
 
-additions.toml has the kinds, their changes and what the built copy is asked. One copy takes them all and is built once: some
-three minutes on two cores. Exit code 1 where a change does not apply, the copy does not build, a check fails, or a kind takes
-more files by hand than its limit.
+additions.toml has the kinds, their changes and the checks on the built copy. One copy takes all changes and is built once, in
+some three minutes on two cores. The exit code is 1 if a change does not apply, the copy does not build, a check fails, or a
+kind takes more files by hand than its limit.
 
   verification/gates/additions/prove.py
   verification/gates/additions/prove.py --count    say the counts, and whether each change still applies; build nothing
@@ -37,7 +37,7 @@ ASKED = {"contains", "value", "equal", "between"}
 CHECK_FIELDS = {"says", "run", "of", "input", "files", "solver", "code", "read", *ASKED}
 SCHEMA = "reference/scene.schema.json"
 VERIFY = ["verify", "--format", "json"]
-NOT_WRITTEN = {"python": "return None", "c": "return TRIBOCHECK_NOT_OFFERED;"}  # what `init` has in place of a result
+NOT_WRITTEN = {"python": "return None", "c": "return TRIBOCHECK_NOT_OFFERED;"}  # what `init` writes in place of a result
 ENDINGS = {"python": "py", "c": "c"}
 
 
@@ -66,7 +66,7 @@ class Kind:
 
 
 def read_additions(text):
-    """The kinds; raises ValueError where the text is not what additions.toml says of itself."""
+    """The kinds. Raises ValueError if the text breaks a rule that the head of additions.toml states."""
     kinds = []
     for name, table in tomllib.loads(text).items():
         wrong = [key for key in table if not isinstance(table[key], FIELDS.get(key, ()))]
@@ -89,7 +89,7 @@ def read_additions(text):
 
 
 class Tree:
-    """The texts of a tree with changes, which are written only when asked."""
+    """The texts of a tree with changes. They are written to files only by write()."""
 
     def __init__(self, root):
         self.root = root
@@ -122,7 +122,7 @@ class Tree:
 
 
 def added_lines(root, kind):
-    """Lines by hand that the diff of the kind alone adds or changes. Raises Red where a change does not apply."""
+    """The number of lines that the kind alone adds or changes in its files by hand. Raises Red if a change does not apply."""
     tree, before = Tree(root), Tree(root)
     for change in kind.hand + kind.texts:
         tree.apply(change)
@@ -148,7 +148,7 @@ def problems_of(root, kinds):
 
 
 def table_of(root, kinds):
-    """A line a kind."""
+    """The lines of the table: a head, and one line per kind."""
     yield f"{'kind':10}  by hand  limit  wanted  lines  texts and tables"
     for kind in kinds:
         try:
@@ -159,17 +159,17 @@ def table_of(root, kinds):
 
 
 def run(command, code=0, **options):
-    """The command's output: (stdout, all). Raises Red where it ends with another exit code."""
+    """The command's output: (stdout, stdout and stderr). Raises Red if it ends with another exit code than `code`."""
     done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, errors="replace", **options)
     if done.returncode != code:
         said = done.stdout + done.stderr
-        errors = [line for line in said[:-3000].splitlines() if "error" in line][:5]  # of a build, others stand behind them
+        errors = [line for line in said[:-3000].splitlines() if "error" in line][:5]  # they may stand before the end of a build's output
         raise Red("\n".join((f"exit code {done.returncode}, not {code}: {shlex.join(map(str, command))}", *errors, said[-3000:])))
     return done.stdout, done.stdout + done.stderr
 
 
 def at(value, path):
-    """The value at the path of a JSON value."""
+    """The value at a path of a JSON value, such as 0/film or name=b/film. Raises Red if there is none."""
     for part in path.split("/"):
         key, is_choice, wanted = part.partition("=")
         try:
@@ -189,10 +189,10 @@ def is_same(one, other):
 
 
 def json_in(text):
-    """The JSON value that the text is, or the list of its lines."""
+    """The JSON value of the text, or the list of the values of its lines. Raises Red if the text is neither."""
     try:
         value = json.loads(text)
-        return value if isinstance(value, list) or "\n" in text.strip() else [value]  # one line of JSON is one of a list
+        return value if isinstance(value, list) or "\n" in text.strip() else [value]  # a single line is a list of one value
     except ValueError:
         pass
     try:
@@ -202,7 +202,7 @@ def json_in(text):
 
 
 def judge(check, text, said):
-    """Raises Red where what was printed is not what the check asks: `text` on stdout alone, or `said` on stderr too."""
+    """Raises Red if a program's output is not what the check asks. `text` is its stdout; `said` has its stderr, too, for `contains`."""
     place = 0
     for wanted in check.get("contains", ()):
         place = said.find(wanted, place)
@@ -231,8 +231,8 @@ class Copy:
         self.tree, self.build = folder / "tree", folder / "build"
 
     def make(self, kinds):
-        """Writes the additions, builds, and makes the files anew that programs of the build write."""
-        # All kinds stand in one copy: where one of them makes `verify` red, it is red for all.
+        """Writes the additions and builds. Then programs of the build write the files anew that are generated."""
+        # All kinds stand in one copy: if one of them makes `verify` red, `verify` is red for all.
         self.verify_code = max((check.get("code", 0) for kind in kinds for check in kind.checks if check["run"] == VERIFY), default=0)
         scratch.copy_tree(ROOT, self.tree)
         changed = Tree(self.tree)
@@ -240,7 +240,7 @@ class Copy:
             for change in kind.hand + kind.texts:
                 changed.apply(change)
         changed.write(self.tree)
-        # The engine for AVX2, SSE4 and the plain processor alone, as for planted faults.
+        # The engine is compiled only for AVX2, SSE4 and the plain processor, as for planted faults.
         run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
              "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DTRIBOCHECK_TARGETS_LEFT_OUT=HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL",
              "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12", "-DTRIBOCHECK_BUILD_REFERENCES=ON",
@@ -260,11 +260,11 @@ class Copy:
 
     @functools.cached_property
     def verified(self):
-        """The answer to the question that several kinds ask."""
+        """The output of `tribocheck verify`, which several kinds ask for."""
         return run([self.program("tribocheck"), *VERIFY], self.verify_code, cwd=self.tree)
 
     def solver(self, asked, folder):
-        """A solver from `init` whose one function has a body: its file, or its library."""
+        """The file of a solver from `init` whose asked function has got a body; in C the library made of it."""
         language, function = asked["language"], asked["function"]
         source = folder / f"solver.{ENDINGS[language]}"
         run([self.program("tribocheck"), "init", "subject", "--language", language, "--out", source], cwd=self.tree)
@@ -281,7 +281,7 @@ class Copy:
         return library
 
     def hold(self, check):
-        """Raises Red where the check fails."""
+        """Raises Red if the check fails."""
         with tempfile.TemporaryDirectory(dir=self.folder) as name:
             folder = pathlib.Path(name)
             for file, text in check.get("files", {}).items():
@@ -301,7 +301,7 @@ class Copy:
 
 
 def prove(kinds, folder):
-    """Whether all checks are held; prints a line for each."""
+    """Builds a copy, runs all checks, and prints a line for each. Returns whether all are held."""
     copy = Copy(folder)
     copy.make(kinds)
     are_held = True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""prove.py on a tree and additions of its own: what does not apply, what is counted, and what a check refuses."""
+"""Tests prove.py on a small tree: changes that do not apply, counts of files, and outputs that a check refuses."""
 import contextlib
 import io
 import pathlib
@@ -31,7 +31,7 @@ class Files(unittest.TestCase):
         (self.root / "README.md").write_text("Laws: one\n")
 
     def kinds(self, *changes):
-        """Of the text above, with changes of it."""
+        """The kinds of TEXT, in which these (old, new) replacements are made first."""
         text = TEXT
         for old, new in changes:
             self.assertIn(old, text)
@@ -88,7 +88,7 @@ class Stale(Files):
 
 
 class Written(Files):
-    """What additions.toml must not say."""
+    """Contents of additions.toml that are refused."""
 
     def refused(self, words, old, new):
         with self.assertRaisesRegex(ValueError, words):
@@ -115,7 +115,7 @@ class Written(Files):
 
 
 class Judged(unittest.TestCase):
-    """What a check refuses of what a program prints."""
+    """The outputs of a program that a check accepts, and those that it refuses."""
 
     JSON = '[\n{"name": "a", "film": 1.0, "other": 1.0000000001, "is_held": true},\n{"name": "b", "film": 2.0, "other": null}\n]\n'
 
@@ -153,7 +153,7 @@ class Judged(unittest.TestCase):
 
 
 class Programs(unittest.TestCase):
-    """The checks, on programs that are scripts."""
+    """Checks on programs, which are shell scripts here."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -204,7 +204,7 @@ class Programs(unittest.TestCase):
 
 
 class Whole(Files):
-    """The program itself."""
+    """The exit code and output of prove.py."""
 
     def main(self, *words, text=TEXT, held=True):
         file = self.root / "additions.toml"

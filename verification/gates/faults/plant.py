@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Plants the faults of catalogue.toml, one at a time, in a scratch copy, and sees them caught.
+"""Plants the faults of catalogue.toml one at a time in a scratch copy, and checks that each is caught.
 
-A fault is a patch: `find`, a text that stands exactly once in `file`, and `replace`. Each names the check
-that has to turn red: a CTest test (`analytic.Hertz.…`), or with `inventory:` before it the inventory
-gate on that test, for faults that leave the test green. Red: a patch that no longer applies, a fault that
-does not build, one that survives.
+A fault is a patch: `find`, a text that stands exactly once in `file`, and `replace`. It names the check that has
+to turn red, which is a CTest test (`analytic.Hertz.…`). With `inventory:` before the name, the test stays green,
+and the inventory gate on that test has to turn red. The run is red if a patch no longer applies, a fault does
+not build, or a fault survives.
 
-The ledger (--out) has the last verdict on each fault, with the commit that it was planted in; a verdict on a fault whose
-patch or check the catalogue has changed since is dropped. It is written after each fault, so that a run that is
-stopped loses nothing, and --oldest goes on with what was not planted for longest.
+The ledger (--out) has the last verdict on each fault, and the commit in which it was planted. A verdict is dropped if the
+patch or the check of its fault has changed since. The ledger is written after each fault, so that a stopped run loses
+nothing. --oldest takes the faults that were not planted for the longest time.
 
   verification/gates/faults/plant.py                     all of them; some three hours on two cores
   verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
@@ -47,17 +47,17 @@ CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
 MUTANTS = ROOT / "reference/baselines/mutants.json"
 FIELDS = {"id", "fault", "file", "find", "replace", "check"}
 INVENTORY = "inventory:"
-# Nearly each fault of the model makes the engine compile anew. Here it is compiled only for AVX2, SSE4 and the plain
-# processor: for four lanes, two and one.
+# Almost every fault of the model makes the engine compile anew. So it is compiled only for AVX2, SSE4 and the plain processor,
+# which have four lanes, two and one.
 LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
-# The first number: seconds of processors that a sample of mutants may take, by the times that its steps and tests took without
-# a mutant. A file that a cache compiled counts as the second number, and a file that was not built before as the third.
+# MOST_SECONDS is the processor time of a sample of mutants, estimated from the times of builds and tests without a mutant. A file
+# counts COMPILED_AT_LEAST if a compiler cache gave it, and COMPILED_AT_MOST if it was not built before.
 MOST_SECONDS, COMPILED_AT_LEAST, COMPILED_AT_MOST = 300, 5, 60
 NO_LAYER = 3  # exit code
-# The instruction sets that the kernels are compiled for, the best one first, with what the C library has to switch off so that they run.
+# The instruction sets of the kernels, the best one first. The values are what the C library switches off so that no better set runs.
 INSTRUCTION_SETS = {"HWY_AVX3": "", "HWY_AVX2": "-AVX512F", "HWY_SSE4": "-AVX512F,-AVX2,-FMA"}
-# A check that runs longer than this because of a fault has caught it: by seconds, and by times what it took without one, as a
-# scratch copy is compiled with less optimisation and another check runs beside it.
+# A check that takes longer than CHECK_SECONDS, and than CHECK_TIMES its time without a fault, has caught the fault. The factor is
+# large because a scratch copy is compiled with less optimisation, and another check runs beside it.
 CHECK_SECONDS, CHECK_TIMES = 180, 6
 
 
@@ -81,7 +81,7 @@ def read_catalogue():
 
 
 def caught_mutants(text):
-    """The mutants of a ledger that a check caught, as faults; without those whose check has no known targets."""
+    """The mutants of a ledger that a check caught, as faults. Those whose check has no known build targets are left out."""
     rows = [row for one in json.loads(text)["samples"] for row in one["mutants"] if row.get("verdict") == "caught"
             and (row["by"].startswith(("program.", "gates.")) or row["by"].count(".") == 2)]
     return [{"id": row["id"], "fault": f"{row['operator']}: {row['original']} → {row['replacement']}", "file": row["file"],
@@ -107,7 +107,7 @@ MEMBER = re.compile(r"(?:\.|->|::)([A-Za-z_]\w*)")
 
 
 def lost_member(fault, members):
-    """A member that the patch brings in, and that no text of the tree has any more, or None: the patch cannot be built."""
+    """A member that the patch brings in but no text of the tree has any more, so that the patch cannot be built. None if there is none."""
     brought = set(MEMBER.findall(fault["replace"])) - set(MEMBER.findall(fault["find"]))
     return min(brought - members, default=None)
 
@@ -148,11 +148,11 @@ def instruction_sets_here():
 
 
 def instruction_set_for(fault):
-    """The best instruction set of this machine that runs the text of the fault, or None where it has none."""
+    """The best instruction set of this machine that runs the text of the fault, or None if no set of it does."""
     text = (ROOT / fault["file"]).read_text()
     if not fault["file"].endswith("-inl.hpp"):
         return instruction_sets_here()[0]
-    # The text around the change may begin before a line of the preprocessor; the change itself is what counts.
+    # The text `find` may begin before a line of the preprocessor. The place of the change itself counts.
     begin = text.index(fault["find"]) + len(os.path.commonprefix([fault["find"], fault["replace"]]))
     return next((one for one in instruction_sets_here() if runs_on(text, begin, one)), None)
 
@@ -162,9 +162,9 @@ def test_of(check):
 
 
 def targets_of(check):
-    """The build targets that a check needs; empty: it runs Python alone."""
+    """The build targets that a check needs. There are none if it runs only Python."""
     if test_of(check).startswith("program."):
-        return ["tribocheck", "verification/conformance/subjects/all"]  # and the plug-ins, without which a test is red
+        return ["tribocheck", "verification/conformance/subjects/all"]  # a test is red without the plug-ins
     if test_of(check).startswith("gates."):
         return ["tribocheck_gate_kernels"] if test_of(check) == "gates.work_counters" else []
     if test_of(check) == "stress.model_against_long_double":
@@ -195,13 +195,13 @@ def seconds_of(junit):
 
 
 class Built:
-    """A built tree: the files that have to be compiled again for a change, and the time that they took."""
+    """A built tree: which of its files a change compiles again, and how long they took."""
 
     def __init__(self, build):
         self.build = build
         lines = [line.split("\t") for line in (build / ".ninja_log").read_text().splitlines() if not line.startswith("#")]
         self.took = {output: (int(end) - int(start)) / 1000 for start, end, _, output, *_ in lines}
-        # A compiler cache may have written the names of texts relative to the build folder.
+        # A compiler cache may have written the names of sources relative to the build folder.
         self.reads = {block.split(":")[0]: {os.path.normpath(build / name) for name in block.split("\n    ")[1:]}
                       for block in self.ask("deps").split("\n\n")}
 
@@ -216,7 +216,7 @@ class Built:
         return done.stdout
 
     def seconds(self, file, targets):
-        """Seconds to compile the sources of the targets that read the file. Tests share a header that is compiled first."""
+        """Seconds to compile the sources of the targets that read the file. If it is in the precompiled header, all tests are compiled."""
         needed = self.needed(*targets)
         again = {one for one in needed if str(file) in self.reads.get(one, ())}
         if any(one.endswith(".gch") for one in again):
@@ -225,7 +225,7 @@ class Built:
 
 
 def whole_test(check):
-    """The CTest test that runs a check, where a program of GoogleTest is one test."""
+    """The CTest test that runs a check, in a build in which each program of GoogleTest is one test."""
     whole = check.startswith(("program.", "gates.", "stress.model_"))
     return check if whole else f"{check.split('.')[0]}.{targets_of(check)[0]}"
 
@@ -245,8 +245,8 @@ class Scratch:
             sys.exit(done.stdout)
 
     def try_fault(self, fault, took=0):
-        """Plants a fault, and gives the verdict of the check, which took so many seconds without one. Raises Red where the fault
-        was not caught."""
+        """Plants a fault, and returns the verdict of its check. `took` has the seconds of the check without a fault. Raises Red if the
+        fault was not caught."""
         path = self.tree / fault["file"]
         whole = path.read_text()
         path.write_text(whole.replace(fault["find"], fault["replace"]))
@@ -296,8 +296,8 @@ def targets_above(fault):
 
 
 class Above:
-    """The built tree with a layer above it. A mutant changes the layer alone, and only files that read the changed text are built
-    again; the tree stays as it is. Only commands that are started through this class see the layer."""
+    """The built tree with a layer above it, which is an overlay. A mutant changes only the layer, and only files that read the changed
+    text are built again. The tree stays as it is. Only commands that are started through this class see the layer."""
     MOUNT = 'mount -t overlay overlay -o "lowerdir=$1,upperdir=$2/upper,workdir=$2/work" "$1" && cd "$1" && shift 2 && exec "$@"'
 
     def __init__(self, folder):
@@ -320,7 +320,7 @@ class Above:
 
     @contextlib.contextmanager
     def planted(self, fault):
-        """The mutant in the layer. Commands run on the best instruction set that runs the mutant's text; there has to be one."""
+        """Holds the mutant in the layer. Commands use the best instruction set that runs the mutant's text. There has to be one."""
         self.switched_off = INSTRUCTION_SETS[instruction_set_for(fault)]
         path = self.folder / "upper" / fault["file"]
         path.parent.mkdir(parents=True)
@@ -341,12 +341,12 @@ class Above:
                            "--output-on-failure")
         if "No tests were found" in done.stdout:
             raise Red(f"{test} is not there to run")
-        if not re.search(r" tests failed out of [12]\b", done.stdout):  # beside the test what it needs may run
+        if not re.search(r" tests failed out of [12]\b", done.stdout):  # a fixture of the test may run, too
             sys.exit(f"a mutant above the built tree needs `unshare` and overlays: {done.stdout[-300:]}")
         return "green" if done.returncode == 0 else "hung" if "***Timeout" in done.stdout else "red", done.stdout
 
     def try_fault(self, fault):
-        """The verdict of the check. Raises Red where the mutant was not caught."""
+        """The verdict of the check. Raises Red if the mutant was not caught."""
         with self.planted(fault):
             if is_compiled(fault) and self.make(targets_above(fault)).returncode != 0:
                 raise Red("does not build")
@@ -357,8 +357,8 @@ class Above:
 
 
 def plant_above(faults, count, seed, folder, seconds, workers, built):
-    """The first `count` mutants, in an order that the seed gives, that fit into a sample's time: none takes more than twice its
-    share of the time that is left."""
+    """Plants up to `count` mutants, in an order that depends on the seed, and returns a row for each. A mutant that would take more
+    than twice its equal share of the time that is left is passed over."""
     order = iter(random.Random(seed).sample(faults, len(faults)))
     lock, rows, left, taken = threading.Lock(), [], MOST_SECONDS, 0
 
@@ -504,7 +504,7 @@ def main():
     red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
     red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"
             for fault in faults if test_of(fault["check"]) not in green]
-    if arguments.mutants is not None:  # a text that has changed since it was caught says nothing about today's tests
+    if arguments.mutants is not None:  # a mutant whose text has changed says nothing about today's tests
         members = members_of_the_tree()
         gone = {line.split(":")[0] for line in red} | {fault["id"] for fault in faults if lost_member(fault, members)}
         faults = [fault for fault in faults if fault["id"] not in gone and instruction_set_for(fault) is not None]

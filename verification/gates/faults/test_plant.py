@@ -140,7 +140,7 @@ class OfMutants(Tree):
             self.above((0, ""), (1, "unshare: operation not permitted"))
 
     def planted(self, compiled, tested):
-        """The number of mutants that are planted if ten of thirty are asked for, and each takes so many seconds to compile and to test."""
+        """The number of mutants planted of ten asked for, out of thirty; `compiled` and `tested` are the seconds that each takes."""
         built = mock.Mock(seconds=lambda file, targets: compiled)
         faults = [FAULT | {"id": str(i), "file": "formula.hpp"} for i in range(30)]
         with mock.patch.object(plant.Above, "try_fault", lambda *_: "failed"), contextlib.redirect_stdout(io.StringIO()):

@@ -243,7 +243,7 @@ class Cpp:
             if not a or not b or a[1] > b[0] or types[i].spelling.removeprefix("const ") != types[i + 1].spelling.removeprefix("const "):
                 continue
             if "=" in re.sub(rb"[=!<>]=", b"", self.text[a[1]:b[0]]).decode():
-                continue  # an operator that assigns stands between them, and would change a copy
+                continue  # an assignment stands between them, and would change a copy
             one, two = self.cut(a), self.cut(b)
             if one == two or " = " in one + two or re.match(r'["{\[]', one) or re.match(r'["{\[]', two) or "lambda" in types[i].spelling:
                 continue
@@ -453,7 +453,7 @@ def template_places(file, text):
 
 
 def text_places(file, text):
-    """Places of gnuplot and JavaScript, by words: numbers, columns, signs."""
+    """Places of gnuplot and JavaScript, found by regular expressions: numbers, columns, signs."""
     places = []
     byte = lambda place: len(text[:place].encode())  # noqa: E731
 

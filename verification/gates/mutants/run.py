@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes mutants by machine, runs the tests that can notice them, and keeps the ledger of how many did.
+"""Makes mutants by machine, runs the tests that can notice them, and keeps a ledger of the verdicts.
 
-A sample is drawn by its seed from all places that the tree's texts have. Mutants of C++ stand behind switches in a
-generated copy, which is built once; others are written into a copy of the tree one at a time. One run of all tests without a mutant
-says which tests reach which mutants, and where a value would change. Quick tests meet each mutant alone, then the tests that noticed
-most others of its file and room do. Mutants that survive these wait: each of the other tests then meets all that wait together, and
-parts of them where it turns red. The ledger is written after each mutant: a run that is stopped, or ends with its --minutes, goes on with the same command.
+The seed chooses a sample of all places in the tree's texts. Mutants of C++ stand behind switches in a generated copy, which is
+built once; others are written into a copy of the tree for each test. One run of all tests without a mutant says which tests reach
+which mutants, and where a value would change. Quick tests run on each mutant alone, and then the tests that noticed most other mutants
+of its file and room. Mutants that survive these wait: each of the other tests runs on all waiting mutants together and, if it turns
+red, on halves of them. The ledger is written after each mutant. The same command continues a run that was stopped or reached its --minutes.
 
   verification/gates/mutants/run.py sample --seed 20261123 --minutes 60
   verification/gates/mutants/run.py alone ID ID --minutes 10     run tests on these mutants in a layer over today's build, without a copy
@@ -43,8 +43,8 @@ from plant import scratch  # noqa: E402
 
 LEDGER = ROOT / "reference/baselines/mutants.json"
 NOTICED = {"red": "caught", "hung": "hung"}
-STRICT = ("formulas", "engine", "judging")  # whose goal is 95 %; of the others it is 90 %
-LIKELY, LIKELY_SECONDS = 4, 60  # how many tests that noticed others of its room a mutant meets alone, and what each may take
+STRICT = ("formulas", "engine", "judging")  # rooms with the goal 95 %; the others have 90 %
+LIKELY, LIKELY_SECONDS = 4, 60  # a mutant alone meets so many tests that noticed others of its room, each of so many seconds at most
 KEPT = ("id", "room", "operator", "file", "line", "original", "replacement", "find", "replace")
 
 
@@ -82,14 +82,14 @@ def scores(ledger):
 
 
 def noticed(table):
-    """Over all rooms of the table that ran to their end: the noticed mutants, all mutants, and the interval of the share."""
+    """The numbers of noticed mutants and of all but equivalent ones, and the interval of their share, over the rooms that ran to their end."""
     table = [row for row in table if row["ran"] == row["drawn"]]
     part, of = sum(row["caught"] + row["hung"] for row in table), sum(row["ran"] - row["equivalent"] for row in table)
     return part, of, *wilson(part, of)
 
 
 def summary(ledger):
-    """The numbers and survivors that a reader wants to see."""
+    """The scores of the rooms and of all together, the goals, and the mutants that no test noticed, for the report."""
     table = scores(ledger)
     part, of, low, high = noticed(table)
     strict = [row for row in table if row["room"] in STRICT]
@@ -139,7 +139,7 @@ class Prepared:
         kept = json.loads(self.file.read_text()) if self.file.is_file() else {}
         if kept.get("seed") not in (None, seed):
             sys.exit(f"{folder} holds the copy of seed {kept['seed']}; remove it, or name another folder with --work")
-        # The texts that the sample was drawn from: the tree may change while the sample runs.
+        # The texts that the sample was drawn from are kept, because the tree may change while the sample runs.
         self.base = folder / "base"
         self.copy = schemata.Copy(self.base, folder / "tree", folder / "tree/build/release")
         if not kept:
@@ -166,7 +166,7 @@ class Prepared:
         write(self.file, self.kept)
 
     def build(self, found, seed, sizes, targets):
-        """Builds these targets of the copy, or all; a mutant whose switch does not compile is dropped, and another one drawn."""
+        """Builds these targets of the copy, or all if none are named. Mutants whose switch does not compile are replaced by others."""
         kept = self.kept
         while True:
             drawn = sample.draw(found, sizes, seed, set(kept["dropped"]))
@@ -187,7 +187,7 @@ class Prepared:
         self.save()
 
     def cover(self, left_out):
-        """Runs all tests without a mutant; one that is red then ends the run."""
+        """Runs all tests without a mutant. If any is red, the program ends after the last one."""
         units = tests.all_units(self.copy, self.trees[0], left_out)
         print(f"{len(units)} parts of tests run without a mutant", flush=True)
         free = queue.SimpleQueue()
@@ -226,7 +226,7 @@ class Prepared:
         self.save()
 
     def who_can_notice(self, mutant):
-        """Parts of tests that can notice the mutant, and how many reach it without a changed value."""
+        """Parts of tests that can notice the mutant, and the number of those that reach it without a changed value."""
         if not mutant["switched"]:
             return [unit for unit in self.kept["coverage"].values() if mutant["file"] in unit["read"]], 0
         number = self.numbers[mutant["id"]]
@@ -290,7 +290,7 @@ class Verdicts:
             return tree.run(unit, [self.prepared.numbers[one["id"]] for one in mutants if one["switched"]])
 
     def meet_quick_tests(self, mutant, patience):
-        """One mutant meets tests that take no more than `patience` seconds together; it waits where slower ones are left."""
+        """Runs the quickest tests on one mutant, `patience` seconds together at most. The mutant waits if slower tests are left."""
         if self.over():
             return
         able, reach = self.prepared.who_can_notice(mutant)
@@ -309,7 +309,7 @@ class Verdicts:
         self.say(mutant, "survived" if able or reach else "not reached", time.monotonic() - start)
 
     def most_likely(self, mutant):
-        """The few tests, not yet run on this mutant, that noticed most other mutants of its file, then of its room, in all samples."""
+        """At most LIKELY tests that have not met this mutant, and noticed most others of its file, then of its room, in all samples."""
         test_of = {tests.check_named(unit["test"], unit.get("case")): unit["test"] for unit in self.prepared.kept["coverage"].values()}
         hits = {key: collections.Counter(test_of.get(row.get("by")) for one in self.ledger["samples"] for row in one["mutants"]
                                          if row[key] == mutant[key]) for key in ("file", "room")}
@@ -333,7 +333,7 @@ class Verdicts:
             self.note_outlived(mutant, [*self.rows[mutant["id"]]["outlived"], unit["name"]])
 
     def wait_for_others(self, workers):
-        """Each other test meets together all mutants that wait for it. Mutants that no test notices survive."""
+        """Runs each other test on all mutants together that wait for it. Mutants that no test notices survive."""
         waiting, awaited = self.waiting(), {}
         for mutant in waiting:
             outlived = self.rows[mutant["id"]]["outlived"]
@@ -361,14 +361,14 @@ class Verdicts:
                 self.say(mutant, "survived", 0)
 
     def noticed_by(self, unit, mutants, tree):
-        """The mutants among these that the part notices, each with its end and its check. Mutants that hide each other survive here, so that the
-        score is never too high."""
+        """The mutants among these that the part notices, each with its end and its check. Mutants that mask each other survive here, so that
+        the score may be too low, but not too high."""
         found = []
         while mutants := [one for one in mutants if "verdict" not in self.rows[one["id"]] and one not in [row[0] for row in found]]:
             end, check, part = self.run(unit, mutants, tree)
             if end == "green":
                 break
-            # The test that is red meets each half alone, and each half of a red half. A mutant that alone does not turn it red waits on.
+            # The red test runs on each half alone, and on each half of a red half. A mutant that does not turn it red alone waits on.
             now = self.halved(part or unit, mutants, tree, (end, check) if part is None else None)
             found += now
             if not now:
@@ -377,7 +377,7 @@ class Verdicts:
         return found
 
     def halved(self, unit, mutants, tree, known=None):
-        """The mutants with each of which alone the part is red. `known` is how the part ends with all of them, where that is known."""
+        """The mutants that turn the part red alone. `known` is the end and the check of the part with all of them, if it has run."""
         end, check = known or self.run(unit, mutants, tree)[:2]
         if end == "green":
             return []
@@ -411,7 +411,7 @@ READERS = {"reports/field": r"program\.test_field", "reports/page": r"program\.t
 
 
 def readers_of(row, built, names):
-    """Tests of CTest that can notice the mutant, with the targets that each needs: those whose program reads the text."""
+    """The tests of CTest whose program reads the text of the mutant, each with the targets that it needs."""
     found = {}
     for name in names:
         target = "tribocheck" if name.startswith("program.") else name.split(".")[1]
@@ -427,9 +427,9 @@ def readers_of(row, built, names):
 
 
 def meet_alone(row, built, seconds, folder, minutes):
-    """A verdict on one mutant of the ledger from tests in a layer over the build: first those that share a word with its file's name, and
-    in each of the two groups the quickest first, compiling included. Tests that did not notice it before are left out. None where the
-    next test would take longer than the time that is left."""
+    """The verdict on one mutant of the ledger from tests in a layer over the build. Tests that share a word with the file's name come
+    first; in both groups the quickest come first, compiling included. Tests that the mutant has outlived are left out. The result is
+    None if the next test would take longer than the time that is left."""
     readers = {name: targets for name, targets in readers_of(row, built, seconds).items() if name not in row.get("outlived", ())}
     words = set(pathlib.Path(row["file"]).stem.replace("-", "_").split("_")) - {"test"}
     takes = {name: seconds[name] + (built.seconds(plant.ROOT / row["file"], targets) if targets else 0) for name, targets in readers.items()}
@@ -506,7 +506,7 @@ def main():
     if arguments.command == "sample":
         for one in (signal.SIGINT, signal.SIGTERM, signal.SIGQUIT):
             signal.signal(one, tests.stop)
-        # Under nohup a run goes on. A handler, unlike what nohup sets, is not handed on to the tests.
+        # A run under nohup goes on. The tests do not inherit this handler, but would inherit SIG_IGN, which nohup sets.
         signal.signal(signal.SIGHUP, lambda *_: None)
         return take_sample(arguments)
     if arguments.command == "alone":
@@ -517,7 +517,7 @@ def main():
         return 0
     rows = [row for one in ledger["samples"] for row in one["mutants"] if row["id"] == arguments.id]
     is_held = arguments.command == "held"
-    # A mutant that waits can be told equivalent, too: no test can notice a change without effect.
+    # A mutant that waits can be marked equivalent, too: no test can notice a change without effect.
     allowed = ("survived", "not reached", "equivalent", *(() if is_held else (None,)))
     if not rows or any(row.get("verdict") not in allowed for row in rows) or not is_held and len(arguments.reason) < 20:
         print(f"run.py: {arguments.id} is no survivor of the ledger, or the reason is shorter than 20 characters", file=sys.stderr)

@@ -14,13 +14,13 @@ def name_of(place):
 
 
 def overlap(one, two):
-    """Whether two mutants of one file change the same text. It counts, too, where both edit the same declaration."""
+    """Whether two mutants of one file change the same text, or edit the same declaration."""
     spans = [[(place["begin"], place["end"]), *((a, b) for a, b, _ in place.get("edits", ()))] for place in (one, two)]
     return any(a <= d and c <= b for a, b in spans[0] for c, d in spans[1])
 
 
 def draw(places, sizes, seed, dropped=()):
-    """The mutants of each room, in an order that depends on the seed alone. Where a room has five operators or more, no operator
+    """The mutants of each room, in an order that depends on the seed alone. If a room has five operators or more, no operator
     gives more than a fifth. The place of a dropped mutant goes to the next one."""
     drawn, by_file = [], collections.defaultdict(list)
     for room, size in sizes.items():
@@ -45,7 +45,7 @@ def draw(places, sizes, seed, dropped=()):
 
 
 def patch(place, text):
-    """`find`, which stands once in the text, and `replace`."""
+    """The patch of a place: `find`, which stands once in the text, `replace`, the line, and the original text."""
     whole = text.encode()
     begin, end = (len(whole[:place[key]].decode()) for key in ("begin", "end"))
     context = CONTEXT

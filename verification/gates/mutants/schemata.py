@@ -45,8 +45,8 @@ class Copy:
                 path.write_text(new)
 
     def configure(self):
-        """Without a cache of compilers the copy is built as quickly as it can be, and with one like the tree's release, so that the cache
-        has all that no mutant touches."""
+        """Without a compiler cache the copy is built as quickly as possible. With one it is built like the tree's release, so that the
+        cache has all files that no mutant changes."""
         quick = ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -w", f"-DTRIBOCHECK_TARGETS_LEFT_OUT={LEFT_OUT}", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=6"]
         like_release = ["-DCMAKE_CXX_COMPILER=g++", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12"]
         done = subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
@@ -56,7 +56,7 @@ class Copy:
             sys.exit(done.stdout + done.stderr)
 
     def targets(self, left_out):
-        """What the build makes, without the test programs that are left out."""
+        """The targets of the build, without the test programs whose names match `left_out`."""
         def parts(target):
             said = subprocess.run(["ninja", "-C", self.build, "-t", "query", target], capture_output=True, text=True, check=True).stdout
             return re.findall(r"^    (\S+)$", said.split("  outputs:")[0], re.MULTILINE)
@@ -80,11 +80,11 @@ class Copy:
         return found
 
     def path_of(self, file):
-        """A file that the compiler names: a cache of compilers names it from the folder of the build."""
+        """The absolute path of a file that the compiler names. With a compiler cache the name is relative to the build folder."""
         return (self.build / file).resolve()
 
     def no_constants(self, lines):
-        """Mutants that made a constexpr variable of these files a const one, although other code needs it while compiling."""
+        """Mutants that made a constexpr variable of these files a const one, although other code needs it at compile time."""
         texts = [path.read_text() for path in {self.path_of(file) for file, _ in lines} if self.tree in path.parents]
         return {int(number) for text in texts for number in re.findall(r"::late_\w+(?:<[^()]*?>)?\((\d+)", text)}
 
@@ -104,7 +104,7 @@ class Copy:
 
 
 def with_history(root, tree):
-    """Gives a copy the commits of the tree: some tests compare the commit that the program tells."""
+    """Gives a copy the commits of the tree, because some tests compare the commit that the program prints."""
     subprocess.run(["git", "clone", "--quiet", "--shared", "--no-checkout", root, tree / "history"], check=True)
     (tree / "history/.git").rename(tree / ".git")
     (tree / "history").rmdir()

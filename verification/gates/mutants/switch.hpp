@@ -57,7 +57,7 @@ inline bool late_on(int n) {
   return is_on[n] != 0;
 }
 
-// While compiling no mutant is on.
+// No mutant is on at compile time.
 constexpr bool on(int n) { return std::is_constant_evaluated() ? false : late_on(n); }
 
 template <class T>
@@ -89,7 +89,7 @@ constexpr A choose(int n, const A& original, const B& other) {
   return std::is_constant_evaluated() ? original : late_choose<A>(n, original, other);
 }
 
-// The type of an expression's value: libraries of numbers and of matrices hand out expressions.
+// The type of an expression's value. Boost.Multiprecision and Eigen return expression templates.
 template <class T>
 struct ValueOf {
   using type = std::remove_cvref_t<T>;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tool that makes mutants, on a tree of its own: the places that it finds, its draws, switches and verdicts."""
+"""Tests the tool that makes mutants on a small tree: the places that it finds, its draws, switches and verdicts."""
 import collections
 import contextlib
 import io
@@ -90,7 +90,7 @@ class Cpp(Folder):
     def test_a_mutant_that_is_reached_and_changes_no_value_is_told_apart(self):
         boundary = next(one for one in self.places if one["operator"] == "boundary" and "central" in one["replacement"])
         twice = next(one for one in self.places if one["operator"] == "comparison" and "central" in one["replacement"])
-        for one, how in ((boundary, 1), (twice, 2)):  # 1 < 2 and 1 <= 2 are the same; 1 >= 2 is not
+        for one, how in ((boundary, 1), (twice, 2)):  # 1 <= 2 has the value of 1 < 2; 1 >= 2 has the other value
             self.built([one])
             reached = self.folder / "reached"
             reached.write_bytes(bytes(4))
@@ -316,7 +316,7 @@ class Alone(Folder):
     SECONDS = {"film.slow_test": 40.0, "film.quick_test": 2.0, "film.other_test": 1.0, "program.test_film": 20.0, "gates.test_rules": 1.0}
 
     def meet(self, said, minutes=5, file="model/ehl/a.cpp", made=(0, ""), **row):
-        """The verdict, and the tests that the mutant met. `said`: how each test ends that is not green."""
+        """The verdict, the tests that the mutant met, and those that it outlived. `said` has the ends of the tests that are not green."""
         met = []
 
         def look(_, name, seconds):

@@ -16,7 +16,7 @@ import uuid
 import schemata
 from plant import scratch
 
-LEAST_SECONDS = 15  # that any test may take, because of other work on the machine
+LEAST_SECONDS = 15  # the least time limit of a test, because of other work on the machine
 RUNNING = set()  # marks of tests that run
 CLASSES = """
 import sys, unittest
@@ -29,14 +29,14 @@ print(*dict.fromkeys(type(one).__name__ for one in flat(suite)))
 
 
 def all_units(copy, tree, left_out=None):
-    """Parts of CTest's tests, without those that are left out, whose programs need not be built: the TESTs of a program of GoogleTest, the classes of a Python file, or the whole test."""
+    """CTest's tests in parts: TESTs of GoogleTest, classes of Python files, other tests whole. Tests that match `left_out` need no built program."""
     said = subprocess.run(["ctest", "--test-dir", copy.build, "--show-only=json-v1"], capture_output=True, text=True, check=True).stdout
     units = []
     for test in json.loads(said)["tests"]:
         properties = {one["name"]: one["value"] for one in test.get("properties", [])}
         if left_out and re.search(left_out, test["name"]):
             continue
-        if "command" not in test or "FIXTURES_SETUP" in properties:  # what is made before tests, these make by themselves
+        if "command" not in test or "FIXTURES_SETUP" in properties:  # tests make by themselves what a fixture makes before them
             continue
         unit = {"name": test["name"], "test": test["name"], "command": test["command"], "folder": properties.get("WORKING_DIRECTORY", str(copy.build)),
                 "environment": dict(one.split("=", 1) for one in properties.get("ENVIRONMENT", []) if "WRITTEN_REPORT" not in one),
@@ -70,7 +70,7 @@ def cases_of(program):
 
 
 def together(units):
-    """TESTs of one program joined to one part, the quickest first."""
+    """The parts, with all TESTs of one program joined to one part, the quickest first."""
     joined = {}
     for unit in units:
         if "case" not in unit:
@@ -83,12 +83,12 @@ def together(units):
 
 
 def check_named(test, case):
-    """The check, as the manifest calls it: a TEST of a program of GoogleTest, or the whole test."""
+    """The manifest's name of the check, which is a TEST of a program of GoogleTest or the whole test."""
     return f"{test.split('.')[0]}.{case}" if case else test
 
 
 def check_of(unit, said):
-    """The check, as the manifest calls it, at which the part ended."""
+    """The manifest's name of the check at which the part ended."""
     if "cases" not in unit:
         return unit["test"]
     # After a TEST that failed, the next ones are listed as begun and skipped.
@@ -97,7 +97,7 @@ def check_of(unit, said):
 
 
 def narrowed(unit, said):
-    """The part cut down to the test at which it ended, or None where the output does not tell that."""
+    """The part cut down to the test at which it ended, or None if the output does not tell this test."""
     if "cases" in unit or "case" in unit:
         last = re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
         return {**unit, "cases": last[:1]} if last else None
@@ -108,7 +108,7 @@ def narrowed(unit, said):
 
 
 class Tree:
-    """A copy of the tree without switches, beside the built one, for the tests that read files of it."""
+    """A copy of the tree without switches, beside the built copy, for the tests that read files of the tree."""
 
     def __init__(self, root, copy, folder):
         self.root, self.copy, self.folder = root, copy, folder
@@ -151,7 +151,7 @@ class Tree:
                 (self.folder / file).write_bytes(text)
 
     def start(self, unit, more, seconds):
-        """green, red or hung, and the end of the output. No process that was started is left."""
+        """Runs a part. Returns green, red or hung, and the end of its output. No process that the part started is left."""
         # When memory runs out, the system ends the mutant before any other process.
         command = ["choom", "-n", "1000", "--", *(self.moved(word) for word in unit["command"])]
         cases = unit.get("cases") or ([unit["case"]] if "case" in unit else [])
@@ -192,7 +192,7 @@ class Tree:
         return end, check_of(unit, said), narrowed(unit, said) if end == "red" else None
 
     def cover(self, unit, size, files):
-        """Numbers of the mutants that the test reaches, and files of this tree that it reads."""
+        """Runs a part without a mutant. Returns its time and end, the mutants that it reaches, and the files of this tree that it reads."""
         for file in files:
             path = self.folder / file
             os.utime(path, ns=(0, path.stat().st_mtime_ns))
@@ -215,7 +215,7 @@ def stop(*_):
 
 
 def end_marked(mark):
-    """Ends, by their ids, processes that a test started in sessions of their own; each has the test's mark."""
+    """Ends, by their ids, the processes with this mark in their environment. A test may have started them in other sessions."""
     for folder in pathlib.Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
             if mark.encode() in (folder / "environ").read_bytes():

@@ -33,8 +33,8 @@ double gaussian(double z, double sd) {
   return std::exp(-z * z / (2 * sd * sd)) / (sd * std::sqrt(2 * M_PI));
 }
 
-// Load and area of one pair of summits that is pressed together by w > 0, by Hertz; `radius` is
-// the pair's.
+// Hertz' load and area of one pair of summits that is pressed together by w > 0. `radius` is the
+// reduced radius of the pair.
 struct Pair {
   double load, area;
 };

@@ -98,7 +98,7 @@ TEST(Asymptotics, FloodedFilmTendsToTheSlope067AsTheAsperitiesLetGo) {
 
 // At the floor A is 1. With w = 1 − A = (λ₀/λ)^{1/0.14} ≤ (λ₀/λ_b)^{1/0.14} the slope is
 //   s = 0.67 w/(w + 0.14 λ|A′|) ≤ 0.67 w/(0.14 (1−w) λ_b H),
-// where H is the least −d ln A/dλ = q p F_{p−1}/F_p. This grows with d. F_p/F_{p−1} is the mean of
+// where H is the least −d ln A/dλ = q p F_{p−1}/F_p, which grows with d. F_p/F_{p−1} is the mean of
 // t with the weight t^{p−1}e^{−(t+d)²/2}. From d = 0 to d < 0 this mean grows by at most |d|,
 // because the variance of t is below 1 (Brascamp and Lieb).
 TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
@@ -139,7 +139,7 @@ Scene scene_at_ratio(StarvationClosure closure, SupplyKind supply, double r) {
   return scene;
 }
 
-// Such a scene's r, its x = h*/h_oil = r y, and its 0.67 − s.
+// r, x = h*/h_oil = r y and 0.67 − s of such a scene.
 struct StarvedState {
   Reference r, x;
   SlopeDeficit deficit;
@@ -156,8 +156,8 @@ StarvedState starved_state(const Scene& scene) {
 // `starved_inlet` means 1 = x + r ψ^{3/2}/c. With b = 5.4/π, κ = 1/(c b^{3/2}) = 0.837 and z = πy/2
 // = πx/(2r), ψ = tan(z)/2.7 lies between y/b and (y/b)/(1 − 4z²/π²) (Becker and Stark), so that
 //   κ r^{−1/2} x^{3/2} ≤ 1 − x ≤ κ r^{−1/2} x^{3/2} (1 − x²/r²)^{−3/2}.
-// Because x ≤ 1, the right side is below U = κ r^{−1/2} (1 − r^{−2})^{−3/2}, so that
-// x^{3/2} ≥ 1 − 3U/2 on the left side. Thus h*/h_oil = 1 − κ r^{−1/2} with an error of the order of
+// Because x ≤ 1, the right side is at most U = κ r^{−1/2} (1 − r^{−2})^{−3/2}. Then x ≥ 1 − U, and
+// on the left side x^{3/2} ≥ 1 − 3U/2. Thus h*/h_oil = 1 − κ r^{−1/2} with an error of the order of
 // 1/r.
 TEST(Asymptotics, StarvedInletTendsToTheInletFilmAsTheRootOfTheRatio) {
   const Reference c = 3 / (4 * sqrt(Reference(2)));
@@ -261,8 +261,8 @@ TEST(Asymptotics, SlopeAtTheOnsetIs0WithinTheRoundingOfTheSpeed) {
         EXPECT_GT(left, 0) << describe({{"u", found.speed}});
         EXPECT_LT(right, 0) << describe({{"u", found.speed}});
         const Reference curvature = (left - right) / (2 * contract);
-        // The curvature is of the order of 1, so that there is no plateau. It is taken as the same
-        // on both sides.
+        // The curvature is of the order of 1, so there is no plateau. It is assumed to be equal on
+        // both sides.
         EXPECT_TRUE(is_between(Reference("0.1"), curvature, 100, {{"u", found.speed}}));
         EXPECT_LT(abs(here), curvature * contract) << describe({{"u", found.speed}});
       }

@@ -35,8 +35,8 @@ TEST(BracketedRoot, IsNotANumberWhereTheEndsHaveOneSignOrNone) {
 }
 
 // The function has one root and is straight, flat or steep there; either end may be the larger one.
-// Each kind has the mean number of evaluations that was measured: a wrong interpolation ends at the
-// same root, after more of them.
+// The mean number of evaluations for each kind is compared with a measured one, because a wrong
+// interpolation ends at the same root after more of them.
 TEST(BracketedRoot, IsWithinItsWidthInAtMost400Evaluations) {
   Sampler sampler(170);
   std::array<int, 3> total{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every constant of the model, as the number type should hold it: equal to the specification's
-// rational number or closed form to the last bit, in each type. A wrong last digit might pass the
-// checks of the formulas.
+// The constants of the model in each number type: equal to the specification's rational number or
+// closed form to the last bit, or within 4 ulp if they are computed. A wrong last digit might pass
+// the checks of the formulas.
 #include <gtest/gtest.h>
 
 #include "support/judge.hpp"
@@ -88,7 +88,7 @@ TYPED_TEST(Constants, OfTheRoughContactAreThoseOfHertzOnParaboloids) {
   EXPECT_LE(ulps(gw.count_factor, 1), 4);
 }
 
-// A contract is a promise to those who read it: to make one wider is a decision, not a repair.
+// A contract is a promise to users. Making one wider is therefore a decision and not a repair.
 TEST(Contracts, AreNoWiderThanPromised) {
   const auto same = [](const Contract& a, const Contract& b) {
     EXPECT_LE(a.ulp, b.ulp);

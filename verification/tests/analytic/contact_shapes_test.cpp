@@ -40,7 +40,7 @@ std::vector<Scene> scenes_of_all_laws() {
   std::vector<Scene> all;
   for (std::size_t i = 0; i < film_formula_words.size(); ++i) {
     const auto film = static_cast<FilmFormula>(i);
-    if (film_law(film).is_solved()) continue;  // of an ellipse there is none
+    if (film_law(film).is_solved()) continue;  // there is no solved film of an ellipse
     all.push_back(film_law(film).is_of_lines ? line_scene(5e-4, film) : ellipse_scene(3, film));
   }
   return all;
@@ -107,7 +107,7 @@ TEST(ContactShapes, LinesOfTwiceTheLengthAndLoadAreTheSameLine) {
 TEST(ContactShapes, FilmsOfEachLawHaveItsExponents) {
   for (Scene scene : scenes_of_all_laws()) {
     const FilmLaw& law = film_law(scene.closures.film);
-    if (!law.has_fixed_exponents()) continue;  // theirs are those of analytic.MoesFilm
+    if (!law.has_fixed_exponents()) continue;  // analytic.MoesFilm checks those exponents
     const MixedContact<double> contact(scene);
     const double slope =
         std::log2(contact.flooded_film_parameter(2) / contact.flooded_film_parameter(1));
@@ -127,7 +127,7 @@ TEST(ContactShapes, FilmsOfEachLawHaveItsExponents) {
   }
 }
 
-// The exponents come from differences of the contact's own numbers: h₀ by u and α, h by 1 − A.
+// The exponents come from differences of the contact's own films: h₀ by u and by α, h by 1 − A.
 TEST(FilmLaw, SceneThatNamesTheMinimumFilmHasItsExponents) {
   Scene scene = paper_scene(PaperSurface::rough);
   scene.supply = {};
@@ -153,7 +153,7 @@ TEST(FilmLaw, SceneThatNamesTheMinimumFilmHasItsExponents) {
   }
 }
 
-// A walk's point is explicit, the engine's a root: the same film at the same speed, and the onset.
+// A walk gives its points without a root, the engine by one. Their films and onsets have to agree.
 TEST(FilmLaw, WalkAndOnsetAgreeWithTheRootUnderTheMinimumFilm) {
   Sampler sampler(76);
   int onsets = 0;
@@ -181,8 +181,8 @@ TEST(FilmLaw, WalkAndOnsetAgreeWithTheRootUnderTheMinimumFilm) {
   EXPECT_GT(onsets, 10);
 }
 
-// In a dense sweep h* is nowhere greater than at the closed form's speed, to the error of a finite
-// step.
+// In a dense sweep h* is nowhere greater than at the closed form's speed, apart from the error of a
+// finite step.
 TEST(ContactShapes, OnsetsOfEachLawAreThoseOfADenseSweep) {
   int found = 0;
   for (Scene scene : scenes_of_all_laws())
@@ -239,7 +239,7 @@ TEST(ContactShapes, SummitsFollowFromTheProfile) {
     const double rise = model == AsperityModel::greenwood_tripp ? std::numbers::sqrt2 : 1;
     EXPECT_TRUE(is_within(numbers.summit_height_sd / one.summit_height_sd, rise, 1e-15));
     EXPECT_TRUE(is_within(numbers.summit_plane_offset / one.summit_plane_offset, 1 / rise, 1e-15));
-    // (D_d/σ_s) nβσ_s = 1/(4π√3) of every isotropic Gaussian face
+    // (D_d/σ_s) nβσ_s is 1/(4π√3) for every isotropic Gaussian face.
     EXPECT_TRUE(is_within(numbers.summit_plane_offset * numbers.summit_density *
                               numbers.summit_radius * numbers.summit_height_sd,
                           1 / (4 * std::numbers::pi * std::numbers::sqrt3), 1e-16));

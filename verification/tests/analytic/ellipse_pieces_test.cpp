@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A proof that the polynomials of Hertz' ellipse (model/src/hertz_ellipse.cpp) are within 1 ulp at
-// every ratio of the radii up to 2^octaves, which no number of points can show.
+// every ratio of the radii up to 2^octaves. No number of test points can show this.
 //
-// The numbers of an ellipse follow from the parameter m = 1 − 1/k² of its integrals without any
-// root: with y = 1 − m, K = B + D and E = B + yD,
+// The numbers of an ellipse follow from the parameter m = 1 − 1/k² of its elliptic integrals. No
+// root has to be found: with y = 1 − m, K = B + D and E = B + yD,
 //
 //   α = B/(yD),   (a_x/a)³ = 4B√y/π,  k = 1/√y,  approach K/(2B)   where R_y ≥ R_x = R_y/α,
 //                 (a_x/a)³ = 4D/π,    k = √y,    approach K/(2D)   where R_y < R_x = αR_y,
@@ -11,9 +11,9 @@
 //
 // The Taylor coefficients of B and D are positive at m = 0, as those of 1/√(1 − m sin²) are. So
 // they are positive at each m ≥ 0 and grow with m, and those at the ends of an interval enclose
-// those of all its points. The difference between a polynomial and its function is a series in
-// m − m₀ of such balls, whose last coefficient is that of the whole interval: Taylor's theorem with
-// its remainder.
+// those at all its points. The difference between a polynomial and its function is a series in
+// m − m₀ with such balls as coefficients. By Taylor's theorem its last coefficient, the remainder,
+// is that of the whole interval.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ Series scaled(const Ball& factor, Series series) {
   return series;
 }
 
-// √(1 − m) about m₀, of which `m` may be a ball.
+// The series of √(1 − m) about m₀, which is the argument `m` and may be a ball.
 Series root_of_complement(const Ball& m) {
   Series root;
   root.of[0] = sqrt(1 - m);
@@ -90,7 +90,7 @@ Series root_of_complement(const Ball& m) {
   return root;
 }
 
-// B and D about m₀ by their differential equations.
+// The series of B and D about m₀ = `m`, by their differential equations.
 struct Integrals {
   Series b, d;
 };
@@ -182,15 +182,15 @@ double error_bound(const Piece& piece, int octave, int part, std::size_t number,
     power *= radius;
   }
   const double argument = abs(u).upper_bound();
-  // The quotient of the radii is exact but for the rounding of what it leaves, 2^−53 of 2^−52.
+  // u is a rounded sum. The remainder of the division in it has an error below 2^−104.
   const Rounded computed = beyond_first(piece, Rounded(argument, 0x1p-53 * argument + 0x1p-104));
   const double least = -(-abs(value)).upper_bound();
   const double ulp = std::ldexp(1, std::ilogb(least) - 52);
   return 0.5 + (sum.upper_bound() + computed.error) / ulp;
 }
 
-// The greatest bound of each number, R_y ≥ R_x and then R_y < R_x, over all of a piece.
-// `spoil` may change its coefficients.
+// The greatest error bound of each number over a whole piece, for R_y ≥ R_x and then for R_y < R_x.
+// `spoil` may change the coefficients.
 template <class Spoil>
 std::array<std::array<double, 3>, 2> greatest_bounds(int octave, int part, Spoil&& spoil) {
   const double low = std::ldexp(1 + part / double{parts}, octave);
@@ -242,7 +242,7 @@ TEST(EllipsePieces, AreWithinAnUlpAtEachRatioOfTheRadii) {
           most = std::max(most, bound);
         }
     }
-  // The proof is not far from what is seen at random ratios, 0.72 ulp.
+  // The proven bound is close to the greatest error seen at random ratios, 0.72 ulp.
   EXPECT_GT(most, 0.7);
 }
 

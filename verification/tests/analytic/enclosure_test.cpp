@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model's own templates in ball arithmetic (support/enclosure.hpp), which
-// contract/contract_test.cpp takes for the truth: it overlaps the generator's formulas, which share
-// nothing with it, and the condition numbers agree with differences between enclosures.
+// The model's own templates in ball arithmetic (support/enclosure.hpp), whose results are the truth
+// of contract/contract_test.cpp. They overlap the results of the generator's formulas, which share
+// no code with them. The condition numbers agree with differences between enclosures.
 #include "support/enclosure.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace tribo::verification {
 namespace {
 
-// The point in balls; empty where a branch of the model was not certain, or a root not proven.
+// The point in balls. Empty if a branch of the model was not certain or a root was not proven.
 std::optional<OperatingPoint<Enclosure>> enclose(const Scene& scene) {
   reference::undecided_comparisons = 0;
   try {
@@ -34,7 +34,7 @@ std::optional<OperatingPoint<Enclosure>> enclose(const Scene& scene) {
   return std::nullopt;
 }
 
-// The scene as the generator of reference/exact has it.
+// The scene as an input of the generator of reference/exact.
 reference::Inputs inputs_of(Scene scene) {
   reference::Inputs inputs;
   const auto numbers = numbers_of(scene);
@@ -113,7 +113,7 @@ TEST(Enclosure, UndecidedComparisonsAreCounted) {
   EXPECT_EQ(reference::undecided_comparisons, 3U);
 }
 
-// Without a proof by signs there is no root: a double root has none.
+// A root needs a proof by a change of sign. A double root has no such change and is refused.
 TEST(Enclosure, ARootWithoutAChangeOfSignIsRefused) {
   EXPECT_THROW(proven_zero([](const Enclosure& x) { return x * x; }, Enclosure(0), Enclosure(1)),
                std::runtime_error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films by laws of points and of lines, by Moes' line, in regimes and behind a heated inlet: hand
-// checks and limits. certified/certified_tables_test.cpp holds the values.
+// Hand checks and limits of the film laws of points and lines, of Moes' line law, of the regimes'
+// films and of the heated inlet. certified/certified_tables_test.cpp checks the values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,10 +17,10 @@
 namespace tribo::verification {
 namespace {
 
-static_assert(ertel_grubin_law.sharing_power.value == 0);  // load sharing does not move its films
+static_assert(ertel_grubin_law.sharing_power.value == 0);  // load sharing does not change its films
 
 TEST(FilmFormulas, TableOneGivesTheHandChecks) {
-  const auto hold = [](double film, double nanometres) {  // to half of the last digit
+  const auto hold = [](double film, double nanometres) {  // to half a unit of the last digit
     EXPECT_TRUE(is_within(film, nanometres * 1e-9, 0.0005e-9)) << nanometres;
   };
   const auto of_line = [](const FilmLaw& law) {
@@ -53,7 +53,7 @@ TEST(HamrockDowson, TableOneGivesTheHandChecks) {
   EXPECT_TRUE(is_within(film(3), 318, 0.5));
 }
 
-// In each corner the film is that corner's limit, to the part that the other limits add.
+// At these M and L the film is one of the four limits to 1e-6: the others add less.
 TEST(MoesLine, HasTheFourLimits) {
   const auto power = [](const char* x, int p, int q) {
     return Reference(pow(Reference(x), ratio<Reference>(p, q)));
@@ -69,12 +69,12 @@ TEST(MoesLine, HasTheFourLimits) {
   }
 }
 
-// The regimes are the films of their laws: Ĥ = H (W/U)² with g_V = GW³/U², g_E = W^{8/3}/U².
+// The regimes' films are those of the laws: Ĥ = H (W/U)² with g_V = GW³/U², g_E = W^{8/3}/U².
 TEST(RegimeFilm, OfElasticBodiesIsTheLawInOtherGroups) {
   const double u = 3e-11, g = 4500, w = 2e-6, k = 2.5;
   const double viscosity = g * w * w * w / (u * u), elasticity = std::pow(w, 8.0 / 3) / (u * u);
   const double times = (w / u) * (w / u);
-  // h/R by the laws. The fits in two groups have two exponents, and agree to some per cent.
+  // h/R by the laws in U, G and W. The fits in g_V and g_E agree with them to some per cent.
   const double hard = 3.63 * std::pow(u, 0.68) * std::pow(g, 0.49) * std::pow(w, -0.073) *
                       (1 - std::exp(-0.68 * k));
   const double soft =
@@ -96,8 +96,8 @@ TEST(RegimeFilm, OfRigidBodiesHasTheHandChecks) {
   // A very long contact has no side leakage, and φ is 1.
   EXPECT_TRUE(is_within(film(FilmRegime::isoviscous_rigid, 1e9) / 1e9,
                         128 * std::pow(0.131 * std::acos(0.0) + 1.683, 2), 1e-5));
-  // Jeng, Hamrock and Brewe's own form, h/R = 178 G^0.386 U^1.266 W^−0.880 (1 − e^{−0.0387α}),
-  // tells 141 from 1.41.
+  // Jeng, Hamrock and Brewe print h/R = 178 G^0.386 U^1.266 W^−0.880 (1 − e^{−0.0387α}). It shows
+  // that the constant is 141, and not 1.41.
   const double u = 1e-11, g = 4500, w = 1e-7;
   const double own = 178 * std::pow(g, 0.386) * std::pow(u, 1.266) * std::pow(w, -0.880) *
                      (1 - std::exp(-0.0387 * 4));
@@ -122,7 +122,7 @@ TEST(GuptaThermalReduction, FallsFromOneWithHeatingAndSlidingAndEndsWhereItIsNot
     EXPECT_LT(reduction(0.2, speed), found);
     before = found;
   }
-  // L = 1: 13.2 p₀/E′ = 1 at p₀ = E*/6.6
+  // At L = 1 the numerator 1 − 13.2 p₀/E′ is 0 where p₀ = E*/6.6.
   EXPECT_EQ(std::isnan(gupta_thermal_reduction(1e9, 6.59e9, 0.0, 1.0, 1.0, 1.0, 1.0)), true);
   EXPECT_GT(gupta_thermal_reduction(1e9, 6.61e9, 0.0, 1.0, 1.0, 1.0, 1.0), 0.0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shear laws at the ends of their range, and that they have no step where the formula changes.
+// The shear laws at the ends of their range, and without a step where the formula changes.
 #include "tribo/friction.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shape of F_n, its ends, and the relations between the orders. contract/contract_test.cpp
-// holds its values, against confluent hypergeometric functions.
+// The shape of F_n, its limits, and the relations between the orders. contract/contract_test.cpp
+// checks its values against confluent hypergeometric functions.
 #include "tribo/gaussian_moment.hpp"
 
 #include <gtest/gtest.h>
@@ -23,10 +23,10 @@ TEST_P(OfEachOrder, FallsWithItsArgumentAndIsConvexAndLogConcave) {
     const double here = gaussian_moment(GetParam(), d);
     const double right = gaussian_moment(GetParam(), d + h);
     const double rounding = 3 * contract * left;
-    if (GetParam() != Order::zero || d > -8) {  // F_0 is 1 to rounding below
+    if (GetParam() != Order::zero || d > -8) {  // below, F_0 is 1 to rounding
       EXPECT_GT(left, here) << describe({{"d", d}});
     }
-    if (GetParam() >= Order::one) {  // F_n″ = n(n−1)F_{n−2} > 0; F_0 and F_{1/2} turn below 0
+    if (GetParam() >= Order::one) {  // F_n″ = n(n−1)F_{n−2} > 0; F_0 and F_{1/2} are not convex
       EXPECT_GT(left + right + rounding, 2 * here) << describe({{"d", d}});
     }
     EXPECT_LT(log_gaussian_moment(GetParam(), d - h) + log_gaussian_moment(GetParam(), d + h),
@@ -39,7 +39,7 @@ TEST_P(OfEachOrder, LogarithmIsThatOfFiftyDigitsAndDoesNotUnderflow) {
   for (double d = -40; d < 2000; d = d < 30 ? d + 0.61 : d * 1.3) {
     const Reference expected = log(scaled_gaussian_moment(GetParam(), Reference(d))) -
                                (d > 0 ? Reference(d) * d / 2 : Reference(0));
-    // Absolute where the logarithm is near 0.
+    // The bound is absolute where the logarithm is near 0.
     EXPECT_LE(static_cast<double>(abs(log_gaussian_moment(GetParam(), d) - expected)),
               contract + 4 * 0x1p-53 * static_cast<double>(abs(expected)))
         << describe({{"d", d}});
@@ -78,7 +78,7 @@ TEST(GaussianMoment, OrdersObeyTheRecurrence) {
       const double below = value_of<double>(n) * gaussian_moment(lower(n), d);
       // F_{n+1} + dF_n = nF_{n−1}: backward error of each term
       const double scale = above + std::abs(middle) + below;
-      // twice, for the rounding of d F_n and of the sum, too
+      // The bound is doubled for the rounding of d F_n and of the sum.
       EXPECT_LE(std::abs(above + middle - below), 2 * contract * scale) << describe({{"d", d}});
     }
   }

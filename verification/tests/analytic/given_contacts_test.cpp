@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contacts of smooth bodies, of oils by their data sheets and of heated inlets, in the engine and
-// in long double; the same bits alone, in a batch and among other contacts.
+// Contacts of smooth bodies, of oils given by their data sheets, and with heated inlets, by the
+// engine and in long double. A contact has the same bits alone and in a batch with others.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -67,7 +67,7 @@ TEST(SmoothBodies, AreThoseOfTheTemplateAndCarryNoLoadOnAsperities) {
   }
 }
 
-// Contacts of many kinds, each at its speed: alone, and all at once.
+// Contacts of many kinds, each at its own speed, are solved alone and all in one batch.
 TEST(SmoothBodies, HaveTheSameBitsAmongOtherContacts) {
   Sampler sampler(75);
   MixedContacts contacts;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two bodies as one, and Hertz' contacts of a point, an ellipse and a line: printed numbers,
-// limits, and the load, displacements and stresses of the pressure, by quadrature that has no
-// elliptic integral. certified/certified_tables_test.cpp and contract/contract_test.cpp hold the
-// values.
+// The effective modulus and the reduced radii of two bodies, and Hertz' point, elliptic and line
+// contacts: printed numbers, limits, and the load, displacements and stresses that quadratures of
+// the pressure give without elliptic integrals. certified/certified_tables_test.cpp and
+// contract/contract_test.cpp check the values.
 #include "tribo/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(EffectiveModulus, IsTheSameWithTheBodiesExchangedAndScalesWithTheModuli) {
   }
 }
 
-// A ball of 10 mm in a groove of 5.5 mm, 45 mm from the bearing's axis.
+// A ball of 10 mm diameter in a groove of 5.5 mm radius, 45 mm from the bearing's axis.
 TEST(ReducedRadius, OfABallInABearingIsTheHandCheck) {
   const ReducedRadius<double> got = reduced_radius(5e-3, -45e-3, 5e-3, -5.5e-3);
   EXPECT_TRUE(is_within(got.radius_x, 5.625e-3, 1e-15));
@@ -86,7 +86,7 @@ TEST(Hertz, TableOneGivesTheHandChecks) {
   EXPECT_TRUE(is_within(hertz.peak_pressure, 1.077e9, 0.0005e9));
 }
 
-// The mean pressure times the area is the load; the peak is that of the other textbook form.
+// The mean pressure times the area is the load. The peak pressure is also 2aE*/(πR).
 TEST(Hertz, StressesBalance) {
   Sampler sampler(3);
   for (int i = 0; i < 500; ++i) {
@@ -165,7 +165,7 @@ TEST(HertzEllipse, WithXAndYExchangedHasItsAxesExchanged) {
 TEST(HertzEllipse, PressureCarriesTheLoad) {
   for (const double ratio : {1.0, 2.0, 1 / 3.0, 30.0, 1e-2, 1e4}) {
     const HertzEllipse<double> got = hertz_ellipse(50.0, 107.9e9, 9.5e-3, 9.5e-3 * ratio);
-    // x = a_x sin s and y = chord sin t take the square roots at the edge away.
+    // x = a_x sin s and y = chord sin t remove the square roots at the edge.
     const auto strip = [&](double s) {
       const double chord = got.semi_axis_y * std::cos(s);
       const auto pressure = [&](double t) { return std::cos(s) * std::pow(std::cos(t), 2); };
@@ -203,7 +203,7 @@ TEST(HertzEllipse, PressureClosesTheGap) {
                 b / std::sqrt(a) * std::sqrt(c)) /
                (2 * std::sqrt(a));
       };
-      // The trapezoidal rule converges geometrically; spacing by the tangent suits long ellipses.
+      // The trapezoidal rule converges geometrically; `stretch` fits the angles to a long ellipse.
       const int count = 4000;
       const double stretch = got.ellipticity;
       double sum = 0;
@@ -221,7 +221,7 @@ TEST(HertzEllipse, PressureClosesTheGap) {
   }
 }
 
-// This includes shapes at which C = (D − B)/q has few digits, by its series or by its difference.
+// At some of these shapes C = (D − B)/q has few digits, by its series and by its difference.
 TEST(HertzEllipse, SolvesItsEquationInFiftyDigits) {
   for (double above = 1e-16; above < 1e4; above *= 1.7) {
     const Reference ratio = 1 + Reference(above);
@@ -240,8 +240,8 @@ TEST(HertzEllipse, FollowsFromTheRadiiThatItsEllipticityGives) {
   EXPECT_EQ(radius_ratio_of(1.0), 1);
 }
 
-// At both ends and in the middle of each of the four parts of an octave, below and above one, at
-// random places and beyond the last part.
+// The ratios are the ends and the middles of four parts of each octave, their neighbours, and
+// random numbers. Some lie beyond the octaves that have polynomials.
 TEST(HertzEllipse, OfDoublesIsThatOfFiftyDigits) {
   std::vector<double> ratios;
   for (int octave = 0; octave < 16; ++octave)
@@ -252,7 +252,7 @@ TEST(HertzEllipse, OfDoublesIsThatOfFiftyDigits) {
   for (int i = 0; i < 3000; ++i) ratios.push_back(sampler.log_uniform(1, 5e4));
   for (const double ratio : ratios)
     for (const bool is_exchanged : {false, true}) {
-      // One radius in eight is nearly no normal number.
+      // One radius in eight is near the least normal number.
       const double x = sampler.log_uniform(1e-4, 0.1) * (sampler.uniform(0, 8) < 1 ? 0x1p-990 : 1);
       const double y = is_exchanged ? x / ratio : x * ratio;
       const EllipseOfCircle<double> got = ellipse_of_circle(x, y);
@@ -264,8 +264,8 @@ TEST(HertzEllipse, OfDoublesIsThatOfFiftyDigits) {
     }
 }
 
-// The middle of a long ellipse is a line contact under the load that a metre of it carries there,
-// p₀a_xπ/2. The two differ by 1/√B − 1 = (2 ln(4k) − 3)/(8k²) + O(ln²k/k⁴).
+// The middle of a long ellipse is a line contact under p₀a_xπ/2, the load per length there. The
+// half-widths differ by 1/√B − 1 = (2 ln(4k) − 3)/(8k²) + O(ln²k/k⁴).
 TEST(HertzEllipse, MiddleOfALongOneIsALine) {
   double before = 1;
   for (const double ratio : {1e2, 1e4, 1e6, 1e8, 1e12}) {
@@ -283,7 +283,7 @@ TEST(HertzEllipse, MiddleOfALongOneIsALine) {
 
 TEST(HertzEllipse, EndsAtEveryRatio) {
   for (double ratio = 1e4; ratio < 1e308; ratio *= 1e4) {
-    // α = k²B/D, with D = ln(4k) − 1 and B = 1 of a long one
+    // α = k²B/D, with D = ln(4k) − 1 and B = 1 for a long ellipse
     const EllipseShape<double> shape = ellipse_shape(ratio);
     const double k = shape.ellipticity;
     EXPECT_TRUE(
@@ -324,8 +324,8 @@ TEST(HertzLine, PressureCarriesTheLoadAndClosesTheGap) {
     const double carried = under_the_pressure([](double) { return 1.0; });
     EXPECT_TRUE(is_close(carried * got.peak_pressure * got.half_width, load, 8 * ulp, inputs));
     EXPECT_TRUE(is_close(2 * got.mean_pressure * got.half_width, load, 2 * ulp, inputs));
-    // Between the strip's middle and its half the faces move by x²/(2R) less:
-    // 2/(πE*) ∫ p ln|s/(s − x)| ds. The logarithms are integrated apart.
+    // At half of the half-width the faces move by x²/(2R) less than in the middle: by 2/(πE*) ∫ p
+    // ln|(s − x)/s| ds. The two logarithms are integrated separately.
     if (i >= 20) continue;
     const double x = 0.5;
     const auto log_at = [&](double at) {
@@ -346,8 +346,8 @@ TEST(HertzLine, PressureCarriesTheLoadAndClosesTheGap) {
   }
 }
 
-// The stresses below the middle by Flamant's solution: σ_z = −(2z³/π) ∫ p/(s²+z²)² ds, σ_x with
-// zs² for z³; the greatest shear stress is half of their difference.
+// The stresses below the middle by Flamant's solution: σ_z = −(2z³/π) ∫ p/(s²+z²)² ds and σ_x =
+// −(2z/π) ∫ ps²/(s²+z²)² ds. The greatest shear stress is half of their difference.
 TEST(HertzLine, GreatestShearStressIsBelowTheSurface) {
   const auto shear = [](double z) {
     return under_the_pressure([&](double s) {

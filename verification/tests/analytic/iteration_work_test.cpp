@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much work the iterations of the formulas do. A worse start, one step more, or a branch that
-// is taken too early gives the same numbers for more work, which no comparison of numbers shows.
+// The work of the formulas' iterations. A worse start, one step more, or a branch that is taken too
+// early gives the same numbers for more work. No comparison of numbers shows that.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ using enum StarvationClosure;
 constexpr AsperityModel tripp = AsperityModel::greenwood_tripp;
 constexpr AsperityModel williamson = AsperityModel::greenwood_williamson;
 
-// Calls of e^x, ln x and such functions, S_n(d) among them, that `work` makes.
+// The number of calls of e^x, ln x, S_n(d) and other such functions that `work` makes.
 template <class Function>
 double calls_of(Function&& work) {
   const std::size_t before = Dual::calls;
@@ -85,7 +85,7 @@ double evaluations_of_golden_section(Sampler& sampler) {
 struct Iteration {
   std::string_view name;
   int cases;
-  double mean;  // as it was measured
+  double mean;  // the work of one case, as measured
   std::function<double(Sampler&)> work;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits that are other people's formulas (smooth film, Hertz' single contact), the choice of
-// units, and continuity where the code changes from one form to another.
+// Limits that are known formulas (smooth film, Hertz' single contact), independence of the units,
+// and continuity where the code changes from one form to another.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ constexpr double ulp = 0x1p-52;
 
 // ---- smooth surfaces
 
-// A flooded surface of the paper's nβσ_s whose summits vary by `sd`.
+// A flooded surface with the paper's nβσ_s and summit heights of standard deviation `sd`.
 Scene smoother_scene(AsperityModel model, double sd) {
   Scene scene = paper_scene(PaperSurface::smooth, model);
   scene.supply = {};
@@ -51,7 +51,7 @@ TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
             Reference(scene.bodies.ellipticity));
         const Conditions condition = conditions_at(scene, u);
         EXPECT_TRUE(keeps(operating_point_contract, p.film, h0, condition[1], 1, inputs));
-        // All of Hertz' area shears the film, under his mean pressure.
+        // The film is sheared on all of Hertz' area, under the mean pressure.
         const HertzPoint<Reference> hertz =
             hertz_point(Reference(scene.load), Reference(scene.bodies.effective_modulus),
                         Reference(scene.bodies.reduced_radius));
@@ -66,8 +66,8 @@ TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
     }
 }
 
-// On the way to this limit 1 ≤ h/h₀ = (1−A)^−0.14 with A ≤ (K F_p(0) e^{−(λ₀−δ)²/2})^q, for e^{−td}
-// ≤ 1 in F_p(d) and λ ≥ λ₀.
+// Before this limit 1 ≤ h/h₀ = (1−A)^−0.14. A ≤ (K F_p(0) e^{−(λ₀−δ)²/2})^q, because e^{−td} ≤ 1 in
+// F_p(d), and λ ≥ λ₀.
 TEST(SmoothLimit, FilmFallsToThatOfSmoothFacesUnderAProvenBound) {
   for (const auto model : asperity_models) {
     double previous = 2;
@@ -90,8 +90,8 @@ TEST(SmoothLimit, FilmFallsToThatOfSmoothFacesUnderAProvenBound) {
   }
 }
 
-// The other end: u → 0 without a floor. A → A(0) < 1, h/h₀ → (1−A(0))^−0.14; from convexity of A
-// the distance is at most 0.14 (1−A(0))^−1.14 |A′(0)| λ.
+// The other end is u → 0 without a floor: A → A(0) < 1, h/h₀ → (1−A(0))^−0.14. A is convex, so h/h₀
+// is at most 0.14 (1−A(0))^−1.14 |A′(0)| λ below that limit.
 TEST(SmoothLimit, ThinnestFilmsAreThickenedByTheSharesAtContact) {
   for (const auto model : asperity_models) {
     Scene scene = paper_scene(PaperSurface::smooth, model);
@@ -118,10 +118,10 @@ TEST(SmoothLimit, ThinnestFilmsAreThickenedByTheSharesAtContact) {
 
 // ---- one summit
 
-// Summits of all but the same height, pressed by w = Dσ_s: each is Hertz' contact. With Z normal,
-// F_n(−D)/Dⁿ = E[(1+x)₊ⁿ] at x = Z/D. Taylor's cubic of (1+x)ⁿ at 0 leaves a rest of the sign of
-// the fourth derivative, and, that falling or rising on one side only, of at most its size at x =
-// −1 times x⁴: 1/16 for n = 3/2 (positive) and n = 5/2 (negative). With E x² = 1/D², E x⁴ = 3/D⁴,
+// Summits of nearly the same height, pressed by w = Dσ_s: each is Hertz' contact. With Z normal,
+// F_n(−D)/Dⁿ = E[(1+x)₊ⁿ] at x = Z/D. The remainder of Taylor's cubic of (1+x)ⁿ at 0 has the sign
+// of the fourth derivative, which is monotone. So the remainder is at most x⁴ times its size at x =
+// −1: 1/16 for n = 3/2 (positive) and n = 5/2 (negative). With E x² = 1/D², E x⁴ = 3/D⁴,
 //   F_{3/2}: 3/(8D²) to 3/(8D²) + 3/(16D⁴),  F_{5/2}: 15/(8D²) − 3/(16D⁴) to 15/(8D²),
 // and F_1(−D) = D + F_1(D). The part at x < −1 weighs less than e^{−D²/2}.
 struct Excess {
@@ -139,9 +139,9 @@ void expect_excess(double got_over_hertz, const Excess& excess, double depth) {
 TEST(SingleSummit, CarriesHertzLoadOnHertzArea) {
   const double density = 7e10, radius = 1.3e-5, modulus = 9e10, load = 30, area = 7e-8;
   const double w = 2e-7;
-  // One pressed summit, and one pair of them within the lateral offset x² ≤ 4βw: the mean over x²
-  // of (4/3)E*√(β/2)(w − x²/4β)^{3/2} is 2/5 of its greatest, of the area πβ(w − x²/4β)/2 it is
-  // 1/2.
+  // One pressed summit, and one pair of summits within the lateral offset x² ≤ 4βw. Averaged over
+  // x², the load (4/3)E*√(β/2)(w − x²/4β)^{3/2} is 2/5 of its greatest value, and the area πβ(w −
+  // x²/4β)/2 is 1/2 of its greatest.
   const double one_load = 4.0 / 3 * modulus * std::sqrt(radius) * w * std::sqrt(w);
   const double one_area = M_PI * radius * w;
   const double pairs = density * density * area * M_PI * 4 * radius * w;
@@ -173,7 +173,7 @@ TEST(SingleSummit, CarriesHertzLoadOnHertzArea) {
 
 // ---- units
 
-// New units of length, mass and time: the factors by which numbers in them are greater.
+// New units of length, mass and time: the factors by which the numbers grow in them.
 struct Units {
   explicit Units(Sampler& sampler)
       : m(sampler.log_uniform(0.01, 100)),
@@ -211,9 +211,9 @@ double roelands(double viscosity, double pressure_viscosity, double pressure,
   return scale * (std::pow(1 + pressure / roelands_pascals, z) - 1);
 }
 
-// Friction under Roelands' law: the model in SI against, in the other units, its shares and area
-// with this law, the shear laws and the load balance written out. A density in place of a
-// viscosity, or a constant left in SI, would be noticed.
+// Friction under Roelands' law by the model in SI, against friction in other units. There the
+// shares and the area are the model's; this law, the shear laws and the sum of friction are written
+// out. A density in place of a viscosity, or a constant left in SI, would be noticed.
 TEST(Units, FrictionUnderRoelandsLawDoesNotDependOnThem) {
   Sampler sampler(72);
   for (int i = 0; i < 500; ++i) {
@@ -245,8 +245,8 @@ TEST(Units, FrictionUnderRoelandsLawDoesNotDependOnThem) {
   }
 }
 
-// This test tells the summit density from the viscosity in eqs 1.19 and 1.32. Roelands' constants
-// have units; the test above is about them.
+// The summit density in place of the viscosity in eqs 1.19 and 1.32, or the reverse, fails here.
+// Roelands' constants have units, so his law is in the test above.
 TEST(Units, DimensionlessOutputsDoNotDependOnThem) {
   Sampler sampler(63);
   for (int i = 0; i < 200; ++i) {
@@ -359,8 +359,8 @@ Edge edge_of(double low, double high, Predicate&& predicate) {
   return {low, high};
 }
 
-// f at both neighbours differs by no more than the error that each may have, and the change of the
-// exact function between neighbours, condition × ε.
+// The values of f at both neighbours differ by at most the error that each may have plus the change
+// of the exact function between the neighbours, condition × ε.
 template <class Function>
 void expect_no_step(const char* where, const Edge& edge, const Contract& contract,
                     Function&& function, double condition = 1) {
@@ -370,11 +370,11 @@ void expect_no_step(const char* where, const Edge& edge, const Contract& contrac
       << where;
 }
 
-// Starvation.KeepsItsContractOnBothSidesOfEachBranch holds the values on both sides of r = 1.
+// Starvation.KeepsItsContractOnBothSidesOfEachBranch checks the values on both sides of r = 1.
 TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
   for (const auto closure : {starved_inlet, printed_exponents}) {
     const InletCurve<double> curve{closure};
-    // ψ so small that arctan v = v: there the step that refines ψ ends, too
+    // ψ so small that arctan v = v: below it no step refines ψ
     const double least = std::numeric_limits<double>::min_exponent / 4.0;
     const Edge lengths = edge_at(least);
     const Contract logarithm{20, 0};  // starvation.hpp
@@ -383,7 +383,7 @@ TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
     const double r = std::exp(-curve.log_inverse_r(least));
     const Edge ratios = edge_of(
         r / 2, 2 * r, [&](double x) { return curve.log_inverse_r(least) + std::log(x) < 0; });
-    // t is good to ε × |t| there, without the refining step
+    // without the refining step the error of t is ε × |t| there
     const double slope = std::abs(InletLaw<double>{closure, 3}.slope(r));
     expect_no_step(
         "y", ratios, starvation_ratio_contract,
@@ -438,7 +438,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
         expect_no_step(
             "A at w = 1/2", half, load_sharing_contract,
             [&](double lambda0) { return sharing.solve(lambda0).asperity; }, w_condition);
-        // 1 − A is a Taylor series, or the difference; 1e-14 stands in load_sharing_test
+        // 1 − A is by a Taylor series or a difference; 45 ulp are 1e-14, as in load_sharing_test
         const Edge series = edge_of(1e-6, 10, [&](double distance) {
           return sharing.shares_above_floor(distance).asperity < 0.75;
         });
@@ -450,7 +450,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
         expect_no_step(
             "A at A = 3/4", series, {45, 45},
             [&](double x) { return sharing.shares_above_floor(x).asperity; }, condition);
-        // the way back, from the series: the distance at which w is 1/4
+        // the inverse by the series: the distance at which w is nearly 1/4
         const double quarter = std::nextafter(0.25, 0.0);
         const double distance = sharing.distance_above_floor(quarter);
         EXPECT_TRUE(is_close(1 - sharing.asperity_share(floor + distance), quarter, 90 * ulp,
@@ -466,7 +466,7 @@ TEST(Continuity, RootsHaveNoStepWhereAFloorAppears) {
         return LoadSharing<double>(model, stiffness, offset).has_floor();
       });
       EXPECT_EQ(LoadSharing<double>(model, appears.below, offset).floor(), 0);
-      // the rounding of A(0) makes λ_b = (ln A(0))/|d ln A/dλ|
+      // λ_b = (ln A(0))/|d ln A/dλ| comes from the rounding of A(0) alone
       EXPECT_LE(LoadSharing<double>(model, appears.above, offset).floor(),
                 2 * gaussian_moment_contract.ulp * ulp);
       const Edge start = edge_of(1e-3, 1e3, [&](double stiffness) {
@@ -519,7 +519,7 @@ TEST(Continuity, OperatingPointsHaveNoStepAtAnyBranch) {
       expect_no_step_of_outputs("w = 1/4", scene, edge_of(1e-4, 3, [&](double u) {
                                   return contact.flooded(u).shares.fluid < 0.25;
                                 }));
-      // at r = 1, or at 0.95 of the flooded film, only the words change
+      // at r = 1, and at 0.95 of the flooded film, only the inlet's word changes
       if (closure != flooded_inlet)
         expect_no_step_of_outputs("r = 1", scene, edge_of(1e-4, 1e5, [&](double u) {
                                     return contact.inlet(contact.flooded(u)).flooded_over_inlet < 1;
@@ -544,7 +544,7 @@ TEST(Continuity, OutputsHaveNoStepWhereTheStarvedFilmMeetsTheFloor) {
       const auto before = contact.solve(edge.below), after = contact.solve(edge.above);
       EXPECT_EQ(after.asperity_load_share, 1);
       EXPECT_EQ(after.separation, floor * contact.summit_height_sd());
-      // 1 − A = |A′| (λ* − λ_b), and u is known to an ulp, λ* to its condition
+      // 1 − A = |A′| (λ* − λ_b); u is known to one ulp, and λ* to its condition
       const Conditions condition = conditions_at(scene, edge.above);
       const double lambda_error =
           (2 * std::max(8.0, 16 * condition[3]) + condition[3]) * ulp * floor;
@@ -577,7 +577,7 @@ TEST(Continuity, SharesHaveNoStepWhereTheInletCollapses) {
     const auto before = contact.solve(edge.below), after = contact.solve(edge.above);
     EXPECT_EQ(after.film, 0);
     EXPECT_GT(before.film, 0);
-    // r is known to its contract, and so 1 − r to as many ulp
+    // r is known to its contract, and 1 − r to the same number of ulp of r
     const double gap = 64 * ulp * conditions_at(scene, 0.9 * edge.below)[0];
     const double lambda = 4 * 5.4 / M_PI * std::pow(gap * 0.53033008588991064, 2.0 / 3);
     EXPECT_LE(before.film_parameter, lambda);
@@ -604,7 +604,7 @@ TEST(Continuity, FrictionHasNoStepWhereTheRealAreaFillsTheNominalOne) {
   expect_no_step_of_outputs("A_r = A_nom", scene, edge);
 }
 
-// The walk: the form next to the floor, the differences of G near it, the series of 1 − A.
+// The walk's branches: next to the floor, differences of G near it, and the series of 1 − A.
 TEST(Continuity, WalkHasNoStepAtAnyBranch) {
   for (const auto model : asperity_models)
     for (const auto closure : starvation_closures) {
@@ -623,7 +623,7 @@ TEST(Continuity, WalkHasNoStepAtAnyBranch) {
         const WalkPoint<long double> below = walk_at(edge.below), above = walk_at(edge.above);
         ASSERT_GT(above.rate, 0) << "the bound below would be infinite";
         // Coordinates near −40 are logarithms: one ulp of them is 32 ε of the number itself. A
-        // change by `rate` e-foldings in u for each e-folding of s is no step.
+        // change of ln u by 1/`rate` for each unit of s is no step.
         const double bound =
             2 * (16 + std::abs(edge.above)) * 16 * ulp +
             10 * std::abs(edge.above - edge.below) * (1 + 1 / static_cast<double>(above.rate));

@@ -17,7 +17,7 @@ TEST(Density, GoesFromOneTo134) {
   EXPECT_EQ(dowson_higginson_density(0.0), 1);
   EXPECT_TRUE(is_within(dowson_higginson_density(5.9e8), 1.17, 1e-15));
   EXPECT_TRUE(is_within(dowson_higginson_density(1e300), 1.34, 1e-15));
-  // The law's other form, with rounded numbers, is denser: by 0.6/1.7 − 0.34 at high pressure.
+  // The law's other form, with rounded numbers, gives more: by 0.6/1.7 − 0.34 at high pressure.
   for (double p = 1e6; p < 1e12; p *= 1.5) {
     const double more = 1 + 0.6e-9 * p / (1 + 1.7e-9 * p) - dowson_higginson_density(p);
     EXPECT_GT(more, 0);
@@ -66,7 +66,7 @@ TEST(AstmD341, GoesThroughBothPointsInAnyOrder) {
     EXPECT_EQ(is_same(astm_d341_viscosity(t1, thick, t2, thin, t2), thin), true);
     const Reference between = astm_d341_viscosity(t1, thick, t2, thin, t);
     EXPECT_EQ(is_same(astm_d341_viscosity(t2, thin, t1, thick, t), between), true);
-    // A third point of the line draws the same line.
+    // A third point on the line gives the same line.
     EXPECT_EQ(t == t1 || is_same(astm_d341_viscosity(t1, thick, t, between, t2), thin), true);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The load-sharing root under the default film law and under others, h = h₀ γ^{a−b}: from λ₀ to λ
-// and back, the floor, films near the floor, the signs of the residual, and the exponent. certified
-// and contract hold the root's value.
+// and back, the floor, films near the floor, the signs of the residual, and the exponent. The tests
+// in certified and contract check the root's value.
 #include "tribo/load_sharing.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(LoadSharing, FilmToFloodedFilmAndBackIsTheSame) {
         sharing.shares_above_floor(sampler.log_uniform(1e-6, 50) * (1 + sharing.floor()));
     if (start.fluid < 1e-12) continue;
     p.flooded = sharing.flooded_film_parameter(start.film_parameter, start.fluid);
-    // the way back is as exact as its condition allows
+    // the way back has the error that its condition allows
     const double condition = p.condition();
     EXPECT_TRUE(is_close(sharing.solve(p.flooded).film_parameter, start.film_parameter,
                          condition < 2 ? contract : contract / 2, {},
@@ -84,7 +84,7 @@ TEST(LoadSharing, AsperitiesCarryAllAtTheFloorAndLessAbove) {
   EXPECT_GT(floors, 60);
 }
 
-// The share comes from a Taylor series near the floor, and from 1 − A beyond: no step between them.
+// The fluid share is a Taylor series near the floor, and 1 − A beyond, without a step between.
 TEST(LoadSharing, FluidShareAboveTheFloorKeepsItsDigits) {
   for (const auto model : asperity_models)
     for (const double stiffness : {2.0, 10.0, 1e6, 1e300}) {
@@ -136,7 +136,7 @@ TEST(FilmLaw, RootInDoubleAgreesWithFiftyDigits) {
   }
 }
 
-// ln λ − ln λ₀ + (a−b) ln(1 − A), −1 where A ≥ 1.
+// The residual is ln λ − ln λ₀ + (a−b) ln(1 − A), or −1 where A ≥ 1.
 TEST(FilmLaw, ResidualChangesSignAtTheRootAlone) {
   Sampler sampler(72);
   for (int i = 0; i < 200; ++i) {
@@ -158,7 +158,7 @@ TEST(FilmLaw, ResidualChangesSignAtTheRootAlone) {
   }
 }
 
-// d ln λ₀/d ln(1−A) at one film, from surfaces of different stiffness; and back from λ₀ to λ.
+// The exponent is d ln λ₀/d ln(1−A) at one film of two surfaces; λ₀ gives that film back.
 TEST(FilmLaw, ExponentOfTheFluidShareIsTheLaws) {
   Sampler sampler(75);
   int compared = 0;

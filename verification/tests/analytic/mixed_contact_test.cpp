@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole operating points: a second implementation on GSL, load balance, selected outputs, and
-// states without a number that are no errors.
+// states in which an output is NaN without an error.
 #include "tribo/mixed_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(MixedContact, AgreesWithASecondImplementationOnGsl) {
     const double u = scene.speeds.list[0];
     const OperatingPoint<double> got = MixedContact<double>(scene).solve(u);
     const LoadShares<double> shares = MixedContact<double>(scene).flooded(u).shares;
-    // Brent's bracket on QAGIU's shares has no finite end where the asperities carry all but 1e-6.
+    // With a fluid share below 1e-6 Brent's bracket on QAGIU's shares has no finite end.
     if (got.regime == Regime::collapsed || shares.fluid < 1e-6) continue;
     ++compared;
     const textbook::Point other = textbook::solve(scene, u);
@@ -47,8 +47,8 @@ TEST(MixedContact, AgreesWithASecondImplementationOnGsl) {
   }
 }
 
-// boundary where the fluid carries under 1 %, elastohydrodynamic where the asperities do; flooded
-// where h* ≥ 0.95 h_ff.
+// The regime is `boundary` where the fluid carries under 1 %, and `elastohydrodynamic` where the
+// asperities do. The inlet is `flooded` where h* ≥ 0.95 h_ff.
 template <class T>
 void hold_limits_of_regimes(double slack) {
   Scene scene = paper_scene(PaperSurface::rough);
@@ -122,7 +122,7 @@ TEST(MixedContact, EachOutputAskedAloneIsTheSameToTheLastBit) {
   }
 }
 
-// The state of a contact where h_ff reaches h_oil, by closure, floor, and r = h_ff/h_oil.
+// The state where h_ff has reached h_oil: a film is left, the faces are on the floor, or neither.
 enum class Left { film, floor, nothing };
 
 void expect_left(Left left, const MixedContact<double>& contact, const OperatingPoint<double>& p) {
@@ -194,11 +194,11 @@ TEST(MixedContact, OfEachClosureIsLeftWhatTheTableSays) {
       }
 }
 
-// The lower the floor, the greater the shear rate of the oil that stands beside the summits: just
-// above A(0) = 1 friction is far above μ_b, because of the part τ(1 − A_r)/p̄ alone.
+// The lower the floor, the greater the shear rate of the oil beside the summits. Where A(0) is just
+// above 1, friction is far above μ_b, because of the part τ(1 − A_r)/p̄ alone.
 TEST(MixedContact, FrictionOnALowFloorIsTheShearOfTheOilBesideTheSummits) {
   Scene scene = paper_scene(PaperSurface::rough);
-  for (int i = 0; i < 60; ++i) {  // K to where A(0) = 1
+  for (int i = 0; i < 60; ++i) {  // moves K until A(0) = 1
     const MixedContact<long double> contact(scene);
     const long double share = contact.sharing().asperity_share(0.0L);
     scene.surface.summit_density *= static_cast<double>(1 / share);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws without fixed exponents, and the law of Ertel and Grubin, in load sharing: γ's powers, the
-// root by a bisection of its own, limits, and points alone and in batches.
+// Load sharing under the laws without fixed exponents and the law of Ertel and Grubin: the powers
+// of γ, the root against a bisection, limits, and points alone and in batches.
 #include "tribo/moes_film.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ TEST(MoesFilm, OfFixedExponentsWouldBeThatOfLoadSharing) {
   }
 }
 
-// With this load sharing has one root, and a film one speed.
+// Because of this, load sharing has one root, and a film has one speed.
 TEST(MoesFilm, RisesWithGammaAndWithTheRootOfTheSpeed) {
   const auto visit = [](FilmForm form, Long d, Long m, Long l) {
     const auto film = film_of(form, m, l, d);
@@ -88,7 +88,7 @@ TEST(MoesFilm, RisesWithGammaAndWithTheRootOfTheSpeed) {
         visit(FilmForm::nijenbanning_venner_moes, d, m, l);
     }
   const auto beyond = film_of(FilmForm::nijenbanning_venner_moes, 26, 500, 0.125L).at(1, 1);
-  EXPECT_LT(beyond.sharing_exponent, 0);  // what moes_film.hpp tells of greater L
+  EXPECT_LT(beyond.sharing_exponent, 0);  // as moes_film.hpp says of greater L
 }
 
 TEST(MoesFilm, HasTheSlopesOfItsDifferences) {
@@ -109,7 +109,7 @@ TEST(MoesFilm, HasTheSlopesOfItsDifferences) {
 }
 
 TEST(MoesFilm, HasTheExponentsOfItsLimits) {
-  // a and a − b: of rigid and of elastic bodies in liquids of constant and of rising viscosity
+  // a and a − b of rigid and of elastic bodies, in liquids of constant and of rising viscosity
   const std::tuple<FilmForm, Long, Long, double, double> corners[] = {
       {FilmForm::moes_line, 1e-6L, 1e-12L, 1, 1},
       {FilmForm::moes_line, 1e12L, 1e-12L, 0.6, 0.6},
@@ -120,7 +120,7 @@ TEST(MoesFilm, HasTheExponentsOfItsLimits) {
       {FilmForm::nijenbanning_venner_moes, 1e8L, 1e30L, 2. / 3, 0},
       {FilmForm::nijenbanning_venner_moes, 1e60L, 1e8L, 0.75, 0}};
   for (const auto& [form, m, l, by_speed, by_gamma] : corners) {
-    // H₀₀ = 1.8/D is far above EI where D is small.
+    // At so small a D, H₀₀ = 1.8/D is far above EI.
     const auto at = film_of(form, m, l, 1e-9L).at(1, 1);
     EXPECT_TRUE(is_within(double(at.speed_exponent), by_speed, 1e-4)) << double(m);
     EXPECT_TRUE(is_within(double(at.sharing_exponent), by_gamma, 1e-4)) << double(m);
@@ -130,13 +130,13 @@ TEST(MoesFilm, HasTheExponentsOfItsLimits) {
 TEST(NijenbanningVennerMoes, HasTheHandChecks) {
   EXPECT_TRUE(is_within(nijenbanning_venner_moes(1.0, 0.0202, 2e-8, 50.0, 107.9e9, 9.5e-3, 9.5e-3),
                         171.982e-9, 0.0005e-9));
-  // M → 0 on a circle 41.3, and 144.93 of a long one but for the fit's 145.
+  // For M → 0, HM²D is 41.3 for a circle. For a long contact it is 144.93; the fit has 145.
   const auto rigid = [](Long d) {
     return double(nijenbanning_venner_moes_number<Long>(1e-6L, 1e-12L, d) * 1e-12L * d);
   };
   EXPECT_TRUE(is_within(rigid(1), 41.3, 0.05));
   EXPECT_TRUE(is_within(rigid(1e-9L), 145, 0.01));
-  // The other readings are thinner there.
+  // The other readings of the fit give thinner films there.
   EXPECT_LT(
       nijenbanning_venner_moes_number(50.0, 5.0, 1.0, MoesExponent::elastic_over_piezoviscous),
       0.95 * nijenbanning_venner_moes_number(50.0, 5.0, 1.0));
@@ -250,7 +250,7 @@ TEST(MoesFilm, PointsAreTheSameAloneAndInBatchesOfSpeedsAndOfContacts) {
   EXPECT_GE(compared, 200);
 }
 
-// No number jumps: neighbours in an input, apart by a part of 1e-6, have films apart by as little.
+// The film has no jump: a change of an input by 1e-6 of it changes the film by less than 1e-5.
 TEST(MoesFilm, OfAPointIsContinuousInEachInput) {
   for (const FilmFormula formula : formulas_of_none)
     for (const double density : {1e11, 2.95e11, 2e12})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Onset of starvation: closed forms against dense sweeps of the solved model, and reasons where
-// there is none.
+// Onset of starvation: closed forms against dense sweeps of the solved model, and the reasons where
+// there is no onset.
 #include "tribo/onset.hpp"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ Onset<double> onset_of(const Scene& scene, OnsetCriterion criterion, double depa
   return onset(MixedContact<double>(scene), scene, criterion, departure);
 }
 
-// The solved points at which a number is less, beyond rounding, than at the speed before and at the
-// speed after; speeds are apart by the factor `step`. The first and the last speed never count.
+// The solved points at which a number is less, beyond rounding, than at the speeds before and
+// after. Each speed is `step` times the one before. The first and the last speed never count.
 template <class Number>
 std::vector<OperatingPoint<double>> swept_minima(const Scene& scene, double from, double to,
                                                  double step, double rounding, Number&& number) {
@@ -226,8 +226,8 @@ TEST(Onset, ConstantFlowWithoutAsperitiesHasItsMaximumAtAConstantRatio) {
   EXPECT_TRUE(is_within(solved.film_flooded * found.speed / 1e-7, 0.4326, 0.5e-4));
 }
 
-// The walk in long double, which solves no root, against the engine's roots. A film maximum is
-// flat: the error of its speed is the square root of its film's error.
+// The walk in long double, which solves no root, is compared with the engine's roots. A film
+// maximum is flat: the error of its speed is the square root of the error of its film.
 TEST(Onset, IsThatOfTheWalkInLongDouble) {
   for (const auto model : asperity_models)
     for (const PaperSurface surface : paper_surfaces)

@@ -17,7 +17,7 @@ namespace {
 struct Mode {
   int mode;
   const char* name;
-  double multiple;  // an error may be so many times what its contract allows
+  double multiple;  // the allowed error over the contract's
 };
 constexpr std::array modes{Mode{FE_TONEAREST, "nearest", 1}, Mode{FE_UPWARD, "upward", 2},
                            Mode{FE_DOWNWARD, "downward", 2}, Mode{FE_TOWARDZERO, "toward zero", 2}};
@@ -87,7 +87,7 @@ TEST(RoundingModes, RootsAtTheEndsOfTheRangeTakeNoMoreStepsThanInNearest) {
         }
 }
 
-// The walk, the brackets at constant flow and the golden section end, and in each mode they end at
+// Curves, the brackets at constant flow and the golden section end, and in each mode they end at
 // the same place as in rounding to nearest.
 TEST(RoundingModes, CurvesAndOnsetsComeToTheirEnd) {
   for (const auto closure : starvation_closures)

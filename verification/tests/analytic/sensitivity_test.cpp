@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes and exponents by automatic differentiation in 50 digits: of the film in the speed, of h₀
-// in every input, of the onset speed in every input. Closed forms derived on paper give the same.
+// Slopes and exponents by automatic differentiation in 50 digits, against closed forms derived on
+// paper: of the film in the speed, of h₀ in every input, and of the onset speed in every input.
 #include <gtest/gtest.h>
 
 #include "support/autodiff.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using enum StarvationClosure;
 
-// d ln λ/d ln u at constant everything else (model/README.md, section 6).
+// d ln λ/d ln u with all else constant (model/README.md, section 6).
 Reference film_slope(const LoadSharing<Reference>& sharing, const LoadShares<Reference>& at) {
   const Reference hardening =
       -at.asperity * sharing.asperity_share_slope(at.film_parameter) / at.fluid;  // −λA′/(1−A)
@@ -44,7 +44,7 @@ TEST(Sensitivity, StarvationSlopeIsTheDerivativeOfTheRatio) {
 }
 
 // d ln h*/d ln u = s + e·d ln y/d ln r with e = d ln r/d ln u: s at constant h_oil, 1 + s at
-// constant flow. The derivative of the whole model is held against slopes of its parts.
+// constant flow. The derivative of the whole model is compared with slopes of its parts.
 TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
   Sampler sampler(83);
   int compared = 0;
@@ -79,7 +79,7 @@ TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
 
 // Exponents, derived by hand.
 //   film  ∂ln h₀/∂ln x · 1000: h₀ ~ R U^0.67 G^0.53 W^−0.067 with U = ηu/(2E*R), G = 2αE*,
-//         W = F/(2E*R²), so that E* has −0.67 + 0.53 + 0.067 and R 1 − 0.67 + 2·0.067
+//         W = F/(2E*R²). So E* has −0.67 + 0.53 + 0.067, and R has 1 − 0.67 + 2·0.067
 //   tripp, williamson  ∂ln K/∂ln x · 6: K ~ n²β^{3/2}σ_s^{5/2} and nβ^{1/2}σ_s^{3/2}, both times
 //         E*A_nom/F with A_nom ~ (FR/E*)^{2/3}
 //   separation  ∂ln h/∂ln x at an onset, where h_ff = r h_oil
@@ -186,8 +186,8 @@ Dual onset_speed(const Scene& scene, const Variables& v, const Dual& ellipticity
 
 // With a = d ln A/d ln λ and q of A = (K F_p)^q,
 //   0.67 ∂ln u/∂ln x = ∂ln h − ∂ln h₀ − 0.14 A/(1−A) (q ∂ln K + a ∂ln λ).
-// Neither K nor λ depends on η₀, α and k, and h₀ depends on u by the product η₀u. So with
-// asperities or without, the exponent of η₀ is exactly −1, and that of α −0.53/0.67.
+// K and λ do not depend on η₀, α and k, and h₀ depends on u by the product η₀u. So with asperities
+// or without, the exponent of η₀ is exactly −1, and that of α is −0.53/0.67.
 TEST(Sensitivity, OnsetSpeedHasTheDerivedExponentOfEachInput) {
   Sampler sampler(85);
   for (const auto model : asperity_models)

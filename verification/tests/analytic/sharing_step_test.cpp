@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step by which the engine reaches the root of load sharing (model/src/load_sharing-inl.hpp has
-// it in double), written anew in 50 digits. The step is of fourth order, and its error is never
-// greater than the estimate that tells the engine to stop.
+// The step by which the engine reaches the root of load sharing, written anew in 50 digits
+// (model/src/load_sharing-inl.hpp has it in double). The step is of fourth order, and its error is
+// never greater than the estimate that tells the engine to stop.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Step step_from(const Problem& problem, const Reference& y) {
   const Reference c = a + 3 * (b - a) + q * bend * lambda * lambda * lambda;
   const bool by_floor = share > w && a * share > p * (1 - share);
   const Reference r = by_floor ? w / (1 - w) : share / (1 - share);
-  // g = ln(1 − e^−V) − W, where V and W are −ln A and py, or py and −ln A
+  // g = ln(1 − e^−V) + W. V and W are −ln A and py, or by the floor py and −ln A
   const Reference v1 = by_floor ? p : a, v2 = by_floor ? 0 : b, v3 = by_floor ? 0 : c;
   const Reference w1 = by_floor ? a : p, w2 = by_floor ? b : 0, w3 = by_floor ? c : 0;
   const Reference s = v1 * (1 + r);

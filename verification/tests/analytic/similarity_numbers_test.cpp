@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// U, G, W, Moes' M and L, g_V and g_E, and the regimes of lubrication, each by a second way; the
-// roughness and the least film of which Λ is made.
+// U, G, W, Moes' M and L, g_V, g_E and the regimes of lubrication, each computed in a second way;
+// the roughness and the least film of which Λ is made.
 #include "tribo/similarity_numbers.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double pi = boost::math::constants::pi<double>();
 
-// A contact as machines have it.
+// A contact with numbers that are usual in machines.
 struct Machine {
   explicit Machine(Sampler& sampler)
       : speed(sampler.log_uniform(1e-3, 30)),
@@ -38,8 +38,8 @@ struct Machine {
   double speed, viscosity, pressure_viscosity, load, modulus, radius;
 };
 
-// αp₀ = (L/π)(3M/2)^{1/3} of a circle (Venner and Lubrecht), and L √M/√(2π) of a line: the pressure
-// is that of Hertz' formulas, which know nothing of M and L.
+// αp₀ = (L/π)(3M/2)^{1/3} of a circle (Venner and Lubrecht), and L √M/√(2π) of a line. The pressure
+// is that of Hertz' formulas, which do not use M and L.
 TEST(MoesNumbers, GiveThePressureOfHertz) {
   Sampler sampler(7);
   for (int i = 0; i < 200; ++i) {
@@ -48,7 +48,7 @@ TEST(MoesNumbers, GiveThePressureOfHertz) {
     const double of_point =
         one.pressure_viscosity * hertz_point(one.load, one.modulus, one.radius).peak_pressure;
     EXPECT_TRUE(is_within(point.material / pi * std::cbrt(1.5 * point.load) / of_point, 1, 1e-13));
-    // The load of a line 1 m long is F R/L.
+    // The load number of a line 1 m long is that of a point times R over 1 m.
     SimilarityNumbers<double> numbers = one.numbers();
     numbers.load *= one.radius;
     const MoesNumbers<double> line = moes_numbers(numbers, true);
@@ -59,8 +59,7 @@ TEST(MoesNumbers, GiveThePressureOfHertz) {
   }
 }
 
-// The film of a law follows from U, G and W alone, and M and L are as many numbers as needed: of
-// contacts with the same M and L, Moes' H is the same.
+// The film of a law follows from U, G and W alone.
 TEST(SimilarityNumbers, GiveTheFilmOfTheLaw) {
   Sampler sampler(8);
   for (int i = 0; i < 200; ++i) {
@@ -75,8 +74,8 @@ TEST(SimilarityNumbers, GiveTheFilmOfTheLaw) {
   }
 }
 
-// 3.42 g_V^0.49 g_E^0.17 and 3.63 U^0.68 G^0.49 W^−0.073 (W/U)² are one fit but for its constant
-// and for W^(11/3000), as their exponents say.
+// 3.42 g_V^0.49 g_E^0.17 and 3.63 U^0.68 G^0.49 W^−0.073 (W/U)² are one fit, apart from the
+// constant and a factor W^(11/3000), as their exponents show.
 TEST(RegimeNumbers, AreTheGroupsOfTheMinimumFilm) {
   Sampler sampler(9);
   for (int i = 0; i < 200; ++i) {
@@ -90,8 +89,8 @@ TEST(RegimeNumbers, AreTheGroupsOfTheMinimumFilm) {
   }
 }
 
-// Limits: whoever makes the bodies stiff has rigid ones, who takes the rise of the viscosity away
-// has an isoviscous liquid, and a steel ball in oil has neither.
+// Limits: stiff bodies are rigid, a liquid whose viscosity does not rise is isoviscous, and a steel
+// ball in oil is neither.
 TEST(LubricationRegimes, AreThoseOfTheirLimits) {
   const auto of_point = [](double speed, double alpha, double load, double modulus) {
     return point_regime(regime_numbers(similarity_numbers(speed, 0.02, alpha, load, modulus, 0.01)),
@@ -112,7 +111,7 @@ TEST(LubricationRegimes, AreThoseOfTheirLimits) {
   EXPECT_EQ(of_line(1e3, 10), LubricationRegime::piezoviscous_elastic);
 }
 
-// Far inside a regime of the map of lines Moes' film is that regime's limit.
+// Far inside a regime of the map of lines, Moes' film is the limit of that regime.
 TEST(LubricationRegimes, OfALineNameTheLimitOfTheFilm) {
   std::size_t far_inside = 0;
   for (const double load : {1e-6, 1e-3, 1.0, 1e3, 1e6, 1e12})
@@ -135,7 +134,7 @@ TEST(LubricationRegimes, OfALineNameTheLimitOfTheFilm) {
 TEST(Roughness, OfGaussianHeightsIsThatOfTheirMeanAndMeanSquare) {
   boost::math::quadrature::tanh_sinh<double> quadrature;
   const double rms = 3e-7;
-  // Ra is the mean of |z|, here of the density in units of Rq from 0 to 40, twice.
+  // Ra is the mean of |z|: twice the integral over z from 0 to 40 Rq.
   const double average =
       2 * rms *
       quadrature.integrate([](double z) { return z * std::exp(-z * z / 2) / std::sqrt(2 * pi); },
@@ -147,8 +146,8 @@ TEST(Roughness, OfGaussianHeightsIsThatOfTheirMeanAndMeanSquare) {
           is_within(composite_roughness(first, second) / std::hypot(first, second), 1, 1e-15));
 }
 
-// The outputs that no point holds, in double and as the templates in long double give them: the
-// least film is the film as solved, times the part that one law's film is of the other's.
+// The outputs that a point does not hold, in double and by the templates in long double. The least
+// film is the solved film times the ratio of the smooth films by the two laws.
 TEST(SmoothContact, GivesPressuresLeastFilmAndLambda) {
   Sampler sampler(10);
   std::size_t collapsed = 0;
@@ -182,7 +181,7 @@ TEST(SmoothContact, GivesPressuresLeastFilmAndLambda) {
         smooth_film<long double>(minimum_film_law(law), shape, numbers, speed) /
         smooth_film<long double>(law, shape, numbers, speed);
     const long double film = solved.in<long double>().solve(speed).film * part;
-    const double film_error = 2e-14;  // operating_point_contract is on top of the laws'
+    const double film_error = 2e-14;  // operating_point_contract and the laws' contracts
     hold(Output::minimum_film, film, film_error);
     hold(Output::lambda_ratio,
          film / (1.25L * static_cast<long double>(scene.surface.summit_height_sd)), film_error);

@@ -56,8 +56,8 @@ TEST(Starvation, RatioSatisfiesItsDefiningEquation) {
     }
 }
 
-// Near each border between two ways of computing the ratio, and far from it; by the template
-// and by the engine; with exponents that are legal, though nobody uses them.
+// The ratio near each border between two ways of computing it, and far from it, by the template and
+// by the engine. Some of the exponents are legal, though nobody uses them.
 TEST(Starvation, KeepsItsContractOnBothSidesOfEachBranch) {
   std::vector<double> ratios{std::nextafter(1.0, 0.0), 1, std::nextafter(1.0, 2.0)};
   for (double off = 1e-12; off < 1; off *= 7) {

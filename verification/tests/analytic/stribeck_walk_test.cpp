@@ -27,7 +27,7 @@ std::vector<Scene> scenes() {
   return all;
 }
 
-// d ln(1−A)/d ln λ: the factor by which the rounding of a starved film shows in its fluid share.
+// 1 + d ln(1−A)/d ln λ, by which the rounding of a starved film shows in its fluid share.
 double fluid_condition(const MixedContact<double>& contact, const OperatingPoint<double>& p) {
   if (p.fluid_load_share == 0) return 1;
   const double slope = contact.sharing().asperity_share_slope(p.film_parameter);
@@ -81,7 +81,7 @@ TEST(StribeckCurve, SpeedsAscendFromEndToEndWithoutGaps) {
     }
 }
 
-// In double the curve has the points of solve() at the speeds of the scene's own logarithmic range.
+// In double the curve has the points of solve() at the speeds of a scene's logarithmic range.
 TEST(StribeckCurve, InDoubleIsThatOfTheSpeedsOfTheRange) {
   for (const Scene& scene : scenes()) {
     const MixedContact<double> contact(scene);
@@ -96,7 +96,7 @@ TEST(StribeckCurve, InDoubleIsThatOfTheSpeedsOfTheRange) {
   }
 }
 
-// A plane offset so large that λ_b and λ agree to the last bit while the shares do not.
+// With so large a plane offset λ_b and λ agree to the last bit, while the shares do not.
 TEST(StribeckCurve, AbsurdOffsetsGiveSharesBetweenZeroAndOne) {
   for (const auto model : asperity_models)
     for (const double offset : {1e6, 1e12, 1e30}) {
@@ -157,7 +157,7 @@ TEST(StribeckWalk, FilmSlopeIsTwoThirdsWhereTheFluidCarriesAllAndNeverMore) {
   }
 }
 
-// The first step reaches the speed, but for curvature: a step may be 2 in ln u, and ln 6 is less.
+// The first step reaches the speed, except for curvature: it may be 2 in ln u, and ln 6 is less.
 TEST(StribeckWalk, BeginsBelowTheSpeedAndNoFurtherThanAFactorOfSix) {
   for (const Scene& scene : scenes()) {
     const MixedContact<long double> contact(scene);

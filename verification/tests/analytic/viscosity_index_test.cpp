@@ -60,7 +60,7 @@ TEST(ViscosityIndex, IsSolvedBackwards) {
                          : oils.hundred / std::pow(y, std::log10(1 + 0.00715 * (index - 100)));
     if (!(u > y)) continue;
     EXPECT_TRUE(is_within(index_of(u, y), index, 1e-9)) << y;
-    // Next to an end of a range two viscosities have the index.
+    // Next to an end of a range two viscosities may have the same index.
     EXPECT_TRUE(is_within(at_100(u, index) / y, 1, 2e-3)) << y << ' ' << index;
     EXPECT_TRUE(is_within(index_of(u, at_100(u, index)), index, 1.5)) << y << ' ' << index;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The certified tables of reference/exact, quantity by quantity, as CTest tests. They judge as
 // `tribocheck verify` does, and print the count of rows and the greatest part of the bound for the
-// inventory. The ratchet: no quantity may become much worse than it once was, even within its
+// inventory. The ratchet allows no quantity to become much worse than its baseline, even within its
 // contract. `make baseline` renews reference/baselines/accuracy.json.
 #include <gtest/gtest.h>
 

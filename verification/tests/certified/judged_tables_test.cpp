@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 const fs::path exact = fs::path(TRIBOCHECK_SOURCE_DIR) / "reference/exact";
 
-// The message on a table that cannot be read; empty: the table can be read.
+// The message about a table that cannot be read. It is empty where the table can be read.
 template <class Read>
 std::string refusal(Read&& read) {
   try {
@@ -80,7 +80,7 @@ TEST(QuantityResult, HasPassedOnlyWithCasesAllWithinTheirBound) {
   EXPECT_EQ(passed(0, 0), false);
 }
 
-// The figures of each function, counted anew, row by row.
+// The figures of each function are counted anew, row by row.
 TEST(QuantityResult, HasTheWorstOfAllRowsOfItsTable) {
   for (const QuantityResult& got : check_accuracy(exact.string())) {
     const catalogue::Function* const function = catalogue::function_named(got.quantity);
@@ -117,7 +117,7 @@ TEST(QuantityResult, HasTheWorstOfAllRowsOfItsTable) {
   }
 }
 
-// The certified tables, one of them changed.
+// The certified tables with one of them changed.
 class ChangedTables : public testing::Test {
  protected:
   void SetUp() override { fs::copy(exact, folder.path(), fs::copy_options::recursive); }
@@ -160,7 +160,7 @@ TEST_F(ChangedTables, AValueBeyondTheContractIsFoundAndOneWithinIsNot) {
   }
 }
 
-// An input that is no number makes an answer that is no number.
+// An input that is no number gives an answer that is no number.
 TEST_F(ChangedTables, AnAnswerThatIsNoNumberFails) {
   change("gaussian_moment.csv", "\nm0399,0x0p+0,0x1.286acd28p+3,", "\nm0399,0x0p+0,nan,");
   const QuantityResult result = of("gaussian_moment");

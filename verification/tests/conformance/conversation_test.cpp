@@ -24,7 +24,7 @@ TestCase case_of(const std::string& id) {
   return {id, "film", {{"load", 1}}, Contract{}, {}, false};
 }
 
-// Each case is answered with one of the lines, in their order.
+// The conversation about these cases with a program that prints the lines at its start.
 Conversation said(const std::vector<std::string>& ids, const std::string& lines) {
   std::vector<TestCase> cases;
   for (const std::string& id : ids) cases.push_back(case_of(id));
@@ -100,7 +100,7 @@ TEST(Conversation, SaysWhyNoCaseHasAnAnswer) {
   EXPECT_EQ(why("echo '{\"id\": \"a\"}'; cat > /dev/null"), "");
 }
 
-// Answers with the number of the question and that of the process.
+// A solver that answers with the number of the question and that of its process.
 constexpr const char* counter =
     R"(n=0; while read -r line; do n=$((n+1)); id=${line##*'"id":"'}; id=${id%%'"'*};
        echo "{\"id\":\"$id\",\"n\":$n,\"process\":$$}"; done)";
@@ -137,7 +137,7 @@ TEST(Conversation, WithSeveralProcessesAsksEachCaseOfOneAndGreetsTheOthersWithAC
   EXPECT_EQ(made.starts, 1);
 }
 
-// The fields that were asked for stay of a long line, and the beginning of a long text in it.
+// A long line keeps the fields that were asked for, and a long text in it its beginning.
 TEST(Conversation, KeepsOfAnAnswerBeyond4096CharactersWhatWasAskedFor) {
   TestCase asked = case_of("a");
   asked.expected.push_back({.field = "x"});
@@ -151,7 +151,7 @@ TEST(Conversation, KeepsOfAnAnswerBeyond4096CharactersWhatWasAskedFor) {
     const json whole = kept(head + std::string(size - head.size() - end.size(), 'y') + end);
     EXPECT_EQ(whole["x"], 1);
     EXPECT_EQ(whole.contains("y"), size <= 4096) << size;
-    const std::string text(size - 2, 'x');  // with its quotes so many
+    const std::string text(size - 2, 'x');  // `size` characters with its quotes
     const json part = kept(R"({"id":"a","x":")" + text + R"(","y":2})");
     EXPECT_FALSE(part.contains("y"));
     EXPECT_EQ(part["x"] == text, size <= 4096) << size;
@@ -203,7 +203,7 @@ TEST(ChildProcess, ThatClosesItsInputHasNothingUnread) {
   EXPECT_EQ(child.unread(), 0U);
 }
 
-// Errors are read as they come: else a full pipe would hold up the program, and its answer.
+// Errors are read as they come. Otherwise a full pipe would stop the program before its answer.
 TEST(ChildProcess, MayWriteMoreErrorsThanAPipeHoldsBeforeItAnswers) {
   ChildProcess child(shell("head -c 1000000 /dev/zero >&2; echo last words >&2; echo answer; cat"),
                      ChildProcess::Pipes::all);
@@ -214,7 +214,7 @@ TEST(ChildProcess, MayWriteMoreErrorsThanAPipeHoldsBeforeItAnswers) {
   EXPECT_LT(child.last_errors().size(), 1000000U);
 }
 
-// A program without streams of its own reads nothing, and writes nothing into ours.
+// A program without our streams reads nothing from them and writes nothing into them.
 TEST(GuardedChild, HasNoneOfOurStreams) {
   const TemporaryFolder folder;
   const std::string path = folder.written("stdin", "ours");

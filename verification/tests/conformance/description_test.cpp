@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words for wrong answers that no known mistake gives: where they are wrong, what the error
-// depends on, and what follows from another function.
+// The sentences about wrong answers that no known mistake gives: where they are wrong, what the
+// error depends on, and what follows from another function.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ const std::vector<TestCase>& all_cases() {
   return cases;
 }
 
-// The right answer, which a slip changes.
+// The right answer. A slip changes it.
 json right_answer(const TestCase& asked) {
   json fields;
   for (const Expected& one : asked.expected)
@@ -48,7 +48,7 @@ json right_answer(const TestCase& asked) {
 
 using Slip = std::function<void(const TestCase& asked, json& fields)>;
 
-// All sentences on a solver that offers the functions that have a slip.
+// All sentences about a solver that offers only the functions that have a slip.
 std::string said_of(const std::map<std::string, Slip>& slips,
                     const std::vector<Mistake>& mistakes = {}) {
   std::vector<TestCase> cases;
@@ -217,7 +217,7 @@ TEST(Place, OfOneOrTwoCasesIsThoseCases) {
   expect_said(said, "right below and beyond", false);
 }
 
-// The factor of a film by k, by U, or by both.
+// The films are wrong by a factor that depends on k, on U, or on both.
 TEST(Dependence, IsOnTheOneVariableThatDeterminesTheFactor) {
   const auto film = [](const std::string& function,
                        const std::function<double(double k, double U)>& factor) {
@@ -269,7 +269,7 @@ TEST(Scatter, IsSaidOfErrorsInNoOrder) {
                                      return std::min(0.5, 1e-3 / number(in, "viscosity"));
                                    })}});
     expect_said(growing, "and grow where η₀ is small");
-    // No answer has all digits, so that none cancel.
+    // No answer is right to all digits, so this is no cancellation of digits.
     expect_said(growing, "as of digits that cancel", false);
     const auto large = said_of({{function, scattered([](const json&) { return 0.5; })}});
     expect_said(large, "in no order", false);
@@ -292,7 +292,7 @@ TEST(Scatter, IsOfAFixedWidthWhereErrorsDoNotGrowWithTheAnswer) {
   };
   const char* const words = "as of an iteration that stops at a fixed width";
   expect_said(said_of({{"load_sharing", off_by([](double) { return 5e-5; })}}), words);
-  // Errors that are a part of the answer, or of its root, are none of a fixed width.
+  // Errors in proportion to the answer, or to its square root, have no fixed width.
   expect_said(said_of({{"load_sharing", off_by([](double value) { return 1e-4 * value; })}}), words,
               false);
   expect_said(
@@ -314,7 +314,7 @@ TEST(Sum, IsSaidWhereAllAnswersAreOffByIt) {
                           return 0.25 * number(inputs, "reduced_radius");
                         })}}),
               "All answers are too large by 0.25 times R, large or small as they are");
-  // A factor is no sum, and neither is what some answers alone have, or what is not the same.
+  // A factor is no sum, nor is a sum in some answers alone, nor one that is not the same in all.
   for (const Slip& other : std::vector<Slip>{
            plus([](const json&, double value) { return 0.17 * value; }),
            plus([](const json&inputs, double) { return number(inputs, "speed") > 1 ? 1e-9 : 0; }),
@@ -324,8 +324,8 @@ TEST(Sum, IsSaidWhereAllAnswersAreOffByIt) {
     expect_said(said_of({{"moes_line", other}}), "All answers are too", false);
 }
 
-// Noise about another factor than 1, which each viscosity has for its own, and which may grow with
-// it.
+// Noise about another factor than 1. Each viscosity has its own noise, and the factor may grow with
+// the viscosity.
 TEST(Dependence, IsNotSaidOfNoiseAboutAnotherFactor) {
   for (const char* const function : {"hamrock_dowson_central", "moes_line", "ertel_grubin"})
     for (const double exponent : {0.0, 0.1}) {
@@ -339,7 +339,7 @@ TEST(Dependence, IsNotSaidOfNoiseAboutAnotherFactor) {
     }
 }
 
-// An error that rises and falls again is none of a quadrature with too few points.
+// An error that rises and falls again is not that of a quadrature with too few points.
 TEST(Place, OfAHumpOfErrorsIsNotThatOfAQuadrature) {
   for (const double width : {0.5, 2.0, 4.0})
     expect_said(said_of({{"gaussian_moment",
@@ -350,8 +350,8 @@ TEST(Place, OfAHumpOfErrorsIsNotThatOfAQuadrature) {
                 "as of a quadrature", false);
 }
 
-// Films of dowson_toyoda_central that are too thick by 30 %, in points, too, and friction that is
-// twice as high with Roelands' law.
+// Films of dowson_toyoda_central that are too thick by 30 %, also in points. One solver has twice
+// the friction with Roelands' law, too.
 void set_numbers(json& fields, const OperatingPoint<double>& point) {
   const auto numbers = numbers_of(point);
   for (std::size_t i = 0; i < output_infos.size(); ++i) {
@@ -385,7 +385,7 @@ TEST(Following, IsSaidOfPointsThatUseTheWrongFunctionAndOfNoOthers) {
                 }}});
   expect_said(both, follows);
   expect_said(both, "cases where `friction.viscosity` is roelands, right in all others");
-  // Points of other films are wrong by themselves.
+  // Points of other film laws are wrong for another reason.
   const std::string others =
       said_of({{"dowson_toyoda_central", thicken_film},
                {"operating_point", noise_where("film", [](const json&) { return true; })}});
@@ -393,7 +393,7 @@ TEST(Following, IsSaidOfPointsThatUseTheWrongFunctionAndOfNoOthers) {
   expect_said(others, "It rests on", false);
 }
 
-// Points whose film ratio is another one.
+// Points that are computed with the film ratio of(y) in place of y.
 Slip with_film_ratio(std::function<double(double)> of) {
   return [of](const TestCase& asked, json& fields) {
     const Question question = question_of(asked);
@@ -411,7 +411,7 @@ Slip with_film_ratio(std::function<double(double)> of) {
   };
 }
 
-// A wrong inlet thins films down to the floor of high summits, where the shares follow, too.
+// A wrong inlet thins films down to the floor of high summits. There the shares are wrong, too.
 TEST(Following, IsOfAllResultsOfStarvedPoints) {
   const auto wrong_inlet = [](double y) { return y / (2 - y); };
   const std::string said = said_of({{"starvation_ratio",
@@ -434,7 +434,7 @@ TEST(Misread, IsAFloorOfTheFilmRatioInsideOfPoints) {
               "the film over the flooded one in the inlet =", false);
 }
 
-// Moments of greenwood_tripp's load are wrong in a way that has no law.
+// The moments that greenwood_tripp's load uses are wrong in a way that has no law.
 TEST(Following, IsByUseWhereTheWrongFunctionIsNotKnownWellEnough) {
   const auto moments = noise_where("value", [](const json& in) { return in.at("order") == 2.5; });
   const std::string said = said_of(
@@ -450,7 +450,7 @@ TEST(Following, IsByUseWhereTheWrongFunctionIsNotKnownWellEnough) {
               "It rests on gaussian_moment, wrong too");
 }
 
-// One slip in the film and one in friction are told each; what follows from the first is not.
+// A slip in the film and one in friction are each told; errors that follow from the first are not.
 TEST(Point, IsToldByTheResultThatIsComputedFirstAndThenByOthers) {
   const auto film = [](const TestCase& asked, json& fields) {
     if (asked.inputs.at("surface").value("offset_planes", 1) != 2) return;
@@ -484,7 +484,7 @@ std::set<std::string> changes(const json& inputs, const json& before) {
   return changed;
 }
 
-// A point keeps its contact from the case before, unless the load is another one.
+// A solver that keeps a point's contact from the case before, unless the load is another one.
 TEST(Cache, InsideOfAPointIsSaidWithTheInputThatItDoesNotLookAt) {
   json before = json::object();
   bool is_kept = false;
@@ -499,12 +499,12 @@ TEST(Cache, InsideOfAPointIsSaidWithTheInputThatItDoesNotLookAt) {
                                        before = std::move(inputs);
                                      }}});
   expect_said(said, "begins where bodies.effective_modulus changes. The solver keeps something");
-  // As many wrong answers anywhere are of no cache.
+  // As many wrong answers in random cases are not those of a cache.
   std::mt19937 random(3);
   expect_said(said_of({{"operating_point",
                         noise_where("friction", [&](const json&) { return random() % 20 == 0; })}}),
               "as a cache does", false);
-  // Wrong answers of such cases alone are of no cache either, where as many of these are right.
+  // Wrong answers in such cases alone are no cache either, if as many such cases are right.
   json last = json::object();
   expect_said(said_of({{"operating_point",
                         [&](const TestCase& asked, json& fields) {
@@ -677,7 +677,7 @@ TEST(LawNumbers, AreNamedTogetherWhereTwoAreMiscopied) {
       const double first = miscopied(law.right[one], 0.92),
                    second = miscopied(law.right[other], 1.08);
       if (one == other || first == law.right[one] || second == law.right[other]) continue;
-      // Answers of an inlet depend on one number that both of its constants make.
+      // Answers of an inlet depend on one combination of its two constants alone.
       if (function == "starvation_ratio" && one + other == 1) continue;
       const bool both_matter = answers_changed(function, with_numbers(law, {{one, first}})) >= 4 &&
                                answers_changed(function, with_numbers(law, {{other, second}})) >= 4;
@@ -713,7 +713,7 @@ TEST(Misread, IsNotSaidOfAnotherFormulaOrOfNoise) {
   expect_not("moes_line", noise_where("value", [](const json&) { return true; }));
   expect_not("barus_viscosity",
              noise_where("value", [](const json& in) { return number(in, "pressure") > 1e8; }));
-  // A factor that any input of a power law may have.
+  // A factor that a change of any input of a power law may give.
   expect_not("hamrock_dowson_soft_central", times([](const json&) { return 1.17; }));
   expect_not("moes_line", times([](const json& in) { return 1 + 1e7 * number(in, "viscosity"); }));
   expect_not("roelands_viscosity", times([](const json& in) {
@@ -721,7 +721,7 @@ TEST(Misread, IsNotSaidOfAnotherFormulaOrOfNoise) {
              }));
 }
 
-// The right answers at the two entries of a table beside the argument, and a straight line between.
+// Answers on the straight line between the right ones at the two table entries beside the argument.
 Slip by_table(std::size_t argument, double step) {
   return [=](const TestCase& asked, json& fields) {
     const double at = question_of(asked).arguments[argument] / step, below = std::floor(at);
@@ -772,7 +772,7 @@ TEST(Misread, IsADefaultWhereOneCaseLeavesTheInputOut) {
               false);
 }
 
-// A number inside of a point, from which its friction is computed, is another one.
+// A solver that computes friction from a changed number inside of a point.
 Slip cut(std::function<void(Question&, const ShearedFilm&)> change) {
   return [=](const TestCase& asked, json& fields) {
     Question question = question_of(asked);
@@ -810,7 +810,7 @@ TEST(Misread, IsANumberInsideOfFrictionThatOneLawAloneMayHaveWrong) {
   expect_said(varying, "the right ones with", false);
 }
 
-// The answers with a mistake, or between these and the right ones.
+// The answers that a mistake gives, or with `part` < 1 answers between these and the right ones.
 Slip made(const Mistake& mistake, double part = 1) {
   return [mistake, part](const TestCase& asked, json& fields) {
     const Mistake* const one = &mistake;
@@ -836,7 +836,7 @@ TEST(Shares, ThatAreOneLessANumberNearOneAreTold) {
   }
 }
 
-// Numbers that are printed with so many digits.
+// Numbers that are printed with few digits.
 TEST(Digits, ThatAreFewAreToldWithTheirNumber) {
   const auto printed = [](int digits) {
     return [digits](const TestCase&, json& fields) {
@@ -852,7 +852,7 @@ TEST(Digits, ThatAreFewAreToldWithTheirNumber) {
   expect_said(said_of({{function, printed(12)}}), "digits", false);
 }
 
-// A modulus is kept under both Young's moduli alone.
+// A solver that keeps the effective modulus under the two Young's moduli alone.
 TEST(Cache, ThatLacksTwoInputsIsSaidWithBoth) {
   const auto keeping = [](auto key_of) {
     return [key_of, kept = std::map<std::string, json>()](const TestCase& asked,
@@ -920,7 +920,7 @@ TEST(Floor, IsToldInPlaceOfAnOddInputThatGivesIt) {
   expect_said(said, "For damiens: ");
   expect_said(said, "wrong answers are 0.05: a floor, at which the answer stops changing");
   expect_said(said, "it is cut off there", false);
-  // Where the input is the round number, that is what is cut off.
+  // Where the limit of the input is the round number, the input is said to be cut off.
   const std::string cap = said_of({{"starvation_ratio", [](const TestCase& asked, json& fields) {
                                       if (asked.inputs.at("closure") == "starved_inlet")
                                         asked_as([](Question& one) {
@@ -999,7 +999,7 @@ TEST(Misread, IsACutInsideOfFriction) {
     expect_said(said_of({{"operating_point", other}}), "in friction = ", false);
 }
 
-// A change that six digits do not show is no reading of the input.
+// A change of an input that six digits do not show is no reading of it.
 TEST(Misread, IsNotAnInputInPlaceOfItself) {
   const Slip slip =
       with_numbers(*law_of_numbers(*catalogue::function_named("summits_from_spectral_moments")),
@@ -1013,7 +1013,7 @@ TEST(LawNumbers, WithExchangedDigitsAreNamedBesideAFactorAndThreeTogether) {
   const auto law = [](const char* function) {
     return *law_of_numbers(*catalogue::function_named(function));
   };
-  // 1.95 and u: all answers are off by one factor.
+  // The constant 1.95 and u are both wrong: all answers are off by one factor.
   const LawOfNumbers grubin = law("ertel_grubin");
   const auto with_constant = [&](double constant) {
     return [=](const TestCase& asked, json& fields) {
@@ -1031,7 +1031,7 @@ TEST(LawNumbers, WithExchangedDigitsAreNamedBesideAFactorAndThreeTogether) {
       said_of({{"gupta_thermal_reduction",
                 with_numbers(law("gupta_thermal_reduction"), {{3, 2.32}, {4, 0.38}, {5, 0.46}})}});
   expect_said(said, "2.32 in place of 2.23, and 0.38 in place of 0.83, and 0.46 in place of 0.64");
-  // Three other numbers are as good as a fit.
+  // Three numbers whose digits are not exchanged may be a mere fit, and are not named.
   expect_said(
       said_of({{"gupta_thermal_reduction",
                 with_numbers(law("gupta_thermal_reduction"), {{3, 2.31}, {4, 0.37}, {5, 0.47}})}}),
@@ -1051,7 +1051,7 @@ TEST(OtherValue, IsAFloorOrAnInputOrAnotherResult) {
   const std::string stops = "a floor, at which the answer stops changing";
   expect_said(said_of({{"gupta_thermal_reduction", at_least(0.1)}}), "answer is 0.1: " + stops);
   expect_said(said_of({{"viscosity_index", at_least(0)}}), "wrong answers are 0: " + stops);
-  // One number in place of an answer that others lie below of.
+  // Some answers are replaced by a number that is greater than other answers: this is no floor.
   const auto guarded = [](const TestCase&, json& fields) {
     const double right = fields["value"];
     if (right > 0.5 && right < 0.52) fields["value"] = 0.6;
@@ -1110,7 +1110,7 @@ TEST(OtherValue, IsAFormOfOneVariableWithTwoNumbers) {
   };
   expect_said(said_of({{"hamrock_dowson_central", by_k}}),
               "wrong answers are 0.02 k + 1 times the right ones.");
-  // A row of two numbers that is taken too far, in five cases.
+  // The power law of one range is used beyond its border, in five cases.
   const auto late_border = [](const TestCase& asked, json& fields) {
     const double x = number(asked.inputs, "interference_ratio");
     if (x >= 6 && x < 8) fields["value"] = 1.03 * std::pow(x, 1.425);
@@ -1139,7 +1139,7 @@ TEST(Growth, OfErrorsFromNothingIsOfNumerics) {
   const auto erf = [](double x) { return std::erf(x); };
   const auto jump = [](double x) { return std::erf(x) * (x > 0.1 ? 1.1 + 0.1 * x * x : 1); };
   expect_said(said_of({{"persson_contact_area", area(jump, 0)}}), nothing, false);
-  // A. & S. 7.1.25, to 2.5e-5.
+  // Abramowitz and Stegun 7.1.25, with an error up to 2.5e-5.
   const auto polynomial = [](double x) {
     const double t = 1 / (1 + 0.47047 * x);
     return 1 - t * (0.3480242 + t * (-0.0958798 + t * 0.7478556)) * std::exp(-x * x);
@@ -1148,7 +1148,7 @@ TEST(Growth, OfErrorsFromNothingIsOfNumerics) {
   expect_said(said_of({{"persson_contact_area", area(polynomial, 0)}}), approximation);
   expect_said(said_of({{"persson_contact_area", area(erf, 1e-3)}}), approximation, false);
 
-  // K and E by two steps of their means.
+  // Errors as those of K and E after two steps of the arithmetic-geometric mean.
   const auto early = [](const TestCase& asked, json& fields) {
     const double ratio = question_of(asked).arguments[3] / question_of(asked).arguments[2];
     const double steep = std::abs(std::log(ratio));
@@ -1189,7 +1189,7 @@ TEST(Words, AreToldByTheLimitFromWhichTheyAreAnswered) {
   expect_said(said_of({{"operating_point", [](const TestCase&, json&) {}}}), "The word", false);
 }
 
-// Few points whose film is the flooded one but for rounding may have the word of either side.
+// A few points whose film equals the flooded one may have either word.
 TEST(Words, AreToldWherePointsNextToTheLimitHaveEither) {
   const auto inlet_by = [](unsigned part_of_either) {
     return [=, count = 0U](const TestCase&, json& fields) mutable {
@@ -1204,7 +1204,7 @@ TEST(Words, AreToldWherePointsNextToTheLimitHaveEither) {
   expect_said(said_of({{"operating_point", inlet_by(2)}}), "The word `flooded`", false);
 }
 
-// Points whose numbers are right tell a limit of words, whatever is wrong elsewhere.
+// The limit of a word is told by the points whose numbers are right, whatever is wrong elsewhere.
 TEST(Words, AreToldBesideWrongNumbersOfOtherPoints) {
   const std::string said = said_of({{"operating_point", [](const TestCase& asked, json& fields) {
                                        if (asked.inputs.contains("supply") &&

@@ -104,7 +104,7 @@ double rounded_moment(double order, double d) {  // for whole orders, in double
   return order == 1 ? density - d * tail : (1 + d * d) * tail - d * density;
 }
 
-// The right answer to a point that leaves this word out is that of another word.
+// Points that leave this word out are answered as if they had another word.
 TEST(Said, OfAWordsDefaultIsWhereItIsLeftOut) {
   const auto said_with = [](const char* word, void (*change)(Scene&, std::size_t count)) {
     std::size_t count = 0;
@@ -136,7 +136,7 @@ TEST(Said, OfAWordsDefaultIsWhereItIsLeftOut) {
                           scene.friction.viscosity = ViscosityLaw::ambient;
                         }),
               {"`friction.viscosity` = ambient" + words});
-  // Some of these points alone have another word.
+  // Only some of these points are answered with another word.
   const std::string some = said_with("/friction/viscosity", [](Scene& scene, std::size_t count) {
     if (count % 2 == 0) scene.friction.viscosity = ViscosityLaw::ambient;
   });
@@ -172,8 +172,8 @@ TEST(Said, OfTwoMistakesIsOfAllResults) {
   EXPECT_EQ(said.find("with the pressures right"), std::string::npos) << said;
 }
 
-// The mistake in all results of a point is told though one of them is wrong for another reason,
-// too, and this one is told by what is left.
+// The mistake in all results of a point is told even if one result is also wrong for another
+// reason. That result is told by the error that is left.
 TEST(Said, OfAPointIsNotHiddenByAResultThatIsWrongInAnotherWay) {
   std::vector<TestCase> cases = cases_of("operating_point");
   Conversation conversation;
@@ -227,7 +227,7 @@ TEST(Said, OfAnotherApproachIsItsFormulaOrItsExponents) {
               {"F^+1 E*^-1", "a³/(3R)", "Its constant is 0.6 times"});
 }
 
-// This solver means E′ = 2E* by an effective modulus, and its other functions take it so.
+// This solver gives E′ = 2E* as the effective modulus, and its other functions take it as such.
 TEST(Said, OfAConventionIsSaidOnce) {
   const std::string said =
       said_of({{"effective_modulus",
@@ -325,8 +325,8 @@ TEST(Said, OfAQuadratureOfTooFewPointsIsItsPattern) {
 
 using Times = std::function<double(std::size_t)>;
 
-// The diagnoses of `count` films. The answer to film i is its right value times times(i); where it
-// is given, in single precision but for one film.
+// The diagnoses of `count` films. The answer to film i is its right value times times(i). With
+// `single_but_for` all answers but that film's are in single precision.
 std::vector<Diagnosis> told_of(std::size_t count, const Times& times,
                                const std::vector<Mistake>& mistakes = {},
                                const Tolerance& tolerance = engineering_tolerance(),
@@ -374,8 +374,8 @@ Mistake times_of(double times, std::size_t first, std::size_t end, const std::st
           .applies = applies,
           .after = [=](const Question&, Numbers& numbers) { numbers[0] *= times; }};
 }
-// The first films have twice the right value, the next ones are wrong, each in another way that no
-// mistake explains, and the rest are right.
+// The first films have twice the right value. The next ones are wrong, each in another way that no
+// mistake explains. The rest are right.
 Times twice_then_odd(std::size_t twice, std::size_t odd_to) {
   return [=](std::size_t i) {
     return i < twice ? 2 : i < odd_to ? 1.3 + 0.01 * static_cast<double>(i * i % 89) : 1;
@@ -383,8 +383,8 @@ Times twice_then_odd(std::size_t twice, std::size_t odd_to) {
 }
 
 TEST(Limits, OfCountsAreWhereTheyArePromised) {
-  // A mistake is named where 98 in 100 of the answers that it changes are as it gives them, and
-  // three at least.
+  // A mistake is named where at least 98 in 100, and at least three, of the answers that it changes
+  // are as it gives them.
   const auto with_met = [](std::size_t changed, std::size_t met) {
     return named_of(changed + 20, twice_then_odd(met, changed), {times_of(2, 0, changed)}).size();
   };
@@ -405,7 +405,7 @@ TEST(Limits, OfCountsAreWhereTheyArePromised) {
     EXPECT_EQ(says(told_of(300, twice_then_odd(200, 200 + rest), {times_of(2, 0, 200)}),
                    "None of the known mistakes gives these others"),
               rest == 7);
-  // Three causes are told, and of each three choices.
+  // Three causes are told, and three choices of each.
   std::vector<Mistake> causes, choices;
   for (std::size_t k = 0; k < 5; ++k) {
     causes.push_back(times_of(2 + static_cast<double>(k), 20 * k, 20 * k + 20, std::to_string(k)));
@@ -415,8 +415,8 @@ TEST(Limits, OfCountsAreWhereTheyArePromised) {
   const Times of_causes = [](std::size_t i) { return 2 + static_cast<double>(i / 20); };
   EXPECT_EQ(named_of(100, of_causes, causes), three);
   EXPECT_EQ(named_of(40, twice_then_odd(20, 20), choices), three);
-  // The place of the wrong answers is told from eight cases on, three of them right; two in a
-  // hundred, and a tenth of the fewer, may lie on the other side of the border.
+  // The place of the wrong answers is told from eight cases on, three of them right. Two in a
+  // hundred, and a tenth of the fewer side, may lie beyond the border.
   const auto is_place_told = [](std::size_t count, std::size_t right, std::size_t strays) {
     const Times times = [=](std::size_t i) {
       const bool is_stray = i % 10 == 4 && i / 10 < strays;
@@ -478,7 +478,7 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
   };
   limits.push_back({"times too large", 3, above, words("times too large"), 1e-15});
   limits.push_back({"times too small", 1.0 / 3, below, words("times too small"), 1e-15});
-  // Rounding, in double (which only the strict tolerance minds) and in single precision.
+  // Rounding in double, which only the strict tolerance finds, and in single precision.
   limits.push_back({"rounding", 1e-12, below,
                     [&](double x) {
                       return says(told_of(count, all(1 + x), {}, strict_tolerance()),
@@ -491,8 +491,8 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
   };
   limits.push_back(
       {"single precision", 1e-5, below, [&](double x) { return few_digits(x, count); }, 2e-2});
-  // A mistake is met to 1/500 of its change, two together to 1e-5 of it; a change of less than five
-  // times the allowed error is too small to tell.
+  // Answers meet a mistake to 1/500 of its change, and two together to 1e-5 of it. A change of less
+  // than five times the allowed error is too small to tell.
   const auto is_met = [&](double of_one, double of_two) {
     return [=](double x) {
       return !named_of(count, all(of_one * of_two * (1 + x)),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Causes that no list of mistakes has: other terms, factors and powers of a law, another end of an
-// integral, answers upside down. Solvers are written here anew, each with one slip.
+// Diagnoses of causes that the list of mistakes lacks: other terms, factors and powers of a law,
+// another end of an integral, inverted answers. The wrong solvers are written here.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ std::string said_of(const std::string& function, const Formula& formula) {
 
 struct Slip {
   const char* function;
-  const char* words;  // that its maker needs to read
+  const char* words;  // that the diagnosis has to have
   Formula formula;
 };
 
@@ -104,7 +104,7 @@ TEST(LawExpressions, AreTheLawsOfTheCatalogue) {
       for (const Expected& expected : one.expected) {
         const double value = law->value(law->results[*expected.place], asked.arguments);
         const double right = right_numbers(asked)[*expected.place];
-        // Differences of moments lose their digits far out.
+        // For large d a moment is a difference of nearly equal terms, which loses digits.
         const double allowed = 1e-9 * std::abs(right) * expected.condition +
                                (function.name == "gaussian_moment" ? 1e-12 : 0);
         EXPECT_LE(std::abs(value - right), allowed)
@@ -325,7 +325,7 @@ double simpson(const std::function<double(double)>& of, double from, double to) 
     sum += (i == 0 || i == count ? 1 : i % 2 == 1 ? 4 : 2) * of(from + (to - from) * i / count);
   return sum * (to - from) / count / 3;
 }
-// With s = d + t².
+// ∫ (s − d)^order φ(s) ds from d to `end`, with s = d + t².
 double moment_to(double order, double d, double end) {
   return end <= d
              ? 0
@@ -341,7 +341,8 @@ TEST(Integrals, ThatEndTooEarlyAreToldWithTheirEnd) {
                 }}});
 }
 
-// A sum of densities over the places from d to the end, with a weight of each.
+// The moment as a sum over places with weights. A place is 0 at s = d and 1 at the end, which is
+// s = d + `end` if `is_distance`, else s = `end`.
 Formula moment_by_sum(double end, bool is_distance,
                       const std::vector<std::pair<double, double>>& places) {
   return [=](const In& in) {
@@ -409,7 +410,7 @@ TEST(Inputs, OnOneSideOfOneThatAreUpsideDownAreTold) {
        {"hamrock_dowson_central", ": 1/k in place of k (", with([](double k) { return 1 / k; })}});
 }
 
-// An oil's index by another row of the table than its own.
+// An oil's index by another row of the table than the right one.
 double index_by(const In& in, std::ptrdiff_t (*other)(std::ptrdiff_t row)) {
   const double u = 1e6 * in("kinematic_viscosity_40"), y = 1e6 * in("kinematic_viscosity_100");
   const auto& rows = detail::index_rows;
@@ -439,7 +440,7 @@ TEST(Rows, OfATableThatAreTakenForOthersAreTold) {
         }}});
 }
 
-// The starved film between 0 and 1, by halvings.
+// The film ratio of a starved inlet, by bisection of [0, 1]. Null for another closure.
 json starved(const In& in, int halvings) {
   if (in.inputs.at("closure") != "starved_inlet") return {};
   double low = 0, high = 1;
@@ -479,7 +480,7 @@ TEST(Iterations, ThatStopAtAToleranceAreToldWithIt) {
   EXPECT_EQ(far.find("as of an iteration that stops where"), std::string::npos) << far;
 }
 
-// Bisections of brackets that each question gives itself, which end after some steps.
+// Bisections that end after a number of steps. Each question has a bracket of its own.
 TEST(Iterations, ThatEndAfterSomeStepsAreToldByTheirBrackets) {
   const auto halved = [](double right, double low, double high, int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -500,7 +501,7 @@ TEST(Iterations, ThatEndAfterSomeStepsAreToldByTheirBrackets) {
                   .find(fmt::format("are whole multiples of 1/2^{} of 1 or of 1/", steps + 1)),
               std::string::npos)
         << said_of("starvation_ratio", ratio(steps));
-  // A width that is of the root where it is large, and fixed where it is small.
+  // The error is at most 1e-3 of the root, or 1e-3 where the root is less than 1.
   const std::string said = said_of("load_sharing", [](const In& in) -> json {
     const double right = right_answer("load_sharing", in.inputs);
     const double any = std::fmod(1e4 * std::sqrt(right), 1.0);
@@ -542,7 +543,7 @@ TEST(Inputs, ThatAreCutOffAreToldWithTheirEndAndNotAsACache) {
             std::string::npos)
       << moments;
   EXPECT_EQ(moments.find("cache"), std::string::npos) << moments;
-  // One case alone does not tell.
+  // One case alone does not tell a cut-off from a cache.
   const std::string film =
       said_of("hamrock_dowson_minimum", cut("hamrock_dowson_minimum", "ellipticity", 1));
   EXPECT_NE(film.find("those of ellipticity = 1 wherever it is less: it is cut off there; or the "
@@ -561,8 +562,8 @@ TEST(Results, ThatAreRightAreNotToldBesideAWrongOne) {
   EXPECT_EQ(said.find("composite_roughness"), std::string::npos) << said;
 }
 
-// A factor of some results is told as that, and not as mistakes of which one takes back what the
-// other does to a result that is right.
+// A wrong factor of some results is told as a factor. It is not told as two mistakes whose effects
+// cancel in a right result.
 TEST(Results, ThatAreRightSpeakAgainstMistakesThatTakeEachOtherBack) {
   const std::string said = said_of("hertz_line", [](const In& in) -> json {
     const catalogue::Function& function = *catalogue::function_named("hertz_line");
@@ -618,7 +619,7 @@ TEST(LoadSharing, WithAnotherExponentIsToldWithIt) {
         shared(0.15)}});
 }
 
-// An adhesive contact whose root has other numbers; a root of less than 0 is taken as 0.
+// The radius of an adhesive contact with other numbers. What is below 0 under the root counts as 0.
 Formula jkr(double outside, double linear, double square) {
   return [=](const In& in) -> json {
     const double pull = pi * in("work_of_adhesion") * in("reduced_radius"), load = in("load");
@@ -646,7 +647,7 @@ TEST(TwoChanges, OfWhichOneIsANumberAreToldTogether) {
   const std::string both = said_of("jkr_radius", jkr(1.5, 6, 3));
   EXPECT_NE(both.find("3/2 in place of 3/4"), std::string::npos) << both;
   EXPECT_NE(both.find("+ 3 πwR² in place of + 9 πwR²"), std::string::npos) << both;
-  // An odd number is none that is written.
+  // People do not write a number with so many digits.
   const std::string odd = said_of("jkr_radius", jkr(1.5, 6, 3.0123456));
   EXPECT_EQ(odd.find("in place of"), std::string::npos) << odd;
 }
@@ -706,7 +707,7 @@ TEST(OneFactor, OfAConstantThatIsRoundedIsToldWithIt) {
   EXPECT_EQ(odd.find("in place of"), std::string::npos) << odd;
 }
 
-// Answers of a function where the words of an argument are not looked at.
+// Solvers that do not read the word of an argument, and always take the same word.
 TEST(Words, ThatAreNotReadAreTold) {
   for (const auto& [name, argument, words] :
        {std::tuple{"nijenbanning_venner_moes", "exponent",
@@ -772,7 +773,7 @@ TEST(Inputs, ThatOneCaseShowsCutOffAreToldWhereTheEndHasFewDigits) {
   EXPECT_EQ(odd.find(words), std::string::npos) << odd;
 }
 
-// Axes and pressures of an ellipse whose axes have the ratio k, and the approach of the right one.
+// Axes and pressures of an ellipse of the axis ratio k. `area` stands for the π in its area.
 Formula ellipse_of(double (*ratio)(double alpha), double area) {
   return [=](const In& in) -> json {
     const double x = in("radius_x"), y = in("radius_y"), load = in("load");
@@ -802,7 +803,7 @@ TEST(Axes, ThatFollowFromAWrongRatioAreToldByItAndTheRestIsJudgedByIt) {
       of_area.find("mean_pressure is 21.5 % low everywhere. It is too small by a factor of 4/π"),
       std::string::npos)
       << of_area;
-  // Axes that are wrong by themselves do not follow.
+  // Right axes beside a wrong ellipticity do not follow from it.
   const Formula right =
       ellipse_of([](double alpha) { return ellipse_shape(alpha).ellipticity; }, pi);
   const std::string alone = said_of("hertz_ellipse", [&](const In& in) {
@@ -813,7 +814,7 @@ TEST(Axes, ThatFollowFromAWrongRatioAreToldByItAndTheRestIsJudgedByIt) {
   EXPECT_EQ(alone.find(follows), std::string::npos) << alone;
 }
 
-// An area with a term more, which is small for small pressures, is no area of another numerics.
+// A further factor that is near 1 for small L is not told as an inexact quadrature.
 TEST(Growth, OfAFactorIsNotToldAsNumerics) {
   for (const double times : {0.31, 0.47}) {
     const std::string said = said_of("gupta_thermal_reduction", [=](const In& in) -> json {
@@ -827,7 +828,7 @@ TEST(Growth, OfAFactorIsNotToldAsNumerics) {
   }
 }
 
-// The right results of a function, of arguments that a slip changes.
+// The results of the right function at arguments that `slip` changes.
 catalogue::Results results_of(const char* name, const In& in,
                               const std::function<void(json& inputs)>& slip) {
   const catalogue::Function& function = *catalogue::function_named(name);
@@ -854,7 +855,7 @@ TEST(OneFactor, IsToldByPrintedNumbersAndFactorsOfInputsThatPeopleKnow) {
                 film_times("hamrock_dowson_central", "reduced_radius", 0.5, 2.96 / 2.69)},
                {"pan_hamrock_minimum", "with 1000 F/L in place of F/L (",
                 film_times("pan_hamrock_minimum", "load_per_length", 1000, 1)}});
-  // Nearly each number of a law gives each factor: only one that a source prints is told.
+  // Almost any number of a law can be changed to give a factor. Only a printed number is told.
   for (int i = 0; i < 8; ++i) {
     const double factor = 0.7123456789 + 0.0312345678 * i;
     const std::string said =
@@ -892,7 +893,7 @@ TEST(Mistakes, AreNoSetWhereAllAnswersAreOneNumber) {
   EXPECT_EQ(said.find("mistakes give together"), std::string::npos) << said;
 }
 
-// A default that is the number of the question before, as of a global variable or a mutable object.
+// A left-out input keeps its number of the question before, as in a global variable.
 TEST(Defaults, ThatAreKeptFromTheQuestionBeforeAreTold) {
   struct Kept {
     const char *function, *input;
@@ -920,7 +921,7 @@ TEST(Defaults, ThatAreKeptFromTheQuestionBeforeAreTold) {
   }
 }
 
-// Per cent for a part, or another unit, of an input whose default is right.
+// An input that is read in another unit, such as per cent, though its default is right.
 TEST(Defaults, ThatAreRightStandBesideAnInputInAnotherUnit) {
   expect_told({{"hamrock_dowson_soft_minimum", "with k/100 in place of k where it is given",
                 [](const In& in) -> json {
@@ -941,8 +942,7 @@ TEST(Cuts, OfARatioHoldWhereItIsZeroToo) {
                 }}});
 }
 
-// Answers that are right in a way of their own, or wrong in one that none of these means knows, are
-// not told as one of them.
+// Answers with noise have none of these causes, and none is told.
 TEST(GeneralMeans, SayNothingOfNoise) {
   std::size_t number = 0;
   const auto noisy = [&](double right) {

@@ -176,9 +176,9 @@ const std::vector<TestCase>& all_cases() {
   return cases;
 }
 
-// A solver that forgets one input answers as it did when the other inputs were last the same: in
-// the case before (`forgets_soon`), or in any case before. Returns whether a case for engineers
-// shows it.
+// A solver keeps its answers, but ignores `input` when it looks for one: it repeats an old answer
+// if the other inputs are the same. With `forgets_soon` it keeps only the answer to the case
+// before. Returns whether an ordinary case shows that.
 bool is_missed(std::string_view function, const std::string& input, bool forgets_soon) {
   std::map<std::string, const TestCase*> kept;
   for (const TestCase& one : all_cases()) {
@@ -208,13 +208,12 @@ TEST(Cases, ShowASolverThatForgetsOneInput) {
   for (const auto& [function, names] : inputs)
     for (const std::string& input : names)
       for (const bool forgets_soon : {false, true})
-        // Moments stand order by order, at the same arguments each.
+        // Cases of moments are sorted by order. Neighbours do not differ in the order alone.
         EXPECT_EQ(is_missed(function, input, forgets_soon), !forgets_soon || input != "/order")
             << function << " without " << input << (forgets_soon ? ", from the case before" : "");
 }
 
-// An input that is left out has its default: a solver with another one is shown by a case without
-// it.
+// For each default, a case that leaves the input out shows a solver with another default.
 TEST(Cases, LeaveOutEachDefault) {
   for (const catalogue::Function& function : catalogue::functions())
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -254,7 +253,7 @@ TEST(Cases, LeaveOutEachDefault) {
     }
 }
 
-// A solver that keeps an input of the question before, in place of its default, is wrong.
+// These cases show a solver that keeps an input of the question before in place of its default.
 TEST(Cases, StandBehindThoseThatGiveWhatTheyLeaveOutOtherwise) {
   std::map<std::string, std::size_t> kept;  // by function and path of what is left out
   const std::vector<TestCase>& cases = all_cases();
@@ -284,7 +283,7 @@ TEST(Cases, StandBehindThoseThatGiveWhatTheyLeaveOutOtherwise) {
   }
 }
 
-// A solver that follows the printed constant, or the standard's full equation, in all its answers.
+// The conversation with a solver whose answers are all computed by `value`.
 Conversation answered_by(const std::vector<TestCase>& cases, double (*value)(const Question&)) {
   Conversation conversation;
   for (const TestCase& one : cases)
@@ -304,7 +303,7 @@ double roelands(const Question& asked, double pole) {
   return viscosity * std::exp(scale * std::expm1(z * std::log1p(pressure / 1.96e8)));
 }
 double walther(const Question& asked) {
-  using Real = long double;  // the strict tolerance is some units of the last place
+  using Real = long double;  // the strict tolerance is only a few ulp
   const auto z = [](Real nu) {
     nu *= 1e6L;
     return std::log(std::log(nu + 0.7L + std::exp(-1.47L - 1.84L * nu - 0.51L * nu * nu)));
@@ -316,7 +315,7 @@ double walther(const Question& asked) {
   return static_cast<double>((t - less) / 1e6L);
 }
 
-// The index by the standard's table 1, whose rows hold from one to the next where `is_held`.
+// The index by the standard's table 1: linear between its rows, or constant if `is_held`.
 double index_of_table(const Question& asked, bool is_held) {
   const double u = 1e6 * asked.arguments[0], y = 1e6 * asked.arguments[1];
   double zero = 0.8353 * y * y + 14.67 * y - 216, hundred = 0.1684 * y * y + 11.85 * y - 97;
@@ -332,7 +331,7 @@ double index_of_table(const Question& asked, bool is_held) {
   return 100 + std::expm1(std::log(hundred / u) / std::log10(y)) / 0.00715;
 }
 
-// Table 1 and the equations of table X2.1 are the same oils, to the digits that the former prints.
+// Table 1 and the equations of table X2.1 give the same oils within 0.12 %.
 TEST(Readings, ViscosityIndexTableAgreesWithTheEquationsOfItsStandard) {
   for (std::size_t row = 0; row < index_table.size(); ++row) {
     const auto equations = detail::index_oils(index_table_tenths(row) * 1e-7);
@@ -383,7 +382,7 @@ TEST(Readings, OfOneLawAreEachHeldWhereAllAnswersFollowThem) {
   }
 }
 
-// The strict tolerance asks all cases, the others leave out extreme ones; in their order.
+// The strict tolerance asks all cases, the others all but the extreme ones. Their order stays.
 TEST(Cases, AreAllWhereTheToleranceIsStrict) {
   const std::vector<TestCase>& all = all_cases();
   const auto ids = [](const std::vector<TestCase>& cases) {
@@ -448,7 +447,8 @@ TEST(ToleranceFile, HasEachNumberAtItsQuantityAndRefusesOtherLines) {
     }
 }
 
-// A word is asked of a point unless it lies at the border of two, or nothing balances its load.
+// Points are asked for their regime and inlet, except next to the border between two words. The
+// regime is not asked where nothing balances the load.
 TEST(Cases, OfPointsAskForEachWordAwayFromItsBorder) {
   std::size_t points = 0;
   for (const TestCase& one : all_cases()) {
@@ -598,7 +598,7 @@ TEST(Baseline, KnowsWhatIsWorse) {
   expect_worse(row(Verdict::failed, 8, 1, 1), row(Verdict::failed, 8, 2, 0));
 }
 
-// No answer is better than a wrong one, but a case that held may not lose its answer.
+// A missing answer is better than a wrong one, but a case that held must keep its answer.
 TEST(Baseline, MissesWhatHeldEvenWhereNothingFailsAnyMore) {
   const QuantityVerdict none = row(Verdict::not_offered, 0, 0, 10, 0);
   QuantityVerdict other = row(Verdict::held, 10, 0, 0);
@@ -626,14 +626,14 @@ TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
     expect_worse(held(error), held(above(4 * error)));
     EXPECT_EQ(change(held(4 * error), held(error)), Way::same);
   }
-  // An error below four roundings of a double counts as these, so that a formula may be rewritten.
+  // An error below 4ε counts as 4ε, so that a formula may be rewritten.
   for (const double error : {0.0, 1e-20, epsilon, 4 * epsilon}) {
     EXPECT_EQ(change(held(error), held(16 * epsilon)), Way::same);
     EXPECT_EQ(change(held(error), held(above(16 * epsilon))), Way::worse);
   }
 }
 
-// An answer that is asked again in another place of an array may be rounded otherwise.
+// At another place of an array the answer to the same question may be rounded differently.
 TEST(Baseline, TakesAChangeOfAnAnswerAskedAgainForALossBeyondRoundingAlone) {
   const auto asked_again = [](double change) {
     QuantityVerdict one = row(Verdict::held, 10, 0, 0);
@@ -663,7 +663,7 @@ TEST(Unsteady, IsMeasuredOverTheConditionToo) {
   EXPECT_EQ(result.quantities[0].change_of_function, result.quantities[0].change_asked_again);
 }
 
-// --- Cases that failed stay held to how they failed.
+// --- Cases that failed must not fail worse.
 
 TEST(Baseline, HoldsEachCaseThatFailedToFourTimesItsOwnError) {
   const auto off_by = [](double first, double second) {
@@ -716,7 +716,7 @@ TEST(Baseline, ComparesTheErrorsOfWhatHeldBeforeAlone) {
   EXPECT_EQ(change(before, mended), Way::worse);
 }
 
-// A subject's behaviour in a case, as the judge sees it.
+// A failed case is told with its error, or as wrong if the answer has no finite error.
 TEST(JudgedCase, ThatFailedIsToldWithItsError) {
   const auto how = [](const Expected& expected, Reply answer) {
     return verdict_on(expected, std::move(answer)).failed_cases.at(0);
@@ -728,7 +728,7 @@ TEST(JudgedCase, ThatFailedIsToldWithItsError) {
   for (const json& value : {json("NaN"), json("2"), json(nullptr), json(true), json::array({2}),
                             json(std::numeric_limits<double>::infinity()), json(std::nan(""))})
     EXPECT_EQ(how(two, with({{"value", value}})).how, Failure::wrong) << value.dump();
-  EXPECT_EQ(how(number(1e-300), with({{"value", 1e300}})).how, Failure::wrong);  // inf times it
+  EXPECT_EQ(how(number(1e-300), with({{"value", 1e300}})).how, Failure::wrong);  // error: inf
   EXPECT_EQ(how(word, with({{"value", "boundary"}})).how, Failure::wrong);
 }
 
@@ -765,7 +765,7 @@ TEST(Baseline, TakesANewQuantityUnlessItFails) {
   const BaselineChanges good = compare(result_of({other, row(Verdict::held, 9, 0, 0)}), baseline);
   EXPECT_EQ(good.fresh.size(), 1U);
   EXPECT_EQ(good.worse.size() + good.better.size(), 0U);
-  // One that fails is not written down by an update: it would be allowed to fail from then on.
+  // An update does not add a quantity that fails, which would be allowed to fail from then on.
   const json kept = baseline_of(result_of({other, row(Verdict::failed, 9, 1, 0)}), baseline);
   EXPECT_EQ(hold_the_same(kept, baseline), true);
   EXPECT_TRUE(baseline_of(result_of({other, row(Verdict::held, 9, 0, 0)}), baseline)
@@ -773,8 +773,8 @@ TEST(Baseline, TakesANewQuantityUnlessItFails) {
                   .contains("film"));
 }
 
-// A version writes a row of all that it asks. A row that is missing was lost by hand or in a merge,
-// and nobody knows how it was.
+// A version writes a row for each quantity that it asks. If one is missing, it was lost by hand or
+// in a merge, and what it said is not known.
 TEST(Baseline, OfThisVersionIsMissedAnyRow) {
   QuantityVerdict other = row(Verdict::held, 9, 0, 0);
   other.quantity = "radius";
@@ -896,7 +896,7 @@ TEST(Losses, CostNothingOfWhatIsNeverOffered) {
   EXPECT_EQ(skipped.quantities[0].status, Verdict::not_offered);
   EXPECT_EQ(skipped.overall, Overall::failed);
   EXPECT_EQ(skipped.losses.size(), 1U);
-  // An error of a function is one of its own, and so is a function without any answer.
+  // A refused question is a failure of the function itself. So is a function without any answer.
   EXPECT_EQ(
       judged(points, {without(Outcome::skipped), without(Outcome::refused)}).quantities[0].status,
       Verdict::failed);
@@ -926,7 +926,7 @@ TEST(Losses, AreOneChangeWhateverTheyCost) {
             "subject: at case film2 (film) and at 1 more: it is killed by signal 11; lost by this: "
             "film, radius; --show film2 asks it alone");
   EXPECT_EQ(changes.lost, (std::vector<std::string>{"film", "radius"}));
-  // A fault of a quantity's own is told beside it.
+  // A wrong answer is told beside the loss.
   const BaselineChanges both = compare(result({1, 4}, with({{"value", 3}})), baseline);
   ASSERT_EQ(both.worse.size(), 2U);
   EXPECT_EQ(both.worse[0].quantity, "film");
@@ -934,7 +934,7 @@ TEST(Losses, AreOneChangeWhateverTheyCost) {
   EXPECT_TRUE(later.quantities[0].first_reason.starts_with("film2: 3, not 2"));
   EXPECT_EQ(later.quantities[0].worst.id, "film2");
   EXPECT_EQ(both.lost, std::vector<std::string>{"radius"});
-  // A loss that a baseline has is no change; elsewhere it is; and its end is better.
+  // A loss that the baseline has is no change. One at another case is worse. Fewer are better.
   const json with_loss = baseline_of(result({1}, right), nullptr);
   EXPECT_EQ(compare(result({1}, right), with_loss).worse.size(), 0U);
   EXPECT_EQ(compare(result({4}, right), with_loss).worse.size(), 1U);
@@ -943,9 +943,9 @@ TEST(Losses, AreOneChangeWhateverTheyCost) {
   EXPECT_EQ(baseline_of(result({1, 4}, right), with_loss).at("losses"), json{"film2"});
 }
 
-// --- An update never loosens.
+// --- An update never makes a baseline looser.
 
-// How each case of a quantity went. Cases from number 9 on are beyond the physical range.
+// How a case of a quantity went. Cases 9 to 11 are beyond the physical range.
 struct Went {
   enum class Way : std::uint8_t { held, skipped, number, wrong, no_answer };
   Way way = Way::held;
@@ -1003,7 +1003,7 @@ AskedRun changed(AskedRun run, verification::Sampler& draw) {
   return run;
 }
 
-// Each case as it was, or worse; now and then a single one is, which no other can hide.
+// The run with some cases worse. In half of the runs one case at most, which no other can hide.
 AskedRun as_it_was_or_worse(AskedRun run, verification::Sampler& draw) {
   using Way = Went::Way;
   const double share = draw.uniform(0, 0.5);
@@ -1023,7 +1023,7 @@ AskedRun as_it_was_or_worse(AskedRun run, verification::Sampler& draw) {
   return run;
 }
 
-// Each case as it went best.
+// Each case as it went in the better of the two runs.
 AskedRun best_of(AskedRun run, const AskedRun& other) {
   const auto rank = [](const Went& one) {
     return std::pair(one.way == Went::Way::skipped ? 9 : static_cast<int>(one.way), one.error);

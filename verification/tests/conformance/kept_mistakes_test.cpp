@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers of each mistake are kept in reference/baselines/mistakes.tsv: nothing else can say
-// whether a wrong formula is still the one that its text tells. To write it anew:
+// Compares the answers of each mistake with reference/baselines/mistakes.tsv. No other test notices
+// that a wrong formula is no longer the one that its text describes. To write the file anew:
 //
 //   TRIBOCHECK_UPDATE_MISTAKES=1 build/release/verification/tests/kept_mistakes_test
 #include <fmt/format.h>
@@ -27,9 +27,9 @@ namespace {
 
 const std::string reference_folder = TRIBOCHECK_SOURCE_DIR "/reference";
 const std::string kept_file = reference_folder + "/baselines/mistakes.tsv";
-constexpr std::size_t most_changed = 48;  // cases that tell of a mistake; some regime has each
+constexpr std::size_t most_changed = 48;  // cases whose answers a mistake changes, at most
 
-// The cases of each function, in an order that has nothing to do with their numbers: FNV-1a.
+// The cases of each function, sorted by a hash of their ids (FNV-1a) and so without a pattern.
 std::map<std::string, std::vector<TestCase>> mixed_cases() {
   const auto hash = [](const std::string& text) {
     std::uint64_t value = 0xcbf29ce484222325;
@@ -49,7 +49,7 @@ std::map<std::string, std::vector<TestCase>> mixed_cases() {
 }
 
 struct Told {
-  std::size_t asked = 0, unsaid = 0;  // cases, and those of which it says nothing
+  std::size_t asked = 0, unsaid = 0;  // cases; those for which the mistake has no answer
   double change = 0;  // weighted sum of arctangents of the answers' relative changes
 };
 

@@ -46,7 +46,7 @@ TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
   EXPECT_GE(names.size(), 120U);
 }
 
-// Calls `look` with the numbers of each asked mistake, for each operating point.
+// Calls `look` for each operating point with the numbers of each mistake that `is_asked` takes.
 void for_each_answer(const std::function<bool(const Mistake&)>& is_asked,
                      const std::function<void(const TestCase&, const Question&,
                                               const std::optional<Numbers>&)>& look) {
@@ -79,7 +79,7 @@ TEST(Mistakes, InFrictionAreSaidOfEveryShape) {
   EXPECT_EQ(shapes.size(), 3U);
 }
 
-// The function load_sharing has the exponent of the first law.
+// The function load_sharing has the exponent of the default film law.
 TEST(Mistakes, InLoadSharingAreSaidOfFilmsOfItsExponentAlone) {
   std::set<std::string> names;
   for (const Mistake& mistake : read_mistakes(reference + "/mistakes.toml"))

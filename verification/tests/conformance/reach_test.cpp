@@ -39,8 +39,8 @@ struct End {
   double cut;      // the solver goes no further
   bool is_upper;
   std::function<double(const Arguments&)> value;  // of the number or combination
-  std::size_t parameter;                          // the number that is changed for it
-  double least_step;                              // of this number, away from 0
+  std::size_t parameter;                          // the argument that is changed to move the value
+  double least_step;                              // where the search begins if the argument is 0
 
   bool is_cut(double number) const { return is_upper ? number > cut : number < cut; }
 };
@@ -83,8 +83,8 @@ std::vector<End> ends_of(const Function& function) {
   return all;
 }
 
-// The arguments with the end's number moved to `wanted` by its parameter alone, found by halving,
-// because the number rises or falls with the parameter.
+// The arguments with the end's number moved to `wanted` by its parameter alone. Halving finds them,
+// because the number is monotonic in the parameter.
 Arguments moved_to(const End& end, Arguments x, double wanted) {
   double& number = x[end.parameter];
   const double before = end.value(x);
@@ -142,8 +142,8 @@ bool is_caught(const Function& function, const End& end, const std::vector<Asked
   });
 }
 
-// Whether any question at this end could show it: not where the law has come to its limit there, as
-// 1 − e^{−0.73k} at the greatest k. With a margin, as the condition is not known.
+// Whether a question at this end can show the cut. It cannot if the law is nearly constant there,
+// as 1 − e^{−0.73k} at the greatest k. The bound has a margin, because the condition is not known.
 bool can_be_seen(const Function& function, const End& end, const std::vector<Asked>& cases) {
   return std::any_of(cases.begin(), cases.end(), [&](const Asked& asked) {
     const Arguments at = moved_to(end, asked.arguments, end.next_to);
@@ -178,8 +178,8 @@ TEST(Reach, OfEachNumberAndCombinationIsAskedToItsEnds) {
   }
 }
 
-// Points: the exponent αp, and η₀γ̇/τ₀ under ambient pressure, each cut off by a tenth below what
-// the catalogue of a contact's numbers knows.
+// Operating points show solvers that cut off the exponent αp, or η₀γ̇/τ₀ with η₀ at ambient
+// pressure. Each is cut off a tenth below its greatest value in the catalogue.
 TEST(Reach, OfFrictionIsAskedToAnExponentOf70AndAShearNumberOf10000) {
   constexpr double exponent_cut = 63, shear_cut = 9e3;
   std::map<std::string, std::pair<std::size_t, std::size_t>> caught;

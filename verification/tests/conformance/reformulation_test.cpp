@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// No right solver is accused: thousands of ways to write the same formulas, in other units, by
-// other powers, roots, series and quadratures, by other conventions that are equivalent. Each is
-// drawn with numbers of its own and answers all cases of its function.
+// No right solver is called wrong. Thousands of equivalent ways to write the same formulas are
+// drawn at random: other units, powers, roots, series, quadratures and conventions. Each answers
+// all cases of its function.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -48,7 +48,7 @@ struct Draw {
   // A unit: a power of ten with which an input is multiplied, and a result divided.
   double unit() { return std::pow(10.0, any(13) - 6); }
 
-  // xⁿ by a power, a logarithm of some base, or a root.
+  // xⁿ by a power, by a logarithm of some base, or by a power of 1/x.
   std::function<double(double, double)> power() {
     const double base = between(1.5, 12);
     switch (any(4)) {
@@ -84,8 +84,8 @@ struct Draw {
       return sum;
     };
   }
-  // The root of a function that rises from below 0 at `low` to above 0 at `high`: by parts of the
-  // bracket, or by a method of higher order.
+  // The root of a function that rises from below 0 at `low` to above 0 at `high`: by dividing
+  // the bracket, or by TOMS 748.
   std::function<double(const std::function<double(double)>&, double, double)> root() {
     const bool is_of_parts = any(2) == 0;
     const double part = between(0.3, 0.7);
@@ -118,7 +118,7 @@ Formula reduced_radius(Draw& draw) {
   };
 }
 
-// K and E of k by Legendre's, Carlson's, or the mean's way.
+// K and E of k by Legendre's form, Carlson's form, or the arithmetic-geometric mean.
 Formula hertz_ellipse(Draw& draw) {
   const int way = draw.any(3);
   const auto root = draw.root();
@@ -244,7 +244,7 @@ Formula starvation(Draw& draw) {
       return {r <= 1 ? power(1 + power(r, g), -1 / g) : power(1 + power(1 / r, g), -1 / g) / r};
     }
     if (closure == StarvationClosure::flooded_inlet && x[1] >= 1) return {0};
-    // In y, or in the angle πy/2, from tan of which ψ follows.
+    // The unknown is ln ψ, from which y = (2/π) atan(2.7ψ) follows.
     const auto excess = [&](double log_psi) {
       const double psi = std::exp(log_psi), y = 2 / pi * std::atan(2.7 * psi);
       const double crook = power(psi, 1.5) * 4 * std::numbers::sqrt2 / 3;
@@ -346,7 +346,7 @@ enum class Op { number, input, sum, product, power, exponential, logarithm };
 struct Node;
 struct Tree {
   std::shared_ptr<const Node> node;
-  Tree(double number);  // an expression is written with numbers as they are
+  Tree(double number);  // implicit: numbers stand in expressions as they are
   explicit Tree(Node&& made);
 };
 struct Node {
@@ -547,7 +547,7 @@ Formula formula_of(const std::vector<Tree>& results, Rule rule, Draw& draw) {
 
 TEST(Reformulations, OfExpressionsRearrangedByMachineAreHeld) {
   constexpr std::size_t points = 14;
-  std::map<Rule, std::set<Answers>> different;  // to the last digit
+  std::map<Rule, std::set<Answers>> different;  // answers that differ in any digit
   for (const auto& [name, results] : expressions())
     for (const Rule rule : rules)
       for (int number = 0; number < ways_of_each && !HasFailure(); ++number) {
@@ -561,7 +561,7 @@ TEST(Reformulations, OfExpressionsRearrangedByMachineAreHeld) {
         }
         expect_held(function, formula, number);
       }
-  // More than a formula that is never rearranged has.
+  // Without rearrangement there would be no more answers than the number on the right.
   for (const Rule rule : rules)
     EXPECT_GT(different[rule].size(), points * expressions().size()) << static_cast<int>(rule);
 }

@@ -11,7 +11,7 @@
 namespace tribo::conformance {
 namespace {
 
-// Answers of the batch to one case.
+// The answer of the function's batch to one set of arguments.
 Answer<catalogue::Results> asked_of(const Solver& solver, std::string_view name,
                                     const catalogue::Arguments& arguments) {
   const FunctionBatch& batch = solver.batch(*catalogue::function_named(name));

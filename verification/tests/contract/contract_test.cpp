@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each function of the model keeps its contract at points drawn from its domain (point.hpp) and at
-// hard points, against ball arithmetic: in double on each instruction set and in each rounding
-// mode; in long double and 50 digits to 50 ε, where the templates promise 500; in float to other
-// bounds.
+// Each function of point.hpp keeps its contract at points drawn from its domain there and at
+// hard points. Ball arithmetic gives the truth. Double is checked on each instruction set and in
+// each rounding mode, long double and 50 digits to 50 ε, where the templates promise 500, and float
+// to other bounds.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -19,7 +19,7 @@
 namespace tribo::verification {
 namespace {
 
-// 0 and its neighbours, the ends of all pieces and series, and where results are subnormal or far.
+// 0 and its neighbours, the ends of all pieces and series, arguments of subnormal results, and ±40.
 std::vector<double> hard_arguments() {
   std::vector<double> all{0.0,  -0.0, 5e-324, -5e-324,  1e-300, -1e-300, 36.0, 37.3, 37.5,
                           38.0, 38.4, 38.56,  32.27553, 0.775,  39.9,    40,   -40};
@@ -38,8 +38,8 @@ void add_sharing(std::vector<Point>& points, AsperityModel model, double k, doub
   point.x = {k, delta, lambda0};
 }
 
-// Points at which fixed-point iteration, Newton on h − h₀(1−A)^−0.14 and unsplit d² fail; points
-// near the floor; and one surface with many λ₀.
+// Points at which fixed-point iteration, Newton's method on h − h₀(1−A)^−0.14, or e^{−d²/2} with a
+// rounded d² fails; points near the floor; and three surfaces with many λ₀.
 void add_hard_sharing(std::vector<Point>& points) {
   constexpr std::array<std::array<double, 3>, 9> breaking{{{10, 1.146, 1e-4},
                                                            {10, 1.146, 1.9},
@@ -76,8 +76,8 @@ void add_hard_sharing(std::vector<Point>& points) {
   }
 }
 
-// The paper's surfaces with each closure and supply, from the floor to the collapse; floors so high
-// that area and count come from the shares; and little sliding without boundary friction.
+// Little sliding without boundary friction; the paper's surfaces with each closure, from the floor
+// to the collapse; and floors so high that the load shares give the real area and summit count.
 void add_hard_scenes(std::vector<Point>& points) {
   const auto add = [&](Scene scene, double speed) {
     scene.speeds.list = {speed};
@@ -96,8 +96,8 @@ void add_hard_scenes(std::vector<Point>& points) {
         for (const SupplyKind supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
           for (const double speed : {1e-4, 1e-3, 0.01, 0.1, 0.5, 3.0})
             add(starved_scene(surface, closure, supply, model), speed);
-    // Films that an ulp of the film parameter changes more than their balance lets them change:
-    // flooded, and hardly starved.
+    // Stiff films, flooded and hardly starved: an ulp of the film parameter would change the load
+    // shares by more than their contract.
     for (const double stiffer : {1e9, 1e15, 1e30})
       for (const StarvationClosure closure : starvation_closures) {
         Scene scene =
@@ -158,13 +158,12 @@ std::vector<Point> points_of(const KindInfo& asked) {
   return points;
 }
 
-// A point with its truth.
 struct Case {
   Point point;
   Values<Enclosure> truth;
   std::vector<double> condition;
 };
-// The point with its truth; empty where a branch of the model was uncertain, or a root not proven.
+// Empty where a branch of the model is uncertain, a root is not proven, or the truth is not narrow.
 std::optional<Case> case_of(const Point& point) {
   try {
     Case made{point, enclose(point), {}};
@@ -207,7 +206,7 @@ void hold(const Case& c, const Values<double>& got, double multiple) {
     const Contract& contract = rows()[first_row(c.point) + i].contract;
     const Enclosure& truth = c.truth.numbers[i];
     // Results at the ends of double's range are left out in directed modes, for film ratios, and
-    // where the contract counts the condition. To nearest, subnormal moments are judged.
+    // where the contract counts the condition. Rounded to nearest, subnormal moments are judged.
     const bool may_underflow =
         multiple > 1 || contract.ulp_per_condition > 0 || c.point.kind == Kind::film_ratio;
     if (may_underflow && is_at_the_ends(got.numbers[i], as_long_double(truth))) continue;
@@ -254,8 +253,8 @@ TEST_P(OfEachFunction, KeepsItInDoubleOnEachInstructionSet) {
   });
 }
 
-// In the directed modes twice the contract is allowed. Scenes beyond what can be built are left
-// out: there they may leave 1e-31 of the load to the film, though the asperities carry all of it.
+// In the directed modes twice the contract is allowed. Extreme scenes are left out: in these modes
+// the film may carry 1e-31 of the load where the asperities carry all of it.
 class InEachRoundingMode : public OfEachFunction {};
 
 TEST_P(InEachRoundingMode, KeepsItTwice) {
@@ -305,7 +304,7 @@ TEST_P(OfEachFloat, KeepsItsBound) {
     Point point;
     point.kind = asked.kind;
     draw(sampler, point);
-    // These include short inlets, whose powers underflow in float.
+    // The range includes short inlets (large r), whose powers underflow in float.
     if (asked.kind == Kind::film_ratio && i % 2 == 0) point.x[0] = sampler.log_uniform(1e-8, 1e25);
     bool is_normal = true;
     const auto narrow = [&](double& number) {

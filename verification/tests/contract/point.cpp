@@ -38,8 +38,8 @@ std::uint64_t mixed(std::uint64_t x) {  // the finalizer of splitmix64
 
 double about_one(Sampler& sampler) { return 1 + sampler.pick({-1, 1}) * sampler.uniform(0, 0.3); }
 
-// The scene at a speed whose film touches nearly as at the floor, if it has one, and with an inlet
-// that hardly starves it or nearly collapses it.
+// If the surface has a floor, gives the scene a speed at which the flooded film is near the floor,
+// and an inlet film of 0.3 to 1000 floors: from nearly collapsed to hardly starved.
 void put_about_floor(Sampler& sampler, Scene& scene) {
   const MixedContact<double> contact(scene);
   const double floor = contact.sharing().floor();
@@ -113,8 +113,8 @@ void draw_load_sharing(Sampler& sampler, Point& point) {
   }
 }
 
-// Draws a film about the floor of its surface, which may be as high as floors are, by a law that
-// people use.
+// Draws a film about the floor of its surface, by a published law. The floor may be as high as
+// floors get.
 void draw_load_shares(Sampler& sampler, Point& point) {
   point.film = sampler.pick({&hamrock_dowson_central_law, &hamrock_dowson_minimum_law,
                              &hamrock_dowson_soft_central_law, &pan_hamrock_central_law});
@@ -156,7 +156,7 @@ void draw_moduli(Sampler& sampler, Point& point) {
   }
 }
 
-// R₁x, R₂x, R₁y, R₂y of faces that meet at a point, of which some nearly conform.
+// R₁x, R₂x, R₁y, R₂y of faces that meet at a point. Some faces nearly conform.
 void draw_radii(Sampler& sampler, Point& point) {
   for (const std::size_t i : {0U, 2U}) {
     const bool is_usual = sampler.pick({0, 1}) == 1;
@@ -171,7 +171,7 @@ void draw_radii(Sampler& sampler, Point& point) {
   }
 }
 
-// F, E*, R_x and R_y, of which some are nearly a circle, and some far longer than bodies are.
+// F, E*, R_x and R_y. Some ellipses are nearly circles, and some numbers are far from real bodies.
 void draw_ellipse(Sampler& sampler, Point& point) {
   const bool is_usual = sampler.pick({0, 1}) == 1;
   const double far = is_usual ? 1 : 1e40;
@@ -195,7 +195,7 @@ void draw_film(Sampler& sampler, Point& point) {
              sampler.log_uniform(0.01, 20)};
 }
 
-// Draws p₀, E*, S, β, η₀, u, k_f with the numerator of φ_T above 0, sometimes hardly above.
+// Draws p₀, E*, S, β, η₀, u, k_f. The numerator of φ_T is above 0, sometimes only just.
 void draw_heated_inlet(Sampler& sampler, Point& point) {
   auto& x = point.x;
   x = {0,
@@ -212,7 +212,7 @@ void draw_heated_inlet(Sampler& sampler, Point& point) {
 
 bool is_share(double x) { return x >= 0 && x <= 1; }
 
-// ln F has the relative error of F, at least ε, as its absolute error: many ulp if it is near 0.
+// The absolute error of `value` = ln F is the relative error of F, at least ε: many ulp near 0.
 double logarithm_condition(double value) {
   const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
   return std::max(1.0, std::abs(value)) * 0x1p-52 / ulp;
@@ -308,7 +308,7 @@ std::size_t first_row(const Point& point) {
 Point point_at(std::uint64_t seed, std::uint64_t index) {
   Sampler sampler(mixed(mixed(seed) + index));
   Point point;
-  // A scene takes as much time as a dozen calls of the functions that make it.
+  // A scene takes as much time as a dozen calls of single functions.
   point.kind =
       sampler.pick({Kind::scene, Kind::scene, Kind::scene, Kind::extreme_scene, Kind::load_sharing,
                     Kind::load_shares, Kind::film_ratio, Kind::moment});
@@ -382,13 +382,13 @@ void draw(Sampler& sampler, Point& point) {
     case Kind::moes_line:
       draw_film(sampler, point);
       break;
-    case Kind::moes_point:  // and R_y, and which reading
+    case Kind::moes_point:  // as a film; then R_y, and two readings
       draw_film(sampler, point);
       point.x[6] = point.x[5] / sampler.log_uniform(1e-4, 1e4);
       point.x[7] = sampler.pick({0, 1});
       point.x[8] = sampler.pick({0, 1});
       break;
-    case Kind::film_regime:  // g_V, g_E, α, k, and which
+    case Kind::film_regime:  // g_V, g_E, α, k, and the regime
       numbers({{1e-12, 1e20}, {1e-12, 1e20}, {0.01, 100}, {0.01, 20}});
       point.x[4] = sampler.pick({0, 1, 2, 3, 4});
       break;
@@ -525,7 +525,7 @@ Values<T> values_of(const Point& point) {
       Values<T> values;
       for (const Order order : orders) {
         values.numbers.push_back(scaled_gaussian_moment(order, x(0)));
-        if constexpr (std::is_same_v<T, double>) {  // by the engine
+        if constexpr (std::is_same_v<T, double>) {  // by the batch function
           double logarithm = 0;
           log_gaussian_moment(order, std::span(&point.x[0], 1), std::span(&logarithm, 1));
           values.numbers.push_back(logarithm);

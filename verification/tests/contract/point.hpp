@@ -35,12 +35,12 @@ enum class Kind : std::uint8_t {
   scene,          // of steel, as built
   extreme_scene,  // decades beyond what can be built
   load_sharing,   // K and λ₀ from 1e-300 to 1e300, and K about its critical value
-  load_shares,    // at films about a floor, as high as floors are
+  load_shares,    // at films about a floor; floors of all heights
   film_ratio,     // r from 1e-300 to 1e300, and about 1
   moment,         // d from −45 to 45, all orders, and the neighbours of every branch
   // The kinds below are drawn by the contract test alone.
-  scaled_moment,  // and logarithms
-  deficit,        // of the starved film, and the ratio at a departure
+  scaled_moment,  // and its logarithm
+  deficit,        // of the starved film; the ratio at a departure; the slope
   hertz,
   film,
   rough_contact,
@@ -66,8 +66,8 @@ inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);
 struct KindInfo {
   Kind kind;
   std::string_view name;
-  // The number of points that the contract test draws beside the hard ones; and of how many points,
-  // the hard ones included, the truth has to be certain at least.
+  // `points`: how many the contract test draws, beside the hard points. `certain`: of how many
+  // points, with the hard ones, the truth has to be certain at least.
   int points, certain;
 };
 inline constexpr std::array<KindInfo, kind_count> kinds{{
@@ -162,9 +162,9 @@ Values<Enclosure> enclose(const Point& point);
 // The greatest |error|, in ulp, that a contract allows.
 double allowed_ulp(const Contract& contract, double condition);
 
-// Near the ends of the range of double a factor of an operating point may leave it where the output
-// does not: an output below 1e-290 has only to be below it, and one beyond 1e280 may be infinite
-// (mixed_contact.hpp: an overflow shows).
+// Whether an output is so near the ends of the range of double that a factor of it may leave the
+// range: `expected` is below 1e-290 and `got` below 2e-290, or `expected` is above 1e280 and `got`
+// infinite.
 bool is_at_the_ends(double got, long double expected);
 
 }  // namespace tribo::verification

@@ -163,8 +163,8 @@ using Member = Estimate SolvedFilm::*;
 constexpr std::array<Member, 3> films{&SolvedFilm::central, &SolvedFilm::minimum,
                                       &SolvedFilm::at_greatest_pressure};
 
-// A small sample of the questions that `make film-survey` asks of 300 contacts, and compressible
-// liquids with spikes that no grid shows: their least film lies beside the spike and follows it.
+// A small sample of what `make film-survey` checks on 300 contacts, and compressible liquids whose
+// spike no grid resolves: their least film lies beside the spike and depends on it.
 TEST(SolvedFilm, ErrorsHoldAgainstFinerGridsAndAreNotFarTooLarge) {
   ContactSampler sampler(23);
   std::vector<SampledContact> contacts;
@@ -175,7 +175,7 @@ TEST(SolvedFilm, ErrorsHoldAgainstFinerGridsAndAreNotFarTooLarge) {
     if (contacts.size() < 24 || (drawn.is_compressible && has_sharp_spike))
       contacts.push_back(drawn);
   }
-  std::array<std::vector<double>, 3> cautions;  // of each film, error stated over error
+  std::array<std::vector<double>, 3> cautions;  // of each film: stated error over true error
   for (const SampledContact& drawn : contacts) {
     const SolvedFilm fine = solved(drawn.contact, {.tolerance = 1e-4, .greatest_cells = 2048});
     for (const double tolerance : {1e-3, 1e-2}) {
@@ -191,7 +191,7 @@ TEST(SolvedFilm, ErrorsHoldAgainstFinerGridsAndAreNotFarTooLarge) {
       }
     }
   }
-  // Stated errors that are far too large would hold, too, but be of no use.
+  // Stated errors that are far too large would hold, too, but would be useless.
   for (std::vector<double>& of_film : cautions) {
     ASSERT_GT(of_film.size(), 30U);
     const auto middle = of_film.begin() + static_cast<long>(of_film.size() / 2);

@@ -25,8 +25,8 @@ ehl::LineFilm curve_of(const ehl::Numbers& x, const Film& film, const Pressure& 
 }
 
 // The film is a polynomial of the fourth order. The pressure is the greater of two parabolas, or 0.
-// The second one, which is narrow, is not there; or makes a spike downstream, lower or higher than
-// the first one; or makes a bump upstream with a dip behind it, which is no spike.
+// The second parabola is narrow. It is left out; or makes a spike downstream, lower or higher than
+// the first one; or makes a bump upstream with a dip behind it. Such a bump is no spike.
 TEST(FilmFeatures, AreThoseOfTheCurve) {
   Sampler sampler(310);
   const ehl::LineContact contact{10, 5, {.exponent = 3, .density_pressure = 2}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film that a pressure raises: of one hat by quadrature, of many by their direct sum, and of
-// Hertz' pressure by its closed form.
+// Checks the film that a pressure raises: of one hat function by quadrature, of many by their
+// direct sum, and of Hertz' pressure by its closed form.
 #include "ehl/film_kernel.hpp"
 
 #include <gtest/gtest.h>

@@ -21,8 +21,8 @@ using ehl::SolvedFilm;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The film at the outlet over the least film, 1 + tan²γ_c, between a plane and a rigid parabola, H
-// = H₀(1 + tan²γ). At γ_c pressure and slope are 0: ∫ [cos²γ − cos⁴γ/cos²γ_c] dγ from −π/2 is 0.
+// The outlet's film over the least one, 1 + tan²γ_c, for H = H₀(1 + tan²γ) of a plane and a rigid
+// parabola. At γ_c pressure and slope are 0: ∫ [cos²γ − cos⁴γ/cos²γ_c] dγ from −π/2 is 0.
 double rigid_film_ratio() {
   const auto pressure = [](double g) {
     const double square = std::cos(g) * std::cos(g);
@@ -39,7 +39,7 @@ double rigid_film_ratio() {
 }
 
 // On a rigid parabola the balance of the load gives the film number 3/M at the greatest pressure,
-// and so the least film number is 3/M over the ratio. The change by elastic bodies falls with M².
+// and so the least film number 3/M over that ratio. The change by elastic bodies falls with M².
 TEST(FilmLimits, RigidBodiesAndConstantViscosity) {
   const double ratio = rigid_film_ratio();
   EXPECT_TRUE(is_within(3 / ratio, 2.44748, 0.000005));
@@ -74,9 +74,9 @@ ehl::Estimate fitted_constant(const MatrixXd& columns, const VectorXd& values,
   return {fit[0], weights.cwiseAbs().dot(errors) + std::sqrt(variance * inverse(0, 0))};
 }
 
-// The limit of the film number at the greatest pressure over its asymptote's power, M^{of_load}
-// L^{of_material}, where all columns but the first, which is 1, go to 0. columns_of(contact, H)
-// gives the columns.
+// The limit of the film number at the greatest pressure divided by M^{of_load} L^{of_material},
+// from a fit to the columns of columns_of(contact, H). The first column is 1; the others go to 0 in
+// the limit.
 template <class Columns>
 ehl::Estimate fitted_limit(const std::vector<std::array<double, 2>>& contacts, double of_load,
                            double of_material, double tolerance, const Columns& columns_of) {

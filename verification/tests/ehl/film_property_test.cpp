@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of every solved film: balanced, loaded, without tension; its changes with the
-// conditions; and the message where there is no film.
+// Properties of every solved film: its flow is balanced, it carries the load, no pressure is below
+// 0. Also its changes with the conditions, and the message where there is no film.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -80,7 +80,7 @@ TEST(SolvedFilm, FallsWithTheLoadAndRisesWithTheViscosityUnderPressure) {
   for (const double fixed : {0.5, 5.0, 15.0}) {
     std::array<double, 2> before{1e300, 1e300};
     for (const double m : {0.5, 1.0, 2.0, 5.0, 20.0, 100.0}) {
-      if (m < 5 && fixed == 15) continue;  // there the least film rises with the load: see below
+      if (m < 5 && fixed == 15) continue;  // there the least film rises with the load
       const std::array<double, 2> now = numbers(m, fixed);
       EXPECT_LT(now[0], before[0]) << "M = " << m << ", L = " << fixed;
       EXPECT_LT(now[1], before[1]) << "M = " << m << ", L = " << fixed;
@@ -174,7 +174,7 @@ TEST(SolveLineFilm, TellsEachStepToWhoWatches) {
   EXPECT_GE(steps, film.steps);
 }
 
-// The steps with new factors on each grid; the two coarsest grids are left out.
+// How often the equations were factored on each grid. The two coarsest grids are left out.
 std::map<int, int> steps_by_cells(const ehl::LineContact& contact,
                                   const ehl::SolveOptions& options) {
   std::map<int, int> steps;
@@ -203,8 +203,8 @@ TEST(SolveLineFilm, SolvesTheGridBesideTheFinestAloneWhereTheErrorsOfOthersAreTo
   }
 }
 
-// Whoever stops the work on a grid has the films of the grids before, whose grid beside was not
-// solved.
+// If the solver is stopped on a grid, it gives the films of the coarser grids. The grid beside the
+// finest of them was not solved.
 TEST(SolveLineFilm, HasErrorsThatHoldWhereItWasStoppedOnAFineGrid) {
   const ehl::LineContact contact = ehl::barus_contact(10, 5);
   const double exact = solved(contact, {.tolerance = 1e-5}).central.value;
@@ -303,8 +303,8 @@ TEST(SolveLineFilm, SolvesToEachLooserToleranceInNoMoreWork) {
   EXPECT_LT(all_work[3], all_work[2] / 2);  // 1e-2 is not computed as 1e-3 is
 }
 
-// This contact's spike is 5 times as high as Hertz' peak on 256 cells, and 24 times on 4096. The
-// coarsest grids follow the film in time.
+// This contact's spike is 5 times as high as Hertz' peak on 256 cells, and 24 times on 4096. On
+// the coarsest grids the solver follows the film in time, which takes more steps.
 TEST(SolveLineFilm, TakesFewStepsOnEachGridThoughASpikeGrows) {
   std::map<int, int> steps;  // on each grid
   const SolvedFilm film = ehl::solve_line_film(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random contacts (sampled_contact.hpp): rows for verification/gates/film_survey.py, which judges
-// them. Lines are solved to four tolerances, and compared with their films to a tolerance of 1e-6;
-// their work is Newton's steps times cells. Points are drawn, or solved to the tolerance of the
-// contract, or, on few nodes (held_nodes), held to cells of half the size and a grid of twice the
-// length.
+// Prints rows on random contacts (sampled_contact.hpp) for verification/gates/film_survey.py. Lines
+// are solved to four tolerances and compared with films that are solved to 1e-6. Their work is the
+// number of cells, added up over Newton's steps. Points are only drawn; or solved to the tolerance
+// of the contract; or solved on few nodes (held_nodes) and compared with films on cells of half the
+// size and on a grid of twice the length.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -84,7 +84,7 @@ void survey_lines(int first, int end, std::uint64_t seed) {
   }
 }
 
-// The three film numbers, each estimated from all grids of a solved film and one finer grid. A grid
+// The three films, each estimated from all grids of a solved film and one finer grid. A grid
 // of twice the length, with the coarsest cells, tells by how much the length changes them. This
 // change falls with the third power of the length, which gives what is left. NaN where a grid was
 // not solved.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of reference/ehl: line_films.csv and point_films.csv have every contact; films of all
-// tables are solved again and agree within the errors; and the formulas that are compared with the
-// tables.
+// The tables of reference/ehl. line_films.csv and point_films.csv have every contact. Some films
+// are solved again and agree within the errors. The formulas that are compared with the tables are
+// checked, too.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ std::vector<ReferenceRow> table() {
 }
 
 // Expects the films of a row to be these, times `unit`, within both errors and `slack` times the
-// value, because M and L of some rows are rounded.
+// value. `slack` is above 0 if M and L of the row are rounded.
 template <class Solved>
 void expect_again(const ReferenceRow& row, const Solved& film, double unit, double slack) {
   for (const auto& [number, name] : {std::pair{&Solved::central, "central"},
@@ -78,8 +78,8 @@ TEST(LineFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
   }
 }
 
-// The table's liquid stands in its header and, for the generator, in line_films.cpp. Here it is
-// made of the speed number and the peak pressure of each row.
+// A contact follows from the speed number and the peak pressure of its row. The constants of the
+// liquid are also in the table's header and, for the generator, in line_films.cpp.
 TEST(CompressibleFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
   std::mt19937_64 random(20261124);
   const std::vector<ReferenceRow> rows =
@@ -193,9 +193,8 @@ TEST(PointFilmTable, HasEveryContactToItsErrorOrSaysWhyNot) {
   EXPECT_EQ(present, rows.size());
 }
 
-// The ratio ℛ of the central films: between two thirds of what min(ρ, 1) allows and all of it,
-// rising with the supply, to the contract's error, and less sensitive than the film to load and
-// liquid.
+// The ratio ℛ of the starved central film to the flooded one lies between 2/3 min(ρ, 1) and
+// min(ρ, 1), rises with the supply, and has at most the contract's error.
 TEST(PointFilmTable, StarvedFilmsRiseWithTheLayerTowardsTheFloodedFilm) {
   const std::map<PointKey, ReferenceRow> rows = point_table();
   std::size_t starved = 0;
@@ -226,9 +225,9 @@ TEST(PointFilmTable, StarvedFilmsRiseWithTheLayerTowardsTheFloodedFilm) {
   EXPECT_EQ(starved, 96U);
 }
 
-// Moes' film numbers of circles fall with the load where it flattens the bodies, the least film
-// from the start, and rise with the viscosity under pressure; films of ellipses rise with their
-// length across the motion.
+// Moes' film numbers of circles fall with the load: that of the least film always, that of the
+// central film where the load flattens the bodies (from M = 20 on). The film numbers of circles and
+// ellipses rise with the viscosity under pressure.
 TEST(PointFilmTable, FilmsFallWithTheLoadAndRiseWithTheViscosityUnderPressure) {
   const std::map<PointKey, ReferenceRow> rows = flooded_points();
   int compared = 0;
@@ -253,8 +252,8 @@ TEST(PointFilmTable, FilmsFallWithTheLoadAndRiseWithTheViscosityUnderPressure) {
   EXPECT_GT(compared, 200);
 }
 
-// The rows of the second method are within both errors, their greatest differences are those of
-// the README, and no row's column tells of another film.
+// The films of both methods agree within both errors. The README tells their greatest differences.
+// Only rows that the second method solved have a number in the column second_method.
 TEST(PointFilmTable, SecondMethodAgreesWithinBothErrorsAndAsTheReadmeSays) {
   const std::map<PointKey, ReferenceRow> rows = flooded_points();
   std::size_t circles = 0, ellipses = 0, compared = 0;
@@ -305,7 +304,7 @@ TEST(PointFilmTable, SeededCheapRowsComeOutAgainWithinBothErrors) {
   }
 }
 
-// The range of a law's deviations from the table, in words of %.
+// The range of a law's deviations from the table as text: "−3 to +5 %".
 std::string range_of(const FilmLaw& law, const char* film, bool (*is_taken)(const PointKey&)) {
   constexpr double speed_number = 1e-11;  // U, on which the laws depend a little at given M and L
   const double root = std::sqrt(2 * speed_number);

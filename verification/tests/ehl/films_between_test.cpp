@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // closures.film = "solved" (tribo/solved_films.hpp): the table goes through the rows of solved
-// films, and between them lies within the interpolation's error of films that were solved there;
-// load sharing has one root over all of it; and outside of it there is no film.
+// films. Between the rows it agrees, within the interpolation's error, with films that are solved
+// there. Load sharing has one root everywhere in the table. Outside of the table there is no film.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ std::vector<ReferenceRow> rows_of(const std::string& name) {
 bool is_flooded_circle(const ReferenceRow& row) {
   return row.number("radius_ratio") == 1 && row.text("supply").empty();
 }
-// Is the row of L = 12.5? Other flooded rows do not have this L; it stands beside starved films.
+// Flooded rows of L = 12.5 belong to starved films. The table of flooded films does not use them.
 bool stands_apart(const ReferenceRow& row) { return row.number("material_number") == 12.5; }
 
 // Compares both films of a row with those of the table, to the row's error and a part of the film.
@@ -92,7 +92,7 @@ TEST(FilmsBetween, AreWithinTheirErrorOfFilmsSolvedBetweenTheRows) {
   EXPECT_GE(lines, 7);
 }
 
-// Lines are cheap: some are solved here, below the least L of the rows above too.
+// Lines are solved fast: some are solved here, also at smaller L than in the test above.
 TEST(FilmsBetween, AreWithinTheirErrorOfLinesThatAreSolvedHere) {
   for (const auto& [m, l] : {std::pair{7., 0.4},
                              {30., 0.5},
@@ -113,7 +113,7 @@ TEST(FilmsBetween, AreWithinTheirErrorOfLinesThatAreSolvedHere) {
   }
 }
 
-// The rows of the table above that are cheap come out again, so that it is about these films.
+// Two of the point films above that take little time come out again when they are solved here.
 TEST(FilmsBetween, ThatWereSolvedComeOutAgain) {
   int solved_again = 0;
   std::vector<ReferenceRow> between = rows_of("point_films_between");
@@ -135,7 +135,7 @@ TEST(FilmsBetween, ThatWereSolvedComeOutAgain) {
   EXPECT_EQ(solved_again, 2);
 }
 
-// With this load sharing has one root, and a film one speed.
+// Because of these slopes load sharing has one root, and each film has one speed.
 TEST(FilmsBetween, RiseWithGammaAndWithTheRootOfTheSpeed) {
   int known = 0;
   for (const FilmLaw* const law : solved_laws) {
@@ -151,8 +151,8 @@ TEST(FilmsBetween, RiseWithGammaAndWithTheRootOfTheSpeed) {
         const double by_speed = 0.5 - m * film.load_slope + film.material_slope / 4;
         EXPECT_GT(by_speed - film.material_slope, 0.01) << std::exp(x) << ' ' << l;
         EXPECT_GE(by_speed, 0.5) << std::exp(x) << ' ' << l;
-        // The film rises with the viscosity under pressure, a least film but for 1e-3 of it next to
-        // L = 0; and the least film falls with the load.
+        // The film rises with the viscosity under pressure. Only the least film may fall by 1e-3 of
+        // itself next to L = 0. The least film falls with the load.
         EXPECT_GE(film.material_slope, law->form == FilmForm::solved || l > 0.5 ? 0 : -2e-2)
             << std::exp(x) << ' ' << l;
         if (law->form == FilmForm::solved_minimum) {
@@ -218,7 +218,7 @@ TEST(FilmsBetween, LoadSharingHasTheRootOfABisection) {
         for (int i = 0; i < 200; ++i) {
           const long double middle = (low + high) / 2;
           const long double share = contact.sharing().asperity_share(middle);
-          // Where rows lack there is no film, and γ is greater than at the root.
+          // NaN, where rows are missing, counts as below: there γ is greater than at the root.
           const bool is_below =
               share >= 1 || !(middle >= film.continued(speed, 1 / (1 - share)).film_parameter);
           (is_below ? low : high) = middle;
@@ -242,7 +242,7 @@ TEST(FilmsBetween, LoadSharingHasTheRootOfABisection) {
   EXPECT_GE(unknown, 10);
 }
 
-// In a dense sweep h* is nowhere greater than at the onset, at constant h_oil and at constant flow.
+// In a dense sweep h* is nowhere greater than at the onset, whether h_oil or the flow is constant.
 TEST(FilmsBetween, OnsetsOfLawsWithoutFixedExponentsAreThoseOfADenseSweep) {
   int found = 0;
   for (const auto& [film, shape] :

@@ -13,7 +13,7 @@
 
 namespace tribo::verification {
 
-// Nodes from first to last, with random cells that change slowly, within a factor of 3.
+// Nodes from first to last. The random lengths of the cells vary slowly, at most by a factor of 3.
 inline std::vector<double> uneven_nodes(int count, double first, double last, Sampler& sampler) {
   const double a = sampler.uniform(0, 6), b = sampler.uniform(1, 5);
   std::vector<double> x{0};

@@ -21,8 +21,8 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 
 ehl::PlaneGrid grid_of(int across, int along) { return {across - 1, 0, along - 1, 0.1, 0.1}; }
 
-// A matrix whose rows are of sizes from 1e-30 to 1e30. What leads from a node to the one before it
-// along X may be greater than the diagonal, as where liquid is dragged rather than driven.
+// A matrix whose rows have sizes from 1e-30 to 1e30. The entry of the node before along X may be
+// greater than the diagonal, as where drag moves more liquid than the pressure does.
 Entries random_entries(const ehl::PlaneGrid& grid, Sampler& sampler) {
   Entries entries;
   for (int j = 0; j < grid.count_y(); ++j)

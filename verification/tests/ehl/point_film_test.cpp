@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solved films of circles and ellipses: each part against a closed form or a second way, and the
-// whole against finer grids and limits.
+// Solved films of circles and ellipses. Each part of the solver is compared with a closed form or a
+// second computation, and whole films are compared with finer grids and limits.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -32,7 +32,7 @@ TEST(FilmOfRectangle, IsTheIntegralAtEveryDistance) {
   Sampler sampler(71);
   for (int i = 0; i < 100; ++i) {
     const double dx = sampler.log_uniform(0.01, 1), dy = dx * sampler.log_uniform(0.1, 10);
-    // Off the rectangle, where the integrand is smooth.
+    // The point lies off the rectangle, where the integrand is smooth.
     const double x = sampler.pick({-1., 1.}) * dx * sampler.log_uniform(1, 300);
     const double y = sampler.pick({-1., 1.}) * dy * sampler.log_uniform(1e-3, 300);
     const double expected = Rule::integrate(
@@ -44,7 +44,7 @@ TEST(FilmOfRectangle, IsTheIntegralAtEveryDistance) {
     EXPECT_TRUE(is_within(ehl::film_of_rectangle(x, y, dx, dy), expected, 1e-8 * expected))
         << x << ", " << y << " from a rectangle of " << dx << " by " << dy;
   }
-  // From the middle of a square of side d: 4d asinh 1.
+  // At the middle of a square of side d the integral is 4d asinh 1.
   EXPECT_TRUE(is_within(ehl::film_of_rectangle(0, 0, 0.5, 0.5), 2 * std::asinh(1.), 1e-15));
 }
 
@@ -73,7 +73,7 @@ TEST(PlaneKernel, ProductIsTheDirectSumOverBothSides) {
   }
 }
 
-// (2/π²) ∬ √(1 − r²)/r over the circle is 1 − r²/2: under Hertz' pressure the middle is flat.
+// (2/π²) ∬ √(1 − r²)/distance over the circle is 1 − r²/2. With the gap r²/2 the middle is flat.
 TEST(PlaneKernel, HertzPressureMakesAFlatMiddle) {
   std::array<double, 3> errors{};
   for (std::size_t level = 0; level < 3; ++level) {
@@ -94,7 +94,7 @@ TEST(PlaneKernel, HertzPressureMakesAFlatMiddle) {
       }
   }
   EXPECT_TRUE(is_within(errors[2], 0, 1e-3));
-  // The pressure's edge is a root: between the first and the second order.
+  // Pressure goes to 0 as a square root, so that the order lies between the first and the second.
   EXPECT_LT(errors[2], errors[1] / 2);
   EXPECT_LT(errors[1], errors[0] / 2);
 }
@@ -118,8 +118,8 @@ TEST(FarInlet, OfACircleBreaksWhereTheClosedFormSays) {
   EXPECT_GT(inlet.pressure(-30 * std::cos(turn - 0.05), 30 * std::sin(turn - 0.05), 450), 0);
 }
 
-// Reynolds' equation of rigid bodies far away, of ellipses too, and with a Barus liquid: the
-// balance of the pressure vanishes at second order.
+// Far away the pressure satisfies Reynolds' equation between rigid bodies, for ellipses and Barus
+// liquids, too: the balance vanishes at second order.
 TEST(FarInlet, MeetsTheBalanceAtSecondOrder) {
   for (const double ratio : {0.25, 1., 6.})
     for (const double material : {0., 2.}) {
@@ -129,7 +129,7 @@ TEST(FarInlet, MeetsTheBalanceAtSecondOrder) {
       double scale = 0;
       for (std::size_t level = 0; level < 3; ++level) {
         const int cells = 16 << level;
-        // A square in front of the contact and beside the middle.
+        // A rectangle ahead of the contact, from Y = 0 to one side.
         const double far = 40, step = 16. / cells;
         const ehl::PlaneGrid grid{cells, cells, cells, step, step};
         VectorXd pressure(grid.size()), film(grid.size());
@@ -165,7 +165,7 @@ TEST(PlaneBalance, SlopesAreItsDerivatives) {
   };
   const VectorXd missing = VectorXd::Constant(grid.size(), 0.01);
   for (const ehl::LineContact& line : three_liquids(20, 3)) {
-    // The end of a starved contact's inlet has a balance too.
+    // The nodes at the inlet end of a starved contact have a balance, too.
     const bool is_starved = line.fluid.roelands_pressure == 0;
     const ehl::PointContact contact{20, 3, 1, line.fluid, is_starved ? 0.2 : INFINITY};
     VectorXd pressure(grid.size()), film(grid.size());
@@ -218,7 +218,7 @@ TEST(PointConditions, GiveTheNumbersOfTheModel) {
                                     false);
     EXPECT_TRUE(is_within(contact.load_number, known.load, 1e-13 * known.load));
     EXPECT_TRUE(is_within(contact.material_number, known.material, 1e-13 * known.material));
-    // αp₀ and a film's unit by M, L and R_y/R_x alone are those in SI.
+    // αp₀ and the unit of films from M, L and R_y/R_x alone are those from the inputs in SI.
     const ehl::PointNumbers numbers = ehl::numbers_of(contact);
     const ehl::FilmScale scale = ehl::scale_of(c);
     EXPECT_TRUE(is_within(contact.fluid.exponent, numbers.pressure_exponent,
@@ -243,7 +243,7 @@ ehl::SolvedPoint solved_point(const ehl::PointContact& contact, double tolerance
   return film;
 }
 
-// Each of the films on three grids within the error that it states, by four grids.
+// The films from four grids lie within the stated errors of the films from three grids.
 TEST(SolvedPoint, ErrorsHoldAgainstAFinerGrid) {
   for (const auto& [load, material, ratio] : {std::array{20., 10., 1.}, {20., 5., 0.5}}) {
     const ehl::PointContact contact = ehl::barus_point(load, material, ratio);
@@ -264,8 +264,8 @@ TEST(SolvedPoint, ErrorsHoldAgainstAFinerGrid) {
   }
 }
 
-// The least film comes nearer by more than the second order says. A tolerance that leaves no room
-// for the grid's ends would leave out the grid beside, without which both errors are above 2 %.
+// The least film converges faster than at second order. Without the grid beside both errors are
+// above 2 %. A tolerance below the error from the grid's ends would leave out that grid.
 TEST(SolvedPoint, GridBesideThreeGridsTellsTheErrorOfAnIrregularFilm) {
   for (const double material : {0., 2.5}) {
     const ehl::PointContact contact = ehl::barus_point(20, material);
@@ -281,8 +281,8 @@ TEST(SolvedPoint, GridBesideThreeGridsTellsTheErrorOfAnIrregularFilm) {
   }
 }
 
-// Ellipses of whose error the grid's ends make the greater part: of the first in the least film, of
-// the second in the central film. Of the others' first change by the ends nearly half is left.
+// The grid's ends make the greater part of the error in the first ellipse's least film and in the
+// second one's central film. In the others a longer grid leaves nearly half of the ends' error.
 TEST(SolvedPoint, LongerGridMovesItByNoMoreThanStated) {
   for (const auto& [load, material, ratio] :
        {std::array{20., 5., 8.}, {50., 2., 4.}, {20., 5., 4.}, {20., 0., 8.}}) {
@@ -291,7 +291,7 @@ TEST(SolvedPoint, LongerGridMovesItByNoMoreThanStated) {
         ehl::solve_point_film(contact, {.tolerance = 1e-4, .greatest_nodes = 25'000});
     ASSERT_EQ(film.outcome, ehl::Outcome::solved) << film.reason;
     const ehl::PlaneGrid& finest = film.film.grid;
-    const int cells = 1 << (film.grids - 1);  // of the finest grid on one of the coarsest
+    const int cells = 1 << (film.grids - 1);  // of the finest grid in one of the coarsest
     const auto coarsest = [&](int longer) {
       const ehl::PlaneGrid grid{longer * finest.ahead / cells, longer * finest.behind / cells,
                                 longer * finest.beside / cells, cells * finest.dx,
@@ -313,13 +313,13 @@ TEST(SolvedPoint, LongerGridMovesItByNoMoreThanStated) {
   }
 }
 
-// No load is lost, no node is under tension, and nothing flows out of a node with pressure.
+// No load is lost, P ≥ 0, and flow in = flow out where P > 0, elsewhere flow in ≤ flow out.
 TEST(SolvedPoint, CarriesTheLoadAndBalancesTheFlowWithoutTension) {
   const ehl::PointContact contact = ehl::barus_point(20, 10);
   const ehl::SolvedPoint solved = solved_point(contact, 1e-2);
   const ehl::PlaneGrid& grid = solved.film.grid;
   double load = ehl::FarInlet(contact).load_outside(grid, solved.film.separation);
-  EXPECT_TRUE(is_within(load / (2 * pi / 3), 0.04, 0.02));  // so much lies outside of the grid
+  EXPECT_TRUE(is_within(load / (2 * pi / 3), 0.04, 0.02));  // the part outside of the grid
   const ehl::PlaneBalance balance =
       ehl::balance_of(contact, grid, solved.film.pressure, solved.film.film, {}, false);
   for (int j = 0; j < grid.count_y(); ++j)
@@ -336,7 +336,7 @@ TEST(SolvedPoint, CarriesTheLoadAndBalancesTheFlowWithoutTension) {
   EXPECT_TRUE(is_within(load, 2 * pi / 3, 1e-5));
 }
 
-// Newton's method goes on from a film where it ended; a grid of half the distances changes little.
+// From a solved film Newton's method takes few steps on its grid and on one of half the distances.
 TEST(SolvedPoint, AFilmIsTakenToItsOwnGridAndToAFinerOneInFewSteps) {
   for (const auto& [load, material] : {std::array{20., 10.}, {100., 5.}}) {
     const ehl::PointContact contact = ehl::barus_point(load, material);
@@ -349,8 +349,8 @@ TEST(SolvedPoint, AFilmIsTakenToItsOwnGridAndToAFinerOneInFewSteps) {
   }
 }
 
-// Bodies that hardly flatten: M²Ĥ tends to 35.5 (least film) and 44.9 (at the greatest pressure),
-// by a solution of Reynolds' equation between rigid bodies, extrapolated.
+// Bodies that hardly flatten. The limits of M² times the film number, 35.5 (least film) and 44.9
+// (at the greatest pressure), are extrapolated from Reynolds' equation between rigid bodies.
 TEST(SolvedPoint, RigidBodiesAndConstantViscosity) {
   const ehl::PointContact contact = ehl::barus_point(1, 0);
   const ehl::SolvedPoint film = solved_point(contact, 1e-2);
@@ -360,8 +360,8 @@ TEST(SolvedPoint, RigidBodiesAndConstantViscosity) {
                         0.1 + unit * film.at_greatest_pressure.error));
 }
 
-// From dry contact Newton's method and the film in time do not reach the film of a liquid that
-// pressure thickens so strongly; it lies above that of a thinner liquid all the same.
+// From dry contact neither Newton's method nor the film in time reaches this film: pressure
+// thickens the liquid too strongly. The solver goes through liquids of smaller L.
 TEST(SolvedPoint, OfAStronglyThickenedLiquidIsFound) {
   const ehl::PointContact contact = ehl::barus_point(20, 15);
   const ehl::SolvedPoint film = ehl::solve_point_film(contact, {.tolerance = 1e-2});
@@ -371,7 +371,7 @@ TEST(SolvedPoint, OfAStronglyThickenedLiquidIsFound) {
                            3e-3 / ehl::numbers_of(contact).film_number));
 }
 
-// An ellipse that is far longer than wide has the film of the line with its peak pressure.
+// An ellipse that is far longer than wide has the film of a line with the same peak pressure.
 TEST(SolvedPoint, OfALongEllipseTendsToThatOfALine) {
   const ehl::PointContact contact = ehl::barus_point(200, 5, 30);
   const ehl::PointNumbers numbers = ehl::numbers_of(contact);

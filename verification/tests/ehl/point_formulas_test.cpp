@@ -48,8 +48,8 @@ std::string words(const ehl::FilmConditions& c) {
 }
 
 TEST(PointFormulas, AreChittendensInLogarithms) {
-  // The ratio k of the axes of Hertz' ellipse is here by Hamrock and Brewe's fit. Its error is
-  // below 3 %, and changes the film by at most 2 %.
+  // Here the ratio k of the axes of Hertz' ellipse is from Hamrock and Brewe's fit. The error of
+  // the fit is below 3 %, and changes the film by at most 2 %.
   const auto printed = [](double constant, double decay, double side,
                           const ehl::FilmConditions& c) {
     const double modulus = 2 * c.effective_modulus;
@@ -71,9 +71,9 @@ TEST(PointFormulas, AreChittendensInLogarithms) {
   }
 }
 
-// The powers of U, G and W are those of Hamrock and Dowson's least film. The ratio to that film is
-// therefore constant for circles. For long ellipses the two central films have the ratio of their
-// constants.
+// The powers of U, G and W are those of Hamrock and Dowson's least film, so that for circles the
+// ratio to that film is constant. For long ellipses the ratio of the two central films is that of
+// their constants.
 TEST(PointFormulas, OfChittendenAreOneMultipleOfHamrockAndDowsonsLeastFilm) {
   for (const ehl::FilmConditions& c : contacts()) {
     SCOPED_TRACE(words(c));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pressure, film and missing liquid that are given functions: sources of liquid make them the
-// solution of all equations of a point contact together, and the solver has to find them again.
+// Manufactured solutions: pressure, film and missing liquid are given functions. Sources of liquid
+// make them a solution of all equations of a point contact, and the solver has to find it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,12 +35,12 @@ class GivenFilm {
   double pressure(double x, double y) const {
     return peak_ * std::pow(std::max(0., 1 - x * x - y * y), 2.5);
   }
-  // None where there is pressure; elsewhere more the farther from it, up to half of the film.
+  // 0 where there is pressure. Elsewhere it grows with the distance, up to half of the film.
   double missing(double x, double y) const {
     const double beyond = std::max(0., x * x + y * y - 1), square = beyond * beyond;
     return contact_.is_starved() ? film(x, y) / 2 * square / (0.3 + square) : 0;
   }
-  // The liquid that flows along X, and along Y.
+  // The flow of liquid along X; across(): along Y.
   double along(double x, double y) const {
     const double dragged = contact_.fluid.density(pressure(x, y)) * film(x, y) - missing(x, y);
     return dragged + x * by_slope(x, y);
@@ -48,7 +48,7 @@ class GivenFilm {
   double across(double x, double y) const { return y * by_slope(x, y); }
 
  private:
-  // −ρ̄H³/(η̄λ̄) dP/dr over r.
+  // −ρ̄H³/(η̄λ̄) (dP/dr)/r.
   double by_slope(double x, double y) const {
     const double p = pressure(x, y), h = film(x, y), square = std::max(0., 1 - x * x - y * y);
     return contact_.fluid.density(p) * h * h * h * std::exp(-contact_.fluid.log_viscosity(p)) /
@@ -85,10 +85,10 @@ Errors errors_of(ehl::PointContact contact, double least) {
   for (std::size_t level = 0; level < 3; ++level) {
     const int cells = 12 << level;
     const ehl::PlaneGrid grid{3 * cells / 2, 3 * cells / 2, 3 * cells / 2, 1. / cells, 1. / cells};
-    // The flow out of the surroundings of a node, so that no liquid is lost between nodes.
+    // The flow out of a node's surroundings less the flow in: no liquid is lost between nodes.
     contact.source = [&](double x, double y) {
       const double h = grid.dx / 2;
-      // Without liquid there is no pressure outside of r = 1.
+      // Liquid is taken away outside of r = 1, so that there is no pressure.
       if (!contact.is_starved() && x * x + y * y >= 1) return -5 * grid.dx;
       const double before = x - h < grid.x(0) ? contact.inlet_film : given.along(x - h, y);
       return given.along(x + h, y) - before + given.across(x, y + h) - given.across(x, y - h);
@@ -121,7 +121,7 @@ Errors errors_of(ehl::PointContact contact, double least) {
   return errors;
 }
 
-// Errors on three grids, the last of which are at most `most`, relative to 1.
+// The error on the finest grid is at most `most`, absolutely, and is of second order.
 void expect_second_order(const std::array<double, 3>& errors, double most, const char* of,
                          double ratio) {
   EXPECT_TRUE(is_within(errors[2], 0, most)) << of << ", R_y/R_x = " << ratio;
@@ -129,7 +129,7 @@ void expect_second_order(const std::array<double, 3>& errors, double most, const
       << of << ", R_y/R_x = " << ratio << ": errors " << errors[1] << " and " << errors[2];
 }
 
-// The viscosity rises by e² up to the peak of the pressure.
+// At the peak of the pressure the viscosity is e² times that at 0.
 ehl::PointContact contact_of(double load, double ratio, double inlet_film,
                              double density_pressure) {
   ehl::PointContact contact{load, 0, ratio};
@@ -139,7 +139,7 @@ ehl::PointContact contact_of(double load, double ratio, double inlet_film,
   return contact;
 }
 
-// The load is so great that hardly any pressure comes in from outside of the grid.
+// The load is so great that the far inlet's pressure at the ends of the grid is nearly 0.
 TEST(PointSolver, FindsAGivenPressureAndFilmAtSecondOrder) {
   constexpr double ratio = 0.4;
   const Errors errors = errors_of(contact_of(1e4, ratio, INFINITY, 0), 0.03);
@@ -147,7 +147,7 @@ TEST(PointSolver, FindsAGivenPressureAndFilmAtSecondOrder) {
   expect_second_order(errors.pressure, 3e-3, "pressure", ratio);
 }
 
-// The missing liquid of a row of nodes is off by what the edge of the pressure cuts off a cell.
+// The edge of the pressure cuts a cell in each row: missing liquid has an error of first order.
 TEST(PointSolver, FindsGivenMissingLiquidBesideThePressure) {
   for (const double ratio : {1., 3., 0.4}) {
     const Errors errors = errors_of(contact_of(30, ratio, 0.5, ratio > 1 ? 1 : 0), 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The needs of a point contact that are told before it is solved, against those of its solution.
+// Grids and memory that are estimated before a point contact is solved, against those it takes.
 #include "ehl/point_needs.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 namespace tribo::verification {
 namespace {
 
-// The most memory that this program has had until now, in bytes. What getrusage() tells also
-// contains the memory of the process that started this one.
+// The greatest memory of this program so far, in bytes. getrusage() does not give it: its number
+// also covers the process that started this one.
 double greatest_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
@@ -51,8 +51,8 @@ TEST(PointNeeds, MostGridsAreThoseThatTheNodesLeave) {
             ehl::needs_of(ehl::barus_point(5, 5), {.greatest_nodes = 4'000'000}).most_grids);
 }
 
-// From M = 200 on the first grid has more cells than the inlet asks for, (M/30)^0.38 times eight:
-// with those, three grids leave the least film unknown to a tenth. Few nodes take them back.
+// Above M = 200 the first grid has more cells than the inlet needs, 8(M/30)^0.38: with no more,
+// three grids leave the least film an error of a tenth. With few nodes it has fewer cells again.
 TEST(PointNeeds, BeginWithMoreCellsUnderHeavyLoadsWhereTheNodesLeaveThem) {
   const auto cells = [](double load, Eigen::Index nodes) {
     const ehl::PointContact contact = ehl::barus_point(load, 5);
@@ -73,7 +73,7 @@ TEST(PointNeeds, BeginWithMoreCellsUnderHeavyLoadsWhereTheNodesLeaveThem) {
   }
 }
 
-// Three grids that do not tell enough are followed by three finer ones, as fine as the nodes leave.
+// Where three grids leave too great an error, three finer ones follow, if the nodes allow them.
 TEST(PointNeeds, MoreCellsFollowWhereTheNodesLeaveATenthMore) {
   const ehl::PointContact contact = ehl::barus_point(100, 5);
   const auto nodes = [&](int cells) { return 16 * ehl::grid_for(contact, cells).size(); };
@@ -83,7 +83,7 @@ TEST(PointNeeds, MoreCellsFollowWhereTheNodesLeaveATenthMore) {
   EXPECT_EQ(ehl::more_cells(contact, 20, {.greatest_nodes = nodes(22) - 1}), 0);
 }
 
-// The ends of the first grid take 0.6 of one tolerance, and 0.9 of the other.
+// The error from the first grid's ends is 0.6 of the first tolerance, and 0.9 of the second.
 TEST(PointNeeds, HoldAGridThatIsMadeLongerWhereItsEndsTakeTooMuch) {
   const ehl::PointContact contact = ehl::barus_point(50, 3, 8);
   for (const double tolerance : {3e-3, 2e-3}) {
@@ -106,7 +106,7 @@ TEST(PointNeeds, HoldAGridThatIsMadeLongerWhereItsEndsTakeTooMuch) {
 TEST(PointNeeds, TellAtLeastTheMemoryThatTheSurveyTook) {
   struct Taken {
     Eigen::Index nodes;
-    double megabytes;  // without the 22 of the program
+    double megabytes;  // of 2^20 bytes, without the program's 22
   };
   for (const auto& [nodes, megabytes] : {Taken{232'609, 352},
                                          {300'713, 439},

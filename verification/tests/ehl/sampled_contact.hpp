@@ -68,7 +68,7 @@ class ContactSampler : Draws {
 
 struct SampledPoint {
   ehl::PointContact contact;
-  double supply;  // layer of liquid divided by the expected flooded film; 0: it is flooded
+  double supply;  // layer of liquid divided by the expected flooded film; 0: flooded
 };
 
 // Contacts with Barus liquids without compression. There are three kinds in turn. The first is a

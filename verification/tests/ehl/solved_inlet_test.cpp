@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// closures.starvation = "solved" (tribo/solved_inlet.hpp): the table goes through the rows of
-// starved films, and between them lies within the interpolation's error of films that were solved
-// there; the film lies between its limits, and rises with the layer; the kernels have the numbers
-// of the template; onsets are those of a dense sweep; and outside of the table there is no film.
+// closures.starvation = "solved" (tribo/solved_inlet.hpp). The table goes through the rows of
+// starved films, and agrees with films solved between the rows. The film lies between its limits,
+// and rises with the layer. In double it is that of long double. Onsets are those of a dense sweep.
+// Outside of the table there is no film.
 #include "tribo/solved_inlet.hpp"
 
 #include <fmt/format.h>
@@ -34,8 +34,8 @@ struct Film {
   double value, error;
 };
 
-// Compares ℛ of each starved row of a table, if the interpolation has its M and L, with the
-// interpolated ℛ: to the rows' errors and `part` of ℛ. Returns how many rows were compared.
+// Compares the film ratio ℛ of each starved row of the table `name` with the interpolated ℛ, to the
+// rows' errors and `part` of ℛ. Leaves out rows without such an ℛ. Returns the number compared.
 int hold_starved_rows(const std::string& name, double part) {
   std::map<std::pair<double, double>, Film> flooded;
   int held = 0;
@@ -67,7 +67,7 @@ TEST(SolvedInlet, IsWithinItsErrorOfFilmsSolvedBetweenTheRows) {
   EXPECT_EQ(hold_starved_rows("point_films_between", solved_inlet_interpolation), 15);
 }
 
-// For each M, L and r on a grid three times as fine as the table, and beyond its r.
+// Checks each M, L and r on a grid three times as fine as the table's, which goes beyond its r.
 template <class Check>
 void for_each_place(const Check& check) {
   const InletTable& table = inlet_table();
@@ -88,14 +88,14 @@ TEST(SolvedInlet, FilmsLieBetweenTheirLimitsAndRiseWithTheLayer) {
   int places = 0;
   for_each_place([&](double load, double material, double r) {
     const double y = film_ratio_between(load, material, r);
-    if (std::isnan(y)) return;  // M at the table's end, by rounding
+    if (std::isnan(y)) return;  // rounding takes M beyond the table's end
     if (r < 0.25 || r > 4) {
       EXPECT_GT(y, 0.97 * std::fmin(1, 1 / r)) << load << ' ' << material << ' ' << r;
     }
     const double more = film_ratio_between(load, material, r * 1.001);
     EXPECT_LT(y, std::fmin(1, 1 / r));
     EXPECT_GT(y, std::exp2(-1.0 / 2) * std::fmin(1, 1 / r));
-    // As h_oil falls, so does the film, less than h_oil does.
+    // As h_oil falls, the film falls, too, but by a smaller factor.
     EXPECT_LT(more, y) << load << ' ' << material << ' ' << r;
     EXPECT_GT(more * 1.001, y) << load << ' ' << material << ' ' << r;
     ++places;
@@ -120,7 +120,7 @@ TEST(SolvedInlet, OutsideOfMAndLNothingIsKnown) {
     EXPECT_TRUE(std::isnan(exponent(within_load, material + outwards)));
     EXPECT_FALSE(std::isnan(exponent(within_load, material - outwards)));
   }
-  // Beyond r from 1/4 to 4, γ stays.
+  // For r outside of 1/4 to 4, γ is that of the nearer end.
   EXPECT_EQ(solved_inlet_exponent(table, within_load, within_material, 9.0),
             solved_inlet_exponent(table, within_load, within_material, table.last_ratio()));
 }
@@ -159,7 +159,7 @@ TEST(SolvedInlet, PointsHaveTheFilmOfTheTable) {
             point.film_flooded / (contact.inlet_film_parameter(speed) * contact.summit_height_sd());
         const double film = point.film_flooded * film_ratio_between(m, l, r);
         EXPECT_TRUE(is_within(point.film, film, 1e-13 * film));
-        // A film and an inlet that are known already give the same shares.
+        // complete() gives the same shares from a film and an inlet that are already known.
         const FloodedFilm<double> flooded = contact.flooded(speed);
         const OperatingPoint<double> completed =
             contact.complete(flooded, contact.inlet(flooded), OutputSet::all());

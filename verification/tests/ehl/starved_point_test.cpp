@@ -13,16 +13,16 @@
 namespace tribo::verification {
 namespace {
 
-constexpr double flooded_film = 4.8587;  // film number of M = 20, L = 10, ± 0.002
+constexpr double flooded_film = 4.8587;  // central, as film number, of M = 20, L = 10; ± 0.002
 
-// A layer of `thickness` times the flooded central film before M = 20, L = 10.
+// L = 10 and M = `load`, behind a layer of `thickness` times `film`, which is a film number.
 ehl::PointContact behind_a_layer(double thickness, double load = 20, double film = flooded_film) {
   ehl::PointContact contact = ehl::barus_point(load, 10);
   contact.inlet_film = thickness * film / ehl::numbers_of(contact).film_number;
   return contact;
 }
 
-// On no more grids than the nodes leave, whatever errors they have.
+// The film from as many grids as `nodes` allow, whatever its errors are.
 ehl::SolvedPoint solved_point(const ehl::PointContact& contact, Eigen::Index nodes = 25'000) {
   ehl::SolvedPoint film =
       ehl::solve_point_film(contact, {.tolerance = 1e-2, .greatest_nodes = nodes});
@@ -35,8 +35,8 @@ double film_ratio(const ehl::PointContact& contact) {
   return solved_point(contact).central.value * ehl::numbers_of(contact).film_number / flooded_film;
 }
 
-// The liquid that the layer brings leaves behind the contact, where nothing but drag moves it; in
-// between, a gap is full where there is pressure, and no node has more liquid than it can hold.
+// As much liquid as the layer brings leaves behind the contact, where only drag moves it. Where
+// there is pressure the gap is full, and no node has more liquid than it can hold.
 TEST(StarvedPoint, LosesNoLiquid) {
   for (const double thickness : {0.5, 1.5}) {
     const ehl::PointContact contact = behind_a_layer(thickness);
@@ -65,7 +65,7 @@ TEST(StarvedPoint, LosesNoLiquid) {
   }
 }
 
-// A thin layer passes whole, a thick one floods the contact, and more oil makes a thicker film.
+// A thin layer becomes the film, a thick one nearly floods; a thicker layer makes a thicker film.
 TEST(StarvedPoint, FilmLiesBelowTheLayerAndTheFloodedFilm) {
   double before = 0;
   for (const double thickness : {0.15, 0.5, 1.5}) {
@@ -80,8 +80,8 @@ TEST(StarvedPoint, FilmLiesBelowTheLayerAndTheFloodedFilm) {
   EXPECT_GT(before, 0.85);
 }
 
-// Along a contact that is far longer than wide nothing flows to the sides: a layer that is thinner
-// than the flooded film passes the middle whole; on a circle a part is pressed aside.
+// Where a contact is far longer than wide, nothing flows to the sides: a layer that is thinner than
+// the flooded film passes the middle whole. In a circle a part of it is pressed aside.
 TEST(StarvedPoint, OfALongEllipseLetsTheWholeLayerPass) {
   std::array<double, 2> passed{};
   for (const double ratio : {1., 16.}) {
@@ -95,7 +95,7 @@ TEST(StarvedPoint, OfALongEllipseLetsTheWholeLayerPass) {
   EXPECT_TRUE(is_within(passed[1], 1, 0.02));
 }
 
-// Each of the films on three grids within the error that it states, by four grids.
+// The films from four grids lie within the stated errors of the films from three grids.
 TEST(StarvedPoint, ErrorsHoldAgainstAFinerGrid) {
   const auto on = [](Eigen::Index nodes, int grids) {
     ehl::SolvedPoint film =
@@ -111,8 +111,8 @@ TEST(StarvedPoint, ErrorsHoldAgainstAFinerGrid) {
     EXPECT_TRUE(is_estimated(coarse.*member, (fine.*member).value, 0));
 }
 
-// Richardson's values of the least film agree to 6e-5 on three grids; on the fourth they fall by
-// three times as much.
+// On three grids Richardson's values of the least film agree to 6e-5. The fourth grid lowers the
+// value by three times as much.
 TEST(StarvedPoint, ErrorHoldsWhereRichardsonsValuesAgreeByChance) {
   ehl::PointContact contact = ehl::barus_point(71.1702, 7.8085);
   contact.inlet_film = 1.03073 * ehl::expected_film(contact);
@@ -121,8 +121,8 @@ TEST(StarvedPoint, ErrorHoldsWhereRichardsonsValuesAgreeByChance) {
   EXPECT_TRUE(is_estimated(film.minimum, 0.077373, 2e-6));
 }
 
-// Beside the contact the layer grazes whole rows of nodes. A step that dried a few nodes of such a
-// row would leave the next ones to the next steps: twenty of them a grid.
+// Beside the contact the edge of the liquid lies along whole rows of nodes. If a step dried only a
+// few nodes of such a row, each grid would take twenty steps.
 TEST(StarvedPoint, DriesARowInFewSteps) {
   ehl::PointContact contact = ehl::barus_point(500, 5);
   contact.inlet_film = 2.802 / ehl::numbers_of(contact).film_number;  // the flooded film

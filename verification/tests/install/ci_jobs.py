@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Jobs of verification/conformance/ci, run as the two systems run them: each script as it stands, in order.
 
-What a system itself does (checkout, caches, artifacts) is left out or stood in for; a condition or a form of a step
-that is not known here is an error, so that no script is passed over.
+What a system itself does (checkout, caches, artifacts) is left out or has a stand-in. A condition of a step that is
+not known here is an error, so that no script is passed over.
 """
 
 import dataclasses
@@ -16,7 +16,7 @@ ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 FOLDER = ROOT / "verification/conformance/ci"
 TIME = 3000  # s, for one script; the slow test builds the program in one
 
-# The conditions of steps: (is all well so far, outcome of each step by its id, is the program in the cache).
+# The conditions of steps, by: have all steps so far succeeded, outcome of each step by its id, is the program in the cache.
 CONDITIONS = {
     None: lambda well, outcomes, is_cached: well,
     "steps.cache.outputs.cache-hit != 'true'": lambda well, outcomes, is_cached: well and not is_cached,
@@ -36,7 +36,7 @@ class Run:
 
 
 def read(system):
-    """The file as YAML 1.1, in which the key `on` of GitHub's is the word for true."""
+    """Parses the file as YAML 1.1, in which GitHub's key `on` means true, and gives this key its name back."""
     job = yaml.safe_load((FOLDER / f"{system}.yml").read_text())
     return {"on" if key is True else key: value for key, value in job.items()}
 
@@ -47,7 +47,7 @@ def script(shell, text, folder, environment):
 
 
 def run_github(folder, environment, is_cached=False):
-    """Without a shell that is named, a step in a container is run by `sh -e`."""
+    """A step in a container that names no shell is run by `sh -e`."""
     workflow, run, outcomes = read("github"), Run(), {}
     summary = folder.parent / f"{folder.name} summary.md"
     summary.write_text("")
@@ -68,7 +68,7 @@ def run_github(folder, environment, is_cached=False):
 
 
 def run_gitlab(folder, environment):
-    """The runner joins all lines to one script of bash, which ends where one fails."""
+    """The runner joins all lines to one bash script, which ends at the first line that fails."""
     job, run = read("gitlab")["tribocheck"], Run()
     lines = [*job["before_script"], *job["script"]]
     done = script(["bash", "-eo", "pipefail", "-c"], "\n".join(lines), folder, {**job["variables"], **environment})

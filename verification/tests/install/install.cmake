@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -D BUILD_DIR=… -D VERSION=… -D SOURCE_DIR=… -P this
-# A folder of its own for each run: two may run at a time. A failure leaves it to be looked at.
+# Each run has its own folder, because two may run at a time. After a failure the folder stays, to be looked at.
 execute_process(COMMAND mktemp --directory --tmpdir tribocheck-install-XXXXXX
   OUTPUT_VARIABLE scratch OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 set(prefix ${scratch}/prefix)
@@ -28,7 +28,7 @@ foreach(place IN LISTS places)
   endif()
 endforeach()
 
-# A consumer is not asked for what only the build of the library needs.
+# The package does not ask consumers for libraries that only the build needs.
 file(GLOB_RECURSE package_files ${prefix}/tribocheck*.cmake)
 if(NOT package_files)
   message(FATAL_ERROR "no CMake package under ${prefix}")
@@ -40,8 +40,8 @@ foreach(file IN LISTS package_files)
   endif()
 endforeach()
 
-# Who configures a project: the target of CMake that it links, the components that it asks for, and whether the
-# libraries that the model is linked with are there. A project that only puts a solver to the tests needs none of them.
+# Configures a project that links the CMake target `link` and asks for `components`. `has_libraries`: whether the
+# libraries of the model are found. A project that only tests a solver needs none of them. Sets `result` to "code: output".
 function(configure_project result link components has_libraries)
   set(folder ${scratch}/project)
   file(REMOVE_RECURSE ${folder})
@@ -117,7 +117,7 @@ if(binaries LESS 4)  # two programs and two libraries
   message(FATAL_ERROR "${binaries} binaries are installed")
 endif()
 
-# A program in C finds the library by pkg-config, and the library the certified values of its prefix.
+# A program in C finds the library by pkg-config, and the library finds the certified values under its prefix.
 file(GLOB_RECURSE pkgconfig ${prefix}/tribocheck.pc)
 get_filename_component(pkgconfig ${pkgconfig} DIRECTORY)
 run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pkgconfig} pkg-config --cflags --libs tribocheck)
@@ -125,10 +125,10 @@ separate_arguments(flags UNIX_COMMAND "${output}")
 run(cc -std=c99 -D_GNU_SOURCE ${SOURCE_DIR}/reports/tests/library_user.c -o user ${flags} -lm -pthread)
 file(GLOB_RECURSE library ${prefix}/libtribocheck.so)
 get_filename_component(library ${library} DIRECTORY)
-file(CREATE_LINK ${library} ${scratch}/lib SYMBOLIC)  # by a link, as Debian's loader has /lib
+file(CREATE_LINK ${library} ${scratch}/lib SYMBOLIC)  # through a link, as /lib is on Debian
 run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${scratch}/lib ${scratch}/user judge right)
 
-# A public header that is not installed builds here, and is missing there.
+# A public header that is not installed is found in the source tree, but not by consumers.
 file(GLOB headers RELATIVE ${SOURCE_DIR}/model ${SOURCE_DIR}/model/include/tribo/*.hpp)
 file(GLOB scenes RELATIVE ${SOURCE_DIR}/reference
   ${SOURCE_DIR}/reference/published/*.toml ${SOURCE_DIR}/reference/published/*.tsv)
@@ -150,7 +150,7 @@ run(${prefix}/bin/tribocheck --version)
 if(NOT output MATCHES "${VERSION}")
   message(FATAL_ERROR "the installed program calls itself: ${output}")
 endif()
-# Outside of the tree too.
+# The installed program works outside of the source tree, too.
 run(${prefix}/bin/tribocheck field ${prefix}/share/tribocheck/verdicts -o ${scratch}/field.html)
 run(${prefix}/bin/tribocheck report --section figures --out ${scratch}/report)
 file(SIZE ${scratch}/report/index.html page_size)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stand-ins of `make`, `git` and `apt-get` for tests that install where nobody has seen the project before.
+"""Stand-ins of `make`, `git` and `apt-get` for tests that install the project in a new place.
 
-That of `make` installs this build under the PREFIX that it is given, without building the project again; all three write
-down their arguments.
+The stand-in of `make` installs this build under the given PREFIX, and does not build the project again. All three record
+their arguments.
 """
 
 import os
@@ -23,7 +23,7 @@ echo "$(basename "$0") $*" >> "$HOME/asked"
 
 
 def put_into(home, **more):
-    """Writes the stand-ins into a folder of `home`, and `more` as text by name; returns an environment that has them."""
+    """Writes the stand-ins and `more` (texts by name) into a folder of `home`; returns an environment with it on PATH."""
     folder = home / "stands in"
     folder.mkdir()
     for name, text in {"make": MAKE, "git": OTHERS, "apt-get": OTHERS, **more}.items():

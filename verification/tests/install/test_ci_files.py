@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The files for GitHub Actions and GitLab CI: their structure, and what their scripts do with a good and a broken solver.
 
-`make`, `git`, `apt-get` and the measuring of speed are stood in for here; test_ci_files_slow.py has the real ones.
+`make`, `git`, `apt-get` and `bench` have stand-ins here. test_ci_files_slow.py uses the real ones, except for `apt-get`.
 """
 
 import pathlib
@@ -16,15 +16,15 @@ import ci_jobs
 import stand_ins
 from stand_ins import BUILD, NEWCOMER, ROOT
 
-# Closed lists of what each part must and may have, in the words of the two systems' documentation.
+# Closed lists of the keys that a step may have (by GitHub's documentation), of the settings, and of the JUnit files.
 GITHUB_STEP = {"name", "id", "if", "uses", "with", "run"}
 SETTINGS = {"TRIBOCHECK_REPOSITORY", "TRIBOCHECK_TAG", "SOLVER"}
 JUNIT = ["tribocheck.xml", "speed.xml"]
-# Libraries that Debian's smallest system has, or those of MPI, which a machine without its headers does not link.
+# Libraries that Debian's smallest system has, and MPI's, which is linked only on machines that have its headers.
 ALWAYS_THERE = {"libc6", "libgcc-s1", "libstdc++6", "zlib1g", "libopenmpi3"}
 
-# The program that the stand-in of `make` has installed, but for `bench`, which takes no time: a solver is slow where its
-# text says so. It refuses what `bench` would not know.
+# Installs the program with a `bench` that measures nothing: a solver is slow where its text has the word `slow`. This
+# `bench` refuses all arguments but those that the files give it.
 MAKE_WITH_BENCH = stand_ins.MAKE.replace("exec ", "") + r"""
 mv "$prefix/bin/tribocheck" "$prefix/bin/real"
 cat > "$prefix/bin/tribocheck" << 'END'
@@ -68,7 +68,7 @@ class Structure(unittest.TestCase):
                 self.assertLessEqual("with" in step, "uses" in step)
                 if "uses" in step:
                     self.assertRegex(step["uses"], r"^actions/[a-z-]+(/[a-z]+)?@v\d+$")
-                self.assertNotIn("${{", step.get("run", ""))  # which would put texts of others into a script
+                self.assertNotIn("${{", step.get("run", ""))  # it would put texts of others into a script
         ids = {step.get("id") for step in steps}
         self.assertLessEqual(set(re.findall(r"steps\.(\w+)\.", text_of("github"))), ids)
         kinds = [step.get("uses", "").partition("@")[0] for step in steps]
@@ -132,19 +132,19 @@ class Jobs(unittest.TestCase):
         cls.home = pathlib.Path(folder.name)
         cls.environment = stand_ins.put_into(cls.home, make=MAKE_WITH_BENCH)
         cls.baseline = cls.home / "tribocheck.json"
-        # Its exit code is 1: the newcomer's film is wrong, which the baseline lets it be.
+        # The exit code is 1: the newcomer's film is wrong, and the baseline records it as allowed.
         subprocess.run([BUILD / "tribocheck", "verify", "--subject", f"python3 {NEWCOMER}", "--baseline",
                         cls.baseline, "--update-baseline"], capture_output=True, check=False)
 
     def fill(self, folder, text):
-        """A solver of this text, its baseline, and the version before, which the systems check out."""
+        """Writes a solver of this text, its baseline, and the version before, which the real systems check out."""
         (folder / "my_solver.py").write_text(text)
         shutil.copy(self.baseline, folder)
         (folder / "before").mkdir()
         shutil.copy(NEWCOMER, folder / "before")
 
     def run_both(self, text, is_green, verdict, failed):
-        """Runs a solver of this text in both systems; what was asked of the stand-ins, and the two runs."""
+        """Runs a solver of this text in both systems; checks the results and the commands given to the stand-ins."""
         for system in ("github", "gitlab"):
             with self.subTest(system=system):
                 folder = pathlib.Path(tempfile.mkdtemp(dir=self.home))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The scripts for GitHub Actions and GitLab CI as they stand, in a root of their own: the program is cloned and built there.
 
-`apt-get` alone is stood in for: the packages are those of this machine. The root has no network, an empty home and an
-empty /tmp; it is a mount namespace, which this file starts itself again in (`unshare`). GitHub's job builds the program
-(some minutes); all other runs find it in their cache.
+Only `apt-get` has a stand-in: the packages are those of this machine. The root is a mount namespace without network, with
+an empty home and an empty /tmp. This file starts itself again in it, by `unshare`. GitHub's job builds the program (some
+minutes); all other runs find it in their cache.
 """
 
 import os
@@ -59,7 +59,7 @@ class Jobs(unittest.TestCase):
         (HOME / "bin/apt-get").chmod(0o755)
         tag = ci_jobs.read("github")["env"]["TRIBOCHECK_TAG"]
         sources = HOME / "sources.git"
-        # The version of the solver before, on the default branch of its project.
+        # The earlier version of the solver, on the default branch of its project.
         cls.project = HOME / "project"
         cls.project.mkdir()
         (cls.project / "my_solver.py").write_text(SOLVER)
@@ -71,7 +71,7 @@ class Jobs(unittest.TestCase):
         cls.environment = {"HOME": str(HOME), "PATH": f"{HOME}/bin:/usr/sbin:/usr/bin:/sbin:/bin", "LANG": "C.UTF-8",
                            "TRIBOCHECK_REPOSITORY": f"file://{sources}", "CI_DEFAULT_BRANCH": "main"}
         cls.first = cls.workspace("first by github", SOLVER)
-        # The baseline is made as the head of the files says, by the program that the first job has built.
+        # This job builds the program. test_2 makes the baseline with it, by the command at the head of the files.
         cls.built = ci_jobs.run_github(cls.first, cls.environment)
 
     @classmethod
@@ -113,7 +113,7 @@ class Jobs(unittest.TestCase):
                 (gitlab, self.jobs.run_gitlab(gitlab, self.environment)))
 
     def assert_kept(self, folder, run, red):
-        """JUnit and the summary are there, and the failures in each file are those that are wanted (None: either)."""
+        """JUnit files and summary are there, and each file has failures where `red` says so (None: either)."""
         for file, is_red in zip(("tribocheck.xml", "speed.xml"), red, strict=True):
             self.assertIn(file, run.kept)
             failures = ElementTree.parse(folder / file).getroot().findall(".//failure")
@@ -142,7 +142,7 @@ class Jobs(unittest.TestCase):
             self.assertEqual(self.installed(line, folder).returncode, 0)
             (folder / "my_solver.py").write_text(text)
             (folder / "CMakeLists.txt").write_text(CTEST)
-            # Twice, as a measure of speed on a machine that is busy may be wrong once.
+            # A failed test is run again: on a busy machine a measured speed may be wrong once.
             script = 'cmake -S . -B build -D CMAKE_PREFIX_PATH="$PWD/.tribocheck"; ctest --test-dir build --repeat until-pass:2'
             done = subprocess.run(["sh", "-ec", script], cwd=folder, env=self.environment, check=False,
                                   capture_output=True, text=True)

@@ -143,7 +143,7 @@ class Readme(unittest.TestCase):
         text, = blocks(CONFORMANCE, "As a gate in your CI", "cmake")
         (self.folder / "CMakeLists.txt").write_text(text)
         script, = [text for text in blocks(CONFORMANCE, "As a gate in your CI", "sh") if "ctest" in text]
-        # A fresh plug-in answers nothing, and is red; with Hertz' contact, as the page has it, it is green.
+        # A fresh plug-in answers nothing, and its test fails. With Hertz' contact, as the page shows it, the test passes.
         said = self.installed(script, 8)
         self.assertRegex(said, r" my_solver \.+ +Passed")
         self.assertRegex(said, r" my_library_holds \.+\*+Failed")
@@ -161,7 +161,7 @@ class Readme(unittest.TestCase):
             self.assertRegex(said, rf" {test} \.+ +Passed")
         worse = NEWCOMER.read_text().replace("1.5 * mean", "1.4 * mean")
         (self.folder / "my_solver.py").write_text(worse)
-        with open(self.folder / "CMakeLists.txt", "a") as file:  # and by itself, without the baseline
+        with open(self.folder / "CMakeLists.txt", "a") as file:  # one more subject, without a baseline
             file.write("find_package(tribocheck 0.2 CONFIG REQUIRED)\n"
                        "tribocheck_add_subject(alone COMMAND python3 ${CMAKE_SOURCE_DIR}/my_solver.py SAMPLE 50)\n")
         said = self.sh(script, 8)

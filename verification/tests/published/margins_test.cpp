@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The errors of the ledger's numbers, and the margins of its verdicts: extremes, the ends of the
-// compared speeds and parts of these against dense sweeps that share no code with them; margins
-// against a search for the nearest other verdict.
+// The errors of the ledger's numbers, and the margins of its verdicts. Extremes, ends and parts of
+// the compared speeds are held against dense sweeps, which do not use SampledCurve. Margins are
+// held against a search for the nearest other verdict.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ struct Models {
   MixedContact<double> smooth_gw{scenes().scene[3]};
   double onset = model_onset(scenes().scene[2]).speed;
 };
-// The ratio of one number at two contacts. An item compares it from the speed `from` on.
+// The ratio of one number of two contacts, which an item judges from the speed `from` on.
 struct Comparison {
   std::string_view id;
   double from;
@@ -101,7 +101,7 @@ TEST(Extremes, LeastAreaOfTheTransitionIsThatOfADenseSweep) {
   EXPECT_TRUE(is_within(*got.value, 1.3469, 5e-5));
   EXPECT_EQ(got.part, 0);
   EXPECT_LT(got.error, 1e-10);
-  // A coarse grid took this reading for reproduced, but 1.112 is more than 1 % of the axis.
+  // On a coarse grid this reading reproduced the item, but 1.112 is more than 1 % of the axis.
   const ItemResult lost =
       judged(item("C10"),
              evaluate(scenes(),
@@ -138,12 +138,12 @@ TEST(Zones, BeginAtTenTimesTheLowestSpeedAndEndAtTheOnset) {
   const Observed friction = evaluate(scenes(), corrected_reading(), item(frictions.id));
   EXPECT_TRUE(is_close(*friction.value, frictions(1e-4), 1e-11, {}));
   EXPECT_TRUE(is_close(friction.other_end, frictions(models.onset), 1e-11, {}));
-  // A hundredth of a decade away from this end the ratio is another one.
+  // A hundredth of a decade away from each end the ratio differs.
   EXPECT_GT(std::abs(areas(1e-3 * 1.02) / *mixed.value - 1), 1e-5);
   EXPECT_GT(std::abs(frictions(models.onset / 1.02) / friction.other_end - 1), 1e-5);
 }
 
-// With the fourfold viscosity the film with GW collapses before the one with GT is greatest.
+// With four times the viscosity the film with GW collapses below the speed of GT's greatest film.
 TEST(Zones, EndAtTheCollapseOfAFilmThatIsCompared) {
   PaperScenes changed = scenes();
   changed.scene[3].lubricant.viscosity *= 4;
@@ -281,7 +281,7 @@ TEST(FloodedSlope, IsThatOfTheFilm) {
   EXPECT_EQ(range.error, 1e-12 * *range.value);
 }
 
-// rounding(), from which the numbers' errors are computed, bounds the distance to a wider type.
+// rounding(), from which the numbers' errors are computed, bounds the difference to long double.
 TEST(Rounding, OfAPointIsBelowWhatItIsTakenFor) {
   Sampler sampler(33);
   const ReadInlet inlet(corrected_reading());
@@ -307,8 +307,7 @@ TEST(Rounding, OfAPointIsBelowWhatItIsTakenFor) {
   }
 }
 
-// Places at random distances from 0 to 6, and as many equal steps between them as a dense sweep
-// has.
+// Nodes at random distances from 0 to 6. dense_step and dense_values(): a dense sweep from 0 to 6.
 std::vector<double> random_nodes(Sampler& sampler, double least, double most) {
   std::vector<double> nodes;
   for (double at = 0; at < 6; at += sampler.uniform(least, most)) nodes.push_back(at);
@@ -329,7 +328,7 @@ std::vector<double> values_at(const std::vector<double>& places, const Function&
   return values;
 }
 
-// The first fall to a level is where that of the dense values is.
+// Checks that the curve first falls to a level where the dense values do. Returns this fall.
 template <class Function>
 std::optional<Estimate> held_fall(const SampledCurve<Function>& curve, const Function& f,
                                   const std::vector<double>& dense, double level,
@@ -345,8 +344,8 @@ std::optional<Estimate> held_fall(const SampledCurve<Function>& curve, const Fun
   return fall;
 }
 
-// Extremes, parts and falls of a function with several waves, by each Effort: the true number
-// lies within the error.
+// A tilted sine. The true extremes lie within the stated errors for each Effort. Parts and falls
+// are those of a dense sweep.
 TEST(SampledCurves, AreWithinTheirErrors) {
   Sampler sampler(34);
   std::size_t told_by_the_grid = 0;
@@ -376,8 +375,8 @@ TEST(SampledCurves, AreWithinTheirErrors) {
   EXPECT_GT(told_by_the_grid, 10U);
 }
 
-// Levels just above a minimum, which the function reaches only between two nodes, and levels of
-// both signs. The error of a level adds to the error of the place.
+// Levels of both signs just above a minimum. The function may reach them only between two nodes.
+// The error of a level adds to the error of the place.
 TEST(SampledCurves, FallToALevelWhereADenseSweepDoes) {
   Sampler sampler(35);
   std::size_t between_nodes = 0;
@@ -410,8 +409,8 @@ TEST(SampledCurves, FallToALevelWhereADenseSweepDoes) {
   EXPECT_GT(between_nodes, 50U);
 }
 
-// The function does not cross the level, but nodes within the noise say so: then the crossing may
-// be anywhere between them.
+// The values at two nodes, off by the noise, cross a level that the function does not cross. The
+// crossing may then be anywhere between these nodes.
 TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
   const SampledCurve curve(
       std::vector<double>{2.5, 3}, std::vector<double>{1e-15, -1e-15}, [](double) { return 1e-15; },
@@ -425,10 +424,10 @@ TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
   EXPECT_EQ(part.error, 0.5);
 }
 
-// sin(x + phase) on [0, 6], whose values are all off by their noise: errors cover the true ones,
-// and are not far above them. A number is off by the noise over the slope there, a part by twice
-// that over the length. Errors of extremes on the grid are judged by their mean, because a node may
-// lie on an extremum.
+// All values of sin(x + phase) on [0, 6] are off by their noise. The stated errors cover the true
+// ones, and are at most ten times as great. A place is off by the noise over the slope there, a
+// part by twice that over the length. Errors of extremes on the grid are judged by their mean,
+// because a node may lie on an extremum.
 TEST(SampledCurves, StateErrorsOfTheSizeOfTheTrueOnes) {
   Sampler sampler(36);
   double stated = 0, true_ones = 0;
@@ -459,8 +458,8 @@ TEST(SampledCurves, StateErrorsOfTheSizeOfTheTrueOnes) {
   EXPECT_LT(stated, 40 * true_ones);
 }
 
-// Next to its least nodes this parabola falls by 2 from node to node: in the cell between them it
-// is taken to fall on for twice that at the most.
+// This parabola falls by 2 in the cells on both sides of its two least nodes. In the cell between
+// these nodes it is taken to fall by at most twice that.
 TEST(SampledCurves, OnTheGridAllowTwiceWhatTheLinesThroughNeighboursAllow) {
   const auto f = [](double x) { return (x - 2.5) * (x - 2.5); };
   const std::vector<double> x{0, 1, 2, 3, 4, 5};
@@ -488,7 +487,7 @@ TEST(SampledCurves, OfOnePlaceAreItsValue) {
   }
 }
 
-// Errors of onsets that are powers of two: each has its part in the error of what is made of them.
+// The errors of the onsets are powers of two. This shows the part of each in a result's error.
 TEST(Errors, OfWhatIsMadeOfOnsetsAddThoseOfEachOnset) {
   Stages stages{};
   stages.onsets = {OnsetPoint{8, 3, 0x1p-10}, OnsetPoint{2, 3, 0x1p-11}, OnsetPoint{1, 3, 0x1p-12},
@@ -516,7 +515,7 @@ TEST(Errors, OfWhatIsMadeOfOnsetsAddThoseOfEachOnset) {
     EXPECT_EQ(observed(quantity, PaperSurface::medium).value.has_value(), false);
 }
 
-// The nearest number at which the verdict is another one, found by trying.
+// The distance, in ln, to the nearest number with another verdict, found by small steps.
 double nearest_other_verdict(const Item& one, const Observed& observed) {
   const Verdict here = judge(one, observed);
   constexpr double step = 1e-4;
@@ -524,7 +523,7 @@ double nearest_other_verdict(const Item& one, const Observed& observed) {
     for (const double side : {1.0, -1.0}) {
       Observed moved = observed;
       moved.value = *observed.value * std::exp(side * distance);
-      // A comparison holds everywhere where its worst number does.
+      // Where the worst number of a comparison holds, all of them hold.
       if (one.rule == Rule::order) moved.part = *moved.value > 1 ? 1 : 0;
       if (judge(one, moved) != here) return distance;
     }
@@ -631,8 +630,8 @@ TEST(Margins, OfAPartOfTheSpeedsAreFromOneHalf) {
   EXPECT_TRUE(is_close(middle.distance, std::log(1.01), 1e-12, {}));
 }
 
-// Where a number decides alone, or a ratio is within ten percent, the part of the speeds has no
-// say.
+// Where a number decides alone, or a ratio is within ten percent, the part of the speeds does not
+// count.
 TEST(Margins, OfAVerdictThatNoPartDecidesAreOfTheNumber) {
   for (const auto& [id, value, verdict, of] :
        {std::tuple{"C8", 1.05, Verdict::within_ten_percent, MarginOf::number},
@@ -651,7 +650,7 @@ TEST(Margins, ARatioOfOneIsNotGreaterThanOneForItsRounding) {
   const ItemResult got = judged(item("C9"), just_above);
   EXPECT_NE(got.verdict, Verdict::reproduced);
   EXPECT_FALSE(got.is_decided());
-  // With the printed equations the film is the same at all speeds, and the area on all surfaces.
+  // With the printed equations all speeds have the same film, and all surfaces the same area.
   const Observed literal = evaluate(scenes(), literal_reading(), item("C9"));
   EXPECT_TRUE(is_within(*literal.value, 1, literal.error));
   EXPECT_FALSE(judged(item("C9"), literal).is_decided());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's case: hand checks, the shares and films at the lowest speed, λ at the onset; and the
+// The paper's case: hand checks, the shares and films at the lowest speed, λ at the onset. The
 // shipped scene files hold the same inputs.
 #include <gtest/gtest.h>
 

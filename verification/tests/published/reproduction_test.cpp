@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reading model against the model, the enumeration against each reading alone, the inversions
-// against their promises, and the ledger against the committed one.
+// The reading model is compared with the model, the enumeration with each reading alone, and the
+// ledger with the committed one. The inputs that inversions find have to make their items hold.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -94,8 +94,8 @@ TEST(CorrectedReading, HasTheModelsOnsetWhereFrictionHasTwoMinima) {
   EXPECT_TRUE(is_close(got->speed, expected.speed, 2e-6, {}));
 }
 
-// E9: the model itself, with the offset of two faces, and with that of two equal faces, whose D_d
-// and σ_s are those of one face and of the sum.
+// Erratum E9: the switch gives the numbers of the model with the offset of two faces. For two equal
+// faces the printed D_d/σ_s is that of one face, and the printed σ_s that of their sum.
 TEST(OffsetPlanes, AreTheModelsOwn) {
   constexpr std::array<std::array<double, 3>, 2> shares{
       {{1.00, 1.00, 0.97}, {0.999, 0.841, 0.704}}};
@@ -144,7 +144,7 @@ TEST(Tolerances, AreNarrowerAndWiderForAllRules) {
       EXPECT_GE(made.tolerances[k].scores[i], made.tolerances[k - 1].scores[i]);
 }
 
-// A number that the print leaves open is plausible.
+// All numbers that print as the given one lie within the plausible range.
 TEST(Inputs, ArePlausibleWithinTheirPrintPrecision) {
   for (const Input& one : read_inputs(published + "/inputs.tsv")) {
     const double half = one.last_digit / 2;
@@ -170,7 +170,7 @@ TEST(ReadInlets, AreTheModelsClosuresWithTheLineContactsGap) {
     for (int i = 0; i < 2000; ++i) {
       const double r =
           sampler.log_uniform(1e-8, closure == StarvationClosure::flooded_inlet ? 0.999 : 1e4);
-      // A film that falls as r^−7 is as much more sensitive to ln r.
+      // A film that falls as r^−7 is seven times as sensitive to ln r.
       EXPECT_TRUE(is_close(of_many.film_ratio(r), law.film_ratio(r),
                            5e-15 * (1 + std::abs(law.slope(r))), {{"r", r}}));
       EXPECT_TRUE(is_close(of_many.slope(r), law.slope(r), 1e-11, {{"r", r}}));
@@ -187,7 +187,7 @@ TEST(ReadInlets, AreTheModelsClosuresWithTheLineContactsGap) {
   }
 }
 
-// h*/h_oil = (2/π) arctan(2.7ψ) and h_oil/h* = 1 + ψ^{3/2}/c: the film does not enter.
+// As printed, h*/h_oil = (2/π) arctan(2.7ψ) and h_oil/h* = 1 + ψ^{3/2}/c, without h_ff.
 TEST(ReadInlets, AsPrintedGivesOneFilmAtEverySpeed) {
   const ReadInlet inlet(with(Switch::inlet, 3));
   EXPECT_TRUE(is_within(inlet.film_ratio(1), 0.597, 0.0005));
@@ -199,7 +199,7 @@ TEST(ReadInlets, AsPrintedGivesOneFilmAtEverySpeed) {
 }
 
 TEST(ReadInlets, GapOfACircularContactIsGreaterByFourOverPi) {
-  // ψ at a given film goes as c^{2/3}: with the gap of a point contact, y at r is y at another ψ.
+  // ψ at a given film goes as c^{2/3}, so that at the same r the two gaps have different ψ.
   const ReadInlet line(with(Switch::inlet, 0)), point(with(Switch::gap, 1));
   for (const double r : {0.1, 0.5, 0.9}) {
     const double psi_line = wolveridge_inlet_length(line.film_ratio(r));
@@ -274,8 +274,8 @@ TEST(Enumeration, OfAllReadingsIsEachReadingByItself) {
 
 TEST(Enumeration, ComputesAStageOnceForTheReadingsThatShareIt) {
   const Ledger& made = ledger();
-  // 24 films (U doubles twice over, by E* and by the sum), 24 rough contacts of three surfaces, 4
-  // of GW
+  // 24 film laws: E* and the sum of speeds both double U, so that four choices give three U. 24
+  // rough contacts of each of three surfaces with GT, and 4 with GW.
   EXPECT_EQ(made.work.films, 24U * (3 * 24 + 4));
   EXPECT_EQ(made.work.inlets, made.work.films * 8);
   EXPECT_EQ(made.work.friction_curves, made.work.inlets * 6);
@@ -310,7 +310,7 @@ TEST(Verdicts, ANumberIsAsPrintedToHalfAUnitOfItsLastDigit) {
     EXPECT_EQ(is_as_printed(value, 1.4, 0.1), false) << value;
 }
 
-// Rules are inverted by their margins: a rule has to be met where its margin is not below 0.
+// Inversions search for margins of 0: a rule has to be met exactly where no margin is below 0.
 TEST(Verdicts, ARuleIsMetWhereItsMarginIsNotBelowZero) {
   for (const char* const id : {"C14", "C13", "C6", "C1.rough", "C4.smooth"})
     for (double value = 1e-3; value < 10; value *= 1.003) {
@@ -377,7 +377,7 @@ TEST(Ranking, CountsEveryReading) {
   EXPECT_EQ(named_reading(scenes(), items(), "", best.representative).score, best.score);
 }
 
-// An item that all readings with one choice of the inlet reproduce, and a few with another choice.
+// All readings with one choice of the inlet reproduce an item, and some with another choice do.
 Enumeration with_one_inlet(double part_of_the_others) {
   const std::vector<ItemMask> none(reading_count());
   Enumeration made{none, none, 0, 0, 0, none, none};
@@ -395,7 +395,7 @@ Enumeration with_one_inlet(double part_of_the_others) {
 }
 
 TEST(Ranking, IdentifiesAChoiceThatNearlyAllReadingsShare) {
-  // The first choice has 1/1.05 of the readings, 95.2 %, or 1/1.06, 94.3 %.
+  // The first choice has 1/1.05 (95.2 %) or 1/1.06 (94.3 %) of the readings with the item.
   for (const auto& [others, is_identified] :
        {std::pair{0.0, true}, std::pair{0.05, true}, std::pair{0.06, false}}) {
     const ItemStatistics found = item_statistics(with_one_inlet(others), items()).front();
@@ -431,8 +431,8 @@ TEST(Requirements, MakeTheirItemHold) {
     const Observed observed = evaluate(changed, corrected_reading(), wanted);
     EXPECT_EQ(judge(wanted, observed), Verdict::reproduced) << wanted.id << ' ' << name(one.field);
     if (wanted.rule != Rule::number) continue;
-    // No change nearer to 1 holds: the number lies at that end of what prints as reported from
-    // which it comes.
+    // No factor nearer to 1 makes the item hold: of the interval that prints as reported, the
+    // number lies at the end nearer to where it was.
     const double before = *ledger().readings.front().results[one.item].observed.value;
     const double end =
         wanted.reported + (before < wanted.reported ? -0.5 : 0.5) * wanted.last_digit;
@@ -452,7 +452,7 @@ TEST(Requirements, SayWhetherTheyArePlausibleAndWhatElseTheyChange) {
     too_low += one.value < one.low ? 1U : 0U;
     too_high += one.value > one.high ? 1U : 0U;
     EXPECT_EQ(one.plausible, one.value >= one.low && one.value <= one.high) << name(one.field);
-    // As the draws are, logarithmically.
+    // The range is measured in logarithms, as for the draws.
     const double beyond = std::max(one.low / one.value, one.value / one.high);
     EXPECT_EQ(one.at_limit, beyond > 1 && beyond <= std::pow(one.high / one.low, 0.05))
         << name(one.field);
@@ -474,8 +474,8 @@ TEST(Requirements, SayWhetherTheyArePlausibleAndWhatElseTheyChange) {
   for (const std::size_t count : {too_low, too_high, broken, mended}) EXPECT_GT(count, 0U);
 }
 
-// At a given film u ∝ 1/η: the sensitivity of the onset speed to viscosity is −1, and the inversion
-// gives the ratio itself, to the greatest speed that prints as reported.
+// At a given film u ∝ 1/η. Therefore the sensitivity of the onset speed to viscosity is −1, and the
+// factor found is the computed speed over the greatest speed that prints as reported.
 TEST(Requirements, InvertThePowerLawsOfTheFilmFormula) {
   std::size_t found = 0;
   for (const Requirement& one : ledger().requirements) {
@@ -551,7 +551,7 @@ TEST(Uncertainties, OfTheViscosityAreThoseOfItsLastDigit) {
   for (std::size_t i = 0; i < surface_count; ++i) {
     const Scene& scene = drawn.scene[i];
     const double nominal = model_onset(scene).speed;
-    // The place of the viscosity that gives a speed, from 0 to 1 within the digit.
+    // The viscosity that gives a speed, as its place from 0 to 1 within the digit.
     const auto place = [&](double speed) {
       return (viscosity * nominal / speed - viscosity) / last_digit + 0.5;
     };
@@ -562,7 +562,7 @@ TEST(Uncertainties, OfTheViscosityAreThoseOfItsLastDigit) {
     EXPECT_TRUE(is_within(place(speed.low), 0.975, 0.015));
     EXPECT_TRUE(is_within(place(speed.least), 1, 0.005));
   }
-  // One viscosity is drawn for all surfaces: their speeds keep their ratios, and the films theirs.
+  // One viscosity is drawn for all surfaces: the ratios of their speeds and λ stay the same.
   const auto onset = [&](std::size_t i) { return model_onset(drawn.scene[i]); };
   for (const auto& [found_interval, exact] :
        {std::pair{first.medium_over_smooth, onset(1).speed / onset(2).speed},
@@ -594,7 +594,7 @@ TEST(Errata, AreAllThereAndChangeWhatTheyClaimToChange) {
   }
 }
 
-// Every switch belongs to an erratum that names it, and every erratum that names a switch has one.
+// Every switch but the criterion is named by an erratum of this kind.
 TEST(Errata, OfTheKindReadingNameTheirSwitches) {
   std::string named;
   for (const Erratum& one : ledger().errata)
@@ -609,13 +609,13 @@ TEST(Errata, OfTheKindReadingNameTheirSwitches) {
 TEST(Arguments, IdentifyTheConstantAndSigmaAlone) {
   std::vector<std::size_t> agreeing;
   for (const Argument& one : ledger().arguments) agreeing.push_back(one.agreeing());
-  // The rough surface's σ_s, of one digit, leaves all exponents and all criteria of rough over
-  // medium open, but none of medium over smooth. One constant; one σ, because 0.82·1.4 is 1.146
-  // within the precision of its factors.
+  // The rough surface's σ_s has one digit. With it rough over medium leaves all exponents and all
+  // criteria open, and medium over smooth leaves none. One film constant agrees, and one σ:
+  // 0.82·1.4 is 1.146 within the precision of its factors.
   EXPECT_EQ(agreeing, (std::vector<std::size_t>{4, 3, 0, 9, 5, 1, 1}));
 }
 
-// h_oil/σ_s = 4 has one digit: λ, which is in proportion to it, may be off by an eighth.
+// h_oil/σ_s = 4 has one digit. λ is in proportion to it, and may be off by an eighth.
 TEST(Arguments, OfTheInletCountThePrintPrecisionOfTheOil) {
   std::vector<std::string> agree;
   for (const Candidate& one : ledger().arguments[1].candidates) {
@@ -628,8 +628,8 @@ TEST(Arguments, OfTheInletCountThePrintPrecisionOfTheOil) {
                                              "printed_exponents, line gap"}));
 }
 
-// The print precision leaves λ's inlet and gap open, and not the scale of λ; what other claims
-// identify stays.
+// For claim C2 the print precision leaves the inlet and the gap open, but not the scale of λ. Other
+// claims keep the switches that they identify.
 TEST(Arguments, LeaveNothingIdentifiedThatTheirCandidatesLeaveOpen) {
   std::size_t found = 0, others = 0;
   for (std::size_t i = 0; i < items().size(); ++i) {
@@ -647,7 +647,7 @@ TEST(Arguments, LeaveNothingIdentifiedThatTheirCandidatesLeaveOpen) {
   EXPECT_GT(others, 0U);
 }
 
-// An interval has its candidate's value within; both its ends are on one side where it disagrees.
+// An interval contains its candidate's value, and overlaps the reported one if they agree.
 TEST(Arguments, IntervalsHoldTheirValuesAndDecide) {
   for (const Argument& argument : ledger().arguments)
     for (const Candidate& one : argument.candidates) {
@@ -697,7 +697,7 @@ TEST(CommittedLedger, ChangesAreNamed) {
 }
 
 // A number counts as moved if it changed by a millionth or more. An item that the committed ledger
-// lacks is told.
+// lacks is reported.
 TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
   const std::string text = ledger_csv(ledger(), ledger().readings, {});
   const std::string start = "corrected,corrected,C1.rough,C1,";

@@ -49,8 +49,8 @@ TEST(BrokenToml, NonAsciiInStringsAndCommentsIsFine) {
     EXPECT_TRUE(accepted(Format::toml, start + rest));
 }
 
-// toml++ takes a value that starts with a sign to run on through a string, and called the é there
-// unreachable.
+// toml++ reads such a value on into the string that follows. There the é reached code that toml++
+// takes to be unreachable.
 TEST(BrokenToml, ValueRunningIntoAStringIsRefused) {
   for (const char* text : {"a=+\"é\"\n", "a=[1,1e400[\"é\"]]\n", "a=1979-05-27 0\"é\"\n",
                            "a=1:\"\u2003\"\n", "a=1e400\"\u3000\"\n"})
@@ -218,7 +218,7 @@ TEST(WideNumbers, AreFoundAfterALongStringThatEndsInQuotes) {
 }
 
 // Up to two quotes after the three that begin a long string, or before the three that end it,
-// belong to the string; one more before the end begins another string.
+// belong to the string. A third one before the end begins another string.
 TEST(BrokenToml, LongStringsBeginAndEndWithAtMostFiveQuotes) {
   for (const char quote : {'"', '\''})
     for (const std::size_t opening : {3U, 4U, 5U})
@@ -259,7 +259,7 @@ TEST(BrokenText, RandomChangesNeverCrashAndNeverGiveBothSceneAndError) {
   }
 }
 
-// Signs are shown as they are, but for those that move the cursor, hide, or turn text around.
+// Characters are shown as they are, except those that move the cursor, hide, or turn text around.
 TEST(Printable, IsEachSignButForTheRangesThatWouldHarm) {
   const auto utf8 = [](unsigned code) {
     std::string text;
@@ -277,7 +277,7 @@ TEST(Printable, IsEachSignButForTheRangesThatWouldHarm) {
     for (const unsigned code : {first - 1, first, last, last + 1}) codes.push_back(code);
   for (unsigned code = 0xA0; code <= 0x10FFFF; code += 61) codes.push_back(code);
   for (const unsigned code : codes) {
-    if (code < 0x80 || (code >= 0xD800 && code <= 0xDFFF)) continue;  // surrogates are no signs
+    if (code < 0x80 || (code >= 0xD800 && code <= 0xDFFF)) continue;  // surrogates
     const bool harms = std::any_of(std::begin(harmful), std::end(harmful), [&](const auto& range) {
       return code >= range.first && code <= range.second;
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // reference/scene.schema.json says what the table of fields says, no more and no less: the schema
-// is built from the table and compared with the committed file. So is the table of ranges and
-// defaults in model/README.md. To write both anew:
+// is built from the table and compared with the committed file. The same is done for the table of
+// ranges and defaults in model/README.md. To write both anew:
 //   TRIBOCHECK_UPDATE_SCHEMA=1 build/release/verification/tests/json_schema_test
 // reports/tests/test_schema.py then shows that schema and reader judge the same scenes alike.
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@
 namespace tribo {
 namespace {
 
-// Lists and objects of one element are named as such: compilers differ on what {{a, b}} means.
+// Json::array and Json::object make lists and objects of one element: compilers differ on {{a, b}}.
 using Json = nlohmann::ordered_json;
 
 const char* const schema_file = TRIBOCHECK_SOURCE_DIR "/reference/scene.schema.json";
@@ -42,13 +42,13 @@ std::string description_of(const FieldInfo& field) {
   return text;
 }
 
-// 0, not 0.0
+// Whole bounds are written as 0, not as 0.0.
 Json bound(double value) {
   if (std::trunc(value) == value) return static_cast<std::int64_t>(value);
   return value;
 }
 
-// A number, a unit behind it, as in "20.2 mPa s". JSON Schema holds a text alone to it.
+// A number followed by a unit, as in "20.2 mPa s". JSON Schema applies a pattern to texts alone.
 constexpr const char* number_with_unit =
     "^ *[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)? *[^ 0-9.].*$";
 
@@ -138,7 +138,7 @@ std::string section_of(std::string_view path) {
 }
 std::string name_of(std::string_view path) { return std::string(path.substr(path.find('.') + 1)); }
 
-// All fields of exactly one of the group's sets are there, and no field of the other sets.
+// All fields of exactly one of the group's sets are there, and no field that only others have.
 Json group_rule(FieldGroup group) {
   Json sets = Json::array();
   for (const FieldSet& set : group) {
@@ -211,7 +211,7 @@ Json roelands_rule() {
   return {{"if", condition}, {"then", consequence}};
 }
 
-// if the contact is a line, then closures.film is a law of lines, else it is none of them
+// if the contact is a line, then closures.film is a law of lines, else a law of points
 Json film_rule() {
   Json of_lines = Json::array(), of_points = Json::array();
   for (const NamedFilmLaw& named : named_film_laws) {
@@ -229,7 +229,7 @@ Json film_rule() {
   return {{"if", condition}, {"then", line}, {"else", film(of_points)}};
 }
 
-// if closures.film is no law that does without α, then lubricant.pressure_viscosity > 0
+// if closures.film needs α, as the default law does, then lubricant.pressure_viscosity > 0
 Json rise_rule() {
   Json without = Json::array();
   for (const NamedFilmLaw& named : named_film_laws)
@@ -242,7 +242,7 @@ Json rise_rule() {
   return {{"if", condition}, {"then", consequence}};
 }
 
-// if there are no summits, then nothing is asked or given as a ratio to their σ_s
+// if there are no summits, then no output and no supply is a ratio to their σ_s
 Json smooth_rule() {
   const Json condition = Json::parse(R"({"not": {"required": ["surface"], "properties": {
     "surface": {"anyOf": [{"required": ["summit_density"]}, {"required": ["m0"]}]}}}})");
@@ -362,7 +362,7 @@ std::string allowed_on_page(const FieldInfo& field) {
   return field.exclusive_minimum ? "above " + least : least + " or more";
 }
 
-// Beyond it a scene gets a warning; empty where that range is the allowed one.
+// The range beyond which a scene gets a warning; empty where all allowed numbers are in it.
 std::string usual_on_page(const FieldInfo& field) {
   const bool has_least = field.plausible_minimum != 0;
   const bool has_greatest = std::isfinite(field.plausible_maximum);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every field of the schema, spoilt in every way, in TOML and in JSON: the legal values follow from
-// the row of the table alone, so that a new row is tested as soon as it is there.
+// Every field of the schema, spoilt in every way, in TOML and in JSON. The legal values follow from
+// the field's row in the table alone, so that a new row is tested without a change here.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -50,7 +50,7 @@ bool is_of_an_oil(const FieldInfo& field) {
 void expect_judged(const FieldInfo& field, const std::string& value, bool legal,
                    const char* part = "not allowed") {
   SceneText text = SceneText::good_with(field).set(field.path, value);
-  // Films of soft bodies do without the rise of the viscosity.
+  // Film laws of soft bodies do not need the rise of the viscosity.
   if (field.path == "lubricant.pressure_viscosity")
     text.set("closures.film", "\"hamrock_dowson_soft_central\"");
   // Moments that are legal one by one may together belong to no face. Double may be unable to
@@ -99,7 +99,7 @@ TEST(SceneFields, MisspeltOneIsNamedWithTheRightName) {
   for (const FieldInfo& field : scene_fields()) {
     const std::string misspelt(field.path.substr(0, field.path.size() - 1));
     std::string meant(field.path);
-    // This name is as near, and comes first.
+    // The field with this end is as near, and comes first in the table.
     if (meant.ends_with("_y")) meant.back() = 'x';
     if (meant == "surface.m2" || meant == "surface.m4") meant.back() = '0';
     EXPECT_TRUE(refused(SceneText::good_with(field).rename(field.path, misspelt), misspelt,
@@ -111,7 +111,7 @@ TEST(SceneFields, OneInAWrongTableIsNamedWithTheRightPlace) {
   for (const FieldInfo& field : scene_fields()) {
     if (field.path.find('.') == std::string_view::npos || field.path.starts_with("speed."))
       continue;
-    if (field.path == "friction.viscosity") continue;  // the name lubricant.viscosity is as near
+    if (field.path == "friction.viscosity") continue;  // lubricant.viscosity is as near
     const std::string name(field.path.substr(field.path.find('.') + 1));
     EXPECT_TRUE(refused(SceneText::good_with(field).rename(field.path, name), name,
                         "did you mean " + std::string(field.path) + "?"));
@@ -168,7 +168,7 @@ TEST(SceneFields, NegativeNumbersAreRefused) {
   }
 }
 
-// The range as messages tell it, without its unit.
+// The range in the words of messages, without its unit.
 std::string range_of(const FieldInfo& field) {
   const auto short_text = [](double value) {
     char text[40];
@@ -271,7 +271,7 @@ TEST(SceneFields, EachGivenTwiceIsRefused) {
     std::string json = text.json();
     const std::string name(field.path.substr(field.path.rfind('.') + 1));
     const std::string pair = '"' + name + "\": " + value;
-    // The pair as it stands in its own table: friction.viscosity is not lubricant.viscosity.
+    // The pair is looked for in its own table: friction.viscosity is not lubricant.viscosity.
     const std::string section(field.path.substr(0, field.path.size() - name.size()));
     const std::size_t table =
         section.empty() ? 0 : json.find('"' + section.substr(0, section.size() - 1) + "\": {");
@@ -280,7 +280,7 @@ TEST(SceneFields, EachGivenTwiceIsRefused) {
   }
 }
 
-// Each end of each range, also where the number stands in a list of speeds.
+// Each end of each plausible range is tested; for speeds also with the number in a list.
 TEST(SceneFields, ImplausibleNumbersPassALimitFromTheFirstBeyondTheRangeOn) {
   for (const FieldInfo& field : number_fields()) {
     const std::string name(
@@ -329,8 +329,8 @@ TEST(SceneFields, PlausibleRangesLieWithinTheLegalOnes) {
   }
 }
 
-// Two texts of a formula are compared at random scenes: a field that none of these draws is held by
-// no comparison. Sets that take the place of others are left out, as a scene has one of them.
+// Tests that compare two texts of a formula at random scenes do not see a field that these never
+// change. Sets that take the place of others are left out: a scene has one set of a group.
 TEST(RandomScenes, DrawEachFieldOfTheTable) {
   const auto takes_the_place_of_others = [](std::string_view path) {
     for (const FieldGroup& group : scene_field_groups())

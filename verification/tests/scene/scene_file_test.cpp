@@ -34,7 +34,7 @@ class SceneFile : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Makes an open file standard input for a while, in place of its own descriptor.
+// Makes an open file the standard input while this object lives, and closes `descriptor`.
 class StandardInput {
  public:
   explicit StandardInput(int descriptor) : kept_(::dup(STDIN_FILENO)) {

@@ -399,7 +399,7 @@ TEST(SceneRoughness, IsWhatTheOneWayOfGivingItSays) {
   EXPECT_TRUE(near(roughness(good().set("surface.rms_roughness", "[3e-7, 4e-7]")), 5e-7));
   const double of_average = 3e-7 * std::sqrt(std::numbers::pi / 2);
   EXPECT_TRUE(near(roughness(good().set("surface.average_roughness", "3e-7")), of_average));
-  // Greenwood and Tripp's moments are of each of two faces that are alike.
+  // With Greenwood and Tripp's model the moments are those of each of two equal faces.
   SceneText profile = good().remove("surface.summit_density").remove("surface.summit_radius");
   profile.remove("surface.summit_height_sd").remove("surface.summit_plane_offset");
   profile.set("surface.m0", "9e-14").set("surface.m2", "4e-3").set("surface.m4", "1e9");
@@ -439,7 +439,7 @@ TEST(SceneRoelands, NeedsAViscosityAboveItsPole) {
     EXPECT_TRUE(refused(text.set("lubricant.viscosity", viscosity), "lubricant.viscosity",
                         "friction.viscosity = \"roelands\""));
   EXPECT_TRUE(accepted(text.set("lubricant.viscosity", "6.3151e-5")));
-  // There is one error, and no second one about the law.
+  // A number that is not legal gives one error, and no second one about Roelands' law.
   for (const char* wrong : {"0", "-1"})
     EXPECT_TRUE(refused(text.set("lubricant.viscosity", wrong), "lubricant.viscosity",
                         "is not allowed; allowed: a number above 0"));
@@ -526,7 +526,7 @@ TEST(SceneShapes, TakeOnlyFilmLawsOfTheirKind) {
     std::vector<std::string> fitting, others;
     for (const NamedFilmLaw& named : named_film_laws) {
       const bool fits = named.of(is_line) != nullptr;
-      if (named.law->is_solved() && !is_line) continue;  // the contact is an ellipse: below
+      if (named.law->is_solved() && !is_line) continue;  // tested on the ellipse below
       (fits ? fitting : others).emplace_back(named.word);
     }
     const std::string last = fitting.back();
@@ -566,7 +566,7 @@ TEST(SceneShapes, OfAProfileGiveTheSummits) {
       refused(profile("3e8").remove("surface.m2"), "surface.m2", "missing beside surface.m0"));
 }
 
-// Each rule on several fields. The other numbers make the judged quantity the number under test.
+// Each rule on several fields. The base scene makes the judged quantity equal to the tested number.
 TEST(SceneThresholds, ChangeTheVerdictAtTheirLimit) {
   using enum verification::True;
   struct Rule {
@@ -586,8 +586,8 @@ TEST(SceneThresholds, ChangeTheVerdictAtTheirLimit) {
   for (const char* face :
        {"first_radius_x", "second_radius_x", "first_radius_y", "second_radius_y"})
     ball.set(std::string("bodies.") + face, "1");
-  // Loads at which an axis is half a radius: a³ = 3FR/(4E*), b² = 4FR/(πE*L), and of an ellipse
-  // a³ ∝ F; α = (k²E − K)/(K − E) at k = 8.
+  // Loads at which a semi-axis is half a radius, or half of a line's length: a³ = 3FR/(4E*) of a
+  // circle, a³ ∝ F of an ellipse, b² = 4FR/(πE*L). At k = 8, R_y/R_x = (k²E − K)/(K − E).
   const auto with = [](SceneText text, const char* path, const char* value) {
     return text.set(std::string("bodies.") + path, value);
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes as text, to be spoilt field by field: the same fields written as TOML and as JSON.
+// Scenes as text, to be spoilt field by field. The same fields are written as TOML and as JSON.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,10 +18,10 @@ namespace tribo::scene_test {
 enum class Format { toml, json };
 inline constexpr Format formats[] = {Format::toml, Format::json};
 
-// Fields in the order given; the values are text as TOML and JSON both write it.
+// Fields in the order given. The text of a value is the same in TOML and in JSON.
 class SceneText {
  public:
-  // The rough surface of the paper, with one value of every kind.
+  // The paper's contact with the rough surface, at one speed.
   static SceneText good() {
     SceneText text;
     text.set("id", "\"rough\"").set("load", "50").set("speed", "0.1");
@@ -48,7 +48,7 @@ class SceneText {
     return text.set(field.path, good_value(field));
   }
 
-  // Puts the group's first set that has this field in place of the group's other fields.
+  // Replaces the group's fields by those of its first set that has this field.
   void take_set_with(FieldGroup group, std::string_view path) {
     const auto has = [&](const FieldSet& set) {
       return std::find(set.fields.begin(), set.fields.end(), path) != set.fields.end();

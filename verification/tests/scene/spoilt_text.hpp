@@ -10,7 +10,7 @@
 
 namespace tribo::scene_test {
 
-// Makes one change: a word or a sign more, a piece less or twice, another sign, or an end too soon.
+// Makes at most one change: adds, takes away, repeats or replaces signs, or cuts the end off.
 inline void spoil(std::string& text, std::mt19937_64& random) {
   constexpr std::string_view signs =
       "\"'{}[]=:,.#+-_0123456789eE \t\n\r\\xinfalsetruenull\xc3\xa9\xff\x01";

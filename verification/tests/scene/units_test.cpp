@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers with units: to the bit the number that the same digits are in SI, where the point is
-// moved by hand. The powers of ten stand here a second time, unit by unit.
+// A number with a unit is, to the bit, the number in SI with the same digits and the point moved.
+// The powers of ten of the units are written here a second time.
 #include "scene/units.hpp"
 
 #include <cmath>
@@ -129,7 +129,7 @@ TEST(Units, KeepTheDigitsAndSoTheBits) {
       const std::string sign = sampler.pick({"", "-", "+"});
       const std::string exponent = sampler.pick({"", "e7", "E-12", "e+05"});
       const int moved = exponent.empty() ? 0 : std::atoi(exponent.c_str() + 1);
-      // "12" and "1/mm2" without a blank would be another number.
+      // Without a blank "12" and "1/mm2" would become another number.
       const bool is_clear = exponent.empty() && unit.written[0] != '1';
       const std::string blank = is_clear ? sampler.pick({"", " ", "  "}) : " ";
       const std::string text = sign + with_point(digits, place) + exponent + blank + unit.written;

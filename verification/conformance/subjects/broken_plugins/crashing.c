@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Answers 1 for Hertz' radius; dies of everything else. */
+ * Answers 1 for Hertz' radius, and aborts if it is asked for a Gaussian moment. */
 #include <stdlib.h>
 #include <string.h>
 

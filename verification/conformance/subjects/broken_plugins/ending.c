@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Ends the process of who asks it for a moment, with the exit code that the environment says; hangs
- * where that is no number. */
+ * If it is asked for a moment, it ends the calling process with the exit code in TRIBOCHECK_ENDING,
+ * or hangs if this is no number. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

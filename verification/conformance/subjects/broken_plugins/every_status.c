@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * The argument of a moment is the status that it gets; from 100 on none is written, and -1 is NaN.
- * A point has a film, no friction there, and the codes of regime and inlet that the load says. */
+ * A moment's argument is its status. From 100 on no status is written; below 0 the result is NaN.
+ * A point has a film and undefined friction. Its load less 2 is the code of regime and inlet. */
 #include <math.h>
 #include <string.h>
 

@@ -51,7 +51,7 @@ static double central_film(double speed, double viscosity, double pressure_visco
 
 static double film_ratio(double psi) { return 2 / pi * atan(2.7 * psi); }
 
-/* 1/r at an inlet length psi; falls to 0 with it for both closures. */
+/* 1/r at the inlet length psi, for both closures. It falls to 0 as psi does. */
 static double inlet_over_flooded(int closure, double psi) {
   const double c = 3 / (4 * sqrt(2));
   const double y = film_ratio(psi);
@@ -78,7 +78,7 @@ static double starvation_ratio(int closure, double r, double gamma) {
   return r < 1 ? film_ratio(pow(c * (1 / r - 1), 2.0 / 3)) : 0;
 }
 
-/* One case: its arguments, where its results go; returns its status. */
+/* Answers one case: takes its arguments, writes its results, returns its status. */
 typedef int function_of_case(const double* argument, double* result);
 
 static int moment_case(const double* argument, double* result) {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The list of mistakes, and how one of them is made: a single function of the right solver is replaced.
+"""The list of mistakes. Each mistake replaces a single function of the right solver.
 
-A mistake is a function of its own. Its first argument is the function that it replaces, the others are that
-function's; its name is the mistake's.
+It is a function with the name of the mistake. Its first argument is the function that it replaces; the other
+arguments are those of that function.
 """
 
 import functools
@@ -21,8 +21,8 @@ class Mistake:
 
 
 def replaces(module, name, capability, description):
-    """The function below stands for module.name. capability: the function of the protocol that is wrong
-    first, operating_point if none is."""
+    """The decorated function replaces module.name. capability: the first function of the protocol that becomes
+    wrong, or operating_point if no single function does."""
     def register(wrong):
         def make():
             setattr(module, name, functools.partial(wrong, getattr(module, name)))
@@ -32,7 +32,7 @@ def replaces(module, name, capability, description):
 
 
 def replaces_moment(moments, orders, description):
-    """The function below, of order and d, stands for F_n(d) of these orders."""
+    """The decorated function, called with the right F_n, order and d, replaces F_n(d) for these orders."""
     def register(wrong):
         def make():
             right_log = moments.log_moment

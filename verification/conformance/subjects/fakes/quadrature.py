@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two quadratures on finite ranges: one as it is often written, one that is exact for what is cut off."""
+"""Two quadratures on finite ranges: Simpson's rule as it is often written, and a Gauss rule without visible error."""
 
 import functools
 import math

@@ -102,5 +102,5 @@ def moment_about_zero(right, order, d):
         tail, density = right(0, d), moments.density(d)
         return (tail, density, tail + d * density)[int(order)]
     start = max(d, 0.0)
-    reach = 90 / (start + math.sqrt(start * start + 90))  # the density is e^-45 of that at the start
+    reach = 90 / (start + math.sqrt(start * start + 90))  # the density at the end is e^-45 of that at the start
     return gauss_of_square(lambda x: (start + x) ** order * moments.density(start + x), reach)

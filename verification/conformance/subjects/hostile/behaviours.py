@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The ways to break the protocol. Those of a line take the right answer and the lines since the first bad one."""
+"""The ways to break the protocol. Those per line take the right answer and the count of earlier bad lines."""
 
 import json
 import os

@@ -5,7 +5,7 @@
   hostile.py BEHAVIOUR [--after N]   N right answers first (default 2; at_start ones: none)
   hostile.py --list                  name and description, separated by a tab
 
-Nothing here lives longer than LIMIT seconds, whoever forgets to end it.
+No process of it lives longer than LIMIT seconds, even if nobody ends it.
 """
 
 import argparse
@@ -39,7 +39,7 @@ def main():
         for name, function in {**AT_START, **PER_LINE}.items():
             print(name, function.__doc__, sep="\t")
         return
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # a reader that goes away ends it without a word
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # it ends silently if its reader goes away
     signal.alarm(LIMIT)
     if given.behaviour in AT_START:
         AT_START[given.behaviour]()

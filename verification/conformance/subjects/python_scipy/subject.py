@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A solver as SciPy users write it: moments by quad, roots by brentq, films only.
+"""A solver as SciPy users write it, with moments by quad and roots by brentq. An operating point has only its films.
 
-Reads a question a line on stdin, answers each by a line on stdout; what it does not offer it skips.
+It reads one question per line from stdin, writes one answer per line to stdout, and skips questions that it does not offer.
 """
 
 import json
@@ -18,7 +18,7 @@ FILMS = ("film_flooded", "film", "separation", "film_parameter")
 
 
 class Skip(Exception):
-    """Not offered, and why."""
+    """The question is not offered. The text says why."""
 
 
 def gaussian_moment(order, argument):
@@ -27,7 +27,7 @@ def gaussian_moment(order, argument):
         return erfc(argument / math.sqrt(2)) / 2
     def integrand(x):
         return x**order * math.exp(-(x + argument) ** 2 / 2) / math.sqrt(2 * math.pi)
-    # Over an infinite range quad misses the peak: its place and width are given to it.
+    # Over an infinite range quad misses the peak. So the range is split at the peak, and ends where the integrand is negligible.
     peak = max(0.0, -argument)
     width = 40 / (2 + max(0.0, argument))
     below = quad(integrand, max(0.0, peak - 12), peak, epsabs=0, epsrel=1e-11)[0] if peak > 0 else 0.0
@@ -49,7 +49,7 @@ def hamrock_dowson_central(speed, viscosity, pressure_viscosity, load, effective
 
 
 def load_sharing(asperity, flooded_film_parameter, stiffness, offset):
-    """(film parameter, floor)"""
+    """The film parameter and the floor, both divided by the standard deviation of summit heights."""
     order, q = (2.5, 0.5) if asperity == TRIPP else (1.5, 1.0)
     if not 1e-30 <= stiffness <= 1e30:
         raise Skip("a stiffness as extreme as this")

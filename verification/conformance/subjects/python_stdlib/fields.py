@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The fields of a line: which there are, what they may be, and what they are when absent."""
+"""The fields of a line: their names, allowed values and defaults."""
 
 import math
 
@@ -105,7 +105,7 @@ ORDERS = (0, 0.5, 1, 1.5, 2, 2.5)
 
 
 class InputError(Exception):
-    """field, message"""
+    """Has two arguments: the name of the field, and the message."""
 
 
 def number(name, value, allowed):
@@ -128,7 +128,7 @@ def checked(name, value, allowed):
 
 
 def read(given, allowed_fields):
-    """Every field by its name, with defaults in place; raises InputError."""
+    """All fields by name, with defaults for absent ones. Raises InputError for an unknown, missing or wrong field."""
     for name in given:
         if name not in allowed_fields:
             raise InputError(name, "unknown field")
@@ -154,7 +154,7 @@ def read_arguments(name, given):
 
 
 def flattened(line):
-    """{"bodies": {"reduced_radius": 1}} as {"bodies.reduced_radius": 1}, without id and outputs."""
+    """Makes {"bodies.reduced_radius": 1} from {"bodies": {"reduced_radius": 1}}, and leaves out id and outputs."""
     flat = {}
     for name, value in line.items():
         if isinstance(value, dict):
@@ -165,7 +165,7 @@ def flattened(line):
 
 
 def read_outputs(line, scene):
-    """The outputs that are asked for; without a list, those that the fields allow."""
+    """The asked outputs. Without a list in the line these are all outputs, but friction only if its fields are given."""
     asked = line.get("outputs")
     missing = [name for name in OF_FRICTION if scene[name] is None]
     if asked is None:

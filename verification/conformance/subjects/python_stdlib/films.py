@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Films by other laws than Hamrock and Dowson's central one, in regimes, and behind a heated inlet."""
+"""Film laws other than Hamrock and Dowson's central one, films of the lubrication regimes, and thermal reduction factors."""
 
 import math
 
-# C, a, b, c of C U^a G^b W^c, and m, n of 1 - m exp(-n k).
+# C, a, b, c, m, n of h/R_x = C U^a G^b W^c (1 - m exp(-n k)). Laws of lines have no m and n.
 POINTS = {
     "hamrock_dowson_minimum": (3.63, 0.68, 0.49, -0.073, 1, 0.68),
     "hamrock_dowson_soft_central": (7.32, 0.64, 0, -0.22, 0.72, 0.28),
@@ -19,7 +19,7 @@ LINES = {
 
 
 def groups(speed, viscosity, alpha, load_per_length, E, R):
-    """U, G and W of a line, with E' = 2E*."""
+    """U, G and W, with E' = 2E*. For a point load_per_length is the load over R_x."""
     E = 2 * E
     return viscosity * speed / (E * R), alpha * E, load_per_length / (E * R)
 
@@ -48,7 +48,7 @@ def norm(p, *numbers):
 
 
 def moes_numbers(*given):
-    """M, L and the film at H = 1."""
+    """Moes' M and L of a line contact, and the film thickness at H = 1."""
     U, G, W = groups(*given)
     return W / math.sqrt(2 * U), G * (2 * U) ** 0.25, given[-1] * math.sqrt(2 * U)
 
@@ -93,7 +93,7 @@ def regime_film(regime, g_V, g_E, alpha, k):
 
 
 def rolling_reduction(beta, viscosity, speed, conductivity):
-    """Without the pressure, in pure rolling."""
+    """Murch and Wilson's thermal reduction factor. It holds for pure rolling, and does not depend on the pressure."""
     return 3.94 / (3.94 + (beta * viscosity * speed**2 / conductivity) ** 0.62)
 
 

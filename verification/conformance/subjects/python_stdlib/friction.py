@@ -4,11 +4,11 @@
 import math
 
 ROELANDS_PRESSURE = 0.196e9  # Pa
-ROELANDS_LOG_VISCOSITY = 9.67  # of the viscosity in Pa s
+ROELANDS_LOG_VISCOSITY = 9.67  # is added to ln of the viscosity in Pa s
 
 
 def log_thickening(law, viscosity, alpha, pressure):
-    """ln of the viscosity at a pressure over that at ambient pressure."""
+    """ln of the ratio of the viscosity at this pressure to the viscosity at ambient pressure."""
     if law == "ambient":
         return 0.0
     if law == "barus":
@@ -23,7 +23,7 @@ def shear_rate(speed, slide_roll_ratio, separation):
 
 
 def reduced_stress(law, log_x):
-    """Shear stress over the limiting or Eyring stress, at x = viscosity times rate over that stress."""
+    """The shear stress divided by tau, the limiting or Eyring stress; log_x is ln(viscosity * rate / tau)."""
     if law == "limiting":
         return -math.expm1(-math.exp(min(log_x, 10)))
     return math.asinh(math.exp(log_x)) if log_x < 40 else math.log(2) + log_x
@@ -37,7 +37,7 @@ def shear_stress(law, stress, viscosity, log_ratio, rate):
 
 
 def sheared_part(area_ratio):
-    """The part of the nominal area that is left to the film."""
+    """The fraction of the nominal area that the film covers."""
     return max(0.0, 1 - area_ratio)
 
 
@@ -46,7 +46,7 @@ def boundary_friction(coefficient, asperity_share):
 
 
 def friction(point, mean_pressure):
-    """point: fields of friction and lubricant, and the speed, separation, shares and area ratio."""
+    """The friction coefficient. `point` has the fields of friction and lubricant, the speed, separation, load shares and real area ratio."""
     pressure = point["fluid_share"] * mean_pressure
     log_ratio = log_thickening(point["viscosity_law"], point["viscosity"], point["alpha"], pressure)
     rate = shear_rate(point["speed"], point["slide_roll_ratio"], point["separation"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Starved inlets: y = h*/h_ff at r = h_ff/h_oil > 0, by four closures.
+"""Starved inlets: the ratio y = h*/h_ff of the starved to the flooded film, from r = h_ff/h_oil > 0, by four closures.
 
 Three of them join Wolveridge's y = (2/pi) arctan(2.7 psi) with Crook's gap. They use t = ln psi, so that nothing under- or overflows.
 flooded_inlet gives t in closed form. For the other two, 1/r rises monotonically with t, and t is found by bisection.

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gaussian moments F_n(d): the integral of (s - d)^n phi(s) over s > d, phi the standard normal density.
 
-With x = s - d the integrand is x^n phi(x + d), everywhere positive, so that a quadrature that resolves it
-loses no digits. Four ranges, each with the trapezoid rule or a closed form:
+With x = s - d the integrand is x^n phi(x + d). It is positive, so that no digits cancel in a quadrature.
+Each of four ranges has the trapezoid rule, or a closed form:
 
-  d >= 0           x = e^(t - e^-t)/max(1, d): falls off doubly exponentially on both sides
+  d >= 0           x = e^(t - e^-t)/max(1, d): the integrand falls doubly exponentially on both sides
   d < 0, n whole   F_0, F_1 from erfc, the others by F_(n+1) = n F_(n-1) - d F_n: sums of positive terms
-  -9 < d < 0       x = t^2: for half-integer n even and entire in t
-  d <= -9          x itself: the end x = 0 is 9 standard deviations away
+  -9 < d < 0       x = t^2: for half-integer n the integrand is even and entire in t
+  d <= -9          x itself: the end x = 0 is at least 9 standard deviations from the peak
 """
 
 import math
@@ -21,7 +21,7 @@ def density(s):
 
 
 def exponential_nodes(step=0.1, low=-38, high=40):
-    """y and ln(weight) of the integral of f(y) over y > 0, y = e^(t - e^-t)."""
+    """(y, ln y, ln weight) of the nodes of an integral over y > 0, where y = e^(t - e^-t)."""
     nodes = []
     for j in range(low, high + 1):
         t = j * step
@@ -39,7 +39,7 @@ weights_of_order = {}
 
 
 def exponential_weights(order):
-    """(y, weight y^order), made once an order."""
+    """(y, weight * y^order) of the nodes. They are computed once for each order."""
     if order not in weights_of_order:
         weights_of_order[order] = [(y, math.exp(log_weight + order * log_y))
                                    for y, log_y, log_weight in EXPONENTIAL_NODES]
@@ -78,7 +78,7 @@ def far_left(order, d):
 
 
 def log_moment(order, d):
-    """ln F_n(d), for any order n >= 0; it outlasts the underflow of F_n."""
+    """ln F_n(d) for any order n >= 0. It is finite even where F_n underflows."""
     if d >= 0:
         return log_right(order, d)
     if order == int(order):

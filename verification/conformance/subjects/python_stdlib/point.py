@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One operating point: from the fields of a scene, by their names, to all outputs."""
+"""Computes the outputs of one operating point from the named fields of a scene."""
 
 import films
 import friction
@@ -19,7 +19,7 @@ def plane_offset(scene):
 
 
 def inlet_film(scene):
-    """Film of oil that reaches the inlet, in m; None: as much as the contact takes."""
+    """The thickness of the oil film that reaches the inlet, in m. None means a flooded inlet."""
     if scene.get("supply.inlet_flow") is not None:
         return scene["supply.inlet_flow"] / scene["speed"]
     if scene.get("supply.inlet_film_ratio") is not None:
@@ -37,13 +37,13 @@ def flooded_film(scene, contact):
 
 
 def sharing_exponent(law):
-    """a - b of the film's law; None: that of the usual one."""
+    """The exponent a - b of the film law in load sharing. None means solver.film_exponent()."""
     row = films.LINES.get(law) or films.POINTS.get(law)
     return row and row[1] - row[2]
 
 
 def smooth_contact(scene):
-    """R_x, k of the film, mean pressure."""
+    """The radius and the ellipticity k for the film law, and the mean pressure."""
     load, modulus = scene["load"], scene["bodies.effective_modulus"]
     if scene["bodies.reduced_radius"] is not None:
         radius = scene["bodies.reduced_radius"]
@@ -90,7 +90,7 @@ def friction_fields(scene):
 
 
 def starved(scene, film):
-    """The starved film over the flooded one, and 1 less this ratio."""
+    """The ratio of the starved film to the flooded one, and 1 minus this ratio."""
     supply = inlet_film(scene)
     if supply is None:
         return 1.0, 0.0
@@ -98,7 +98,7 @@ def starved(scene, film):
 
 
 def solve(scene, outputs):
-    """The outputs asked for, and the reasons of those that are undefined."""
+    """The asked outputs, and the reason for each undefined one."""
     contact = Contact(scene)
     model, K, delta, sd = contact.model, contact.K, contact.delta, contact.sd
     flooded = flooded_film(scene, contact) / sd

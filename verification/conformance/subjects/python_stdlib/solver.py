@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contacts of smooth bodies, and mixed lubrication of a circular one: pure functions, SI units, no input or output.
+"""Contacts of smooth bodies, and mixed lubrication of rough ones: pure functions, SI units, no input or output.
 
-Symbols: F load, E effective modulus E*, R reduced radius, K stiffness of the asperities, lam a film or
-separation over the standard deviation of summit heights, delta the offset of the summit planes over it.
+Symbols: F load, E effective modulus E*, R reduced radius, K stiffness of the asperities, sd standard deviation of
+summit heights, lam a film or separation divided by sd, delta the offset of the summit planes divided by sd.
 """
 
 import math
@@ -71,7 +71,7 @@ def hertz_point(F, E, R):
             "peak_pressure": peak_over_mean_pressure() * mean, "approach": approach(F, E, R)}
 
 
-# Hertz' ellipse, whose axes' ratio is k = a_y/a_x >= 1 and whose radii's is alpha, and Hertz' line
+# Hertz' ellipse, with the ratio of axes k >= 1 and the ratio of radii alpha >= 1, and Hertz' line
 
 def integral_arguments(k):
     """The parameter q = 1 - 1/k^2 of the elliptic integrals, and 1 - q."""
@@ -79,7 +79,7 @@ def integral_arguments(k):
 
 
 def complete_integrals(parameter, complement):
-    """K, E and (K - E)/K by arithmetic and geometric means."""
+    """K, E and (K - E)/K by the arithmetic-geometric mean."""
     mean, root, power, total = 1.0, math.sqrt(complement), 0.5, 0.5 * parameter
     while mean - root > 1e-9 * mean:
         half = (mean - root) / 2
@@ -103,7 +103,7 @@ def axes_ratio(alpha):
 
 
 def ellipse_shape(alpha):
-    """k, K and E."""
+    """k, and the elliptic integrals K and E at this k."""
     k = axes_ratio(alpha)
     return (k, *complete_integrals(*integral_arguments(k))[:2])
 
@@ -140,13 +140,13 @@ def line_peak_over_mean():
 
 
 def line_shear_over_peak():
-    """Greatest on the line's axis at z = 0.786 b below it."""
+    """The greatest shear stress divided by the peak pressure. It lies below the contact's middle, at z = 0.786 b."""
     z2 = (math.sqrt(5) - 1) / 2
     return math.sqrt(z2) - z2 / math.sqrt(1 + z2)
 
 
 def hertz_line(load, E, R):
-    """load of a metre"""
+    """`load` is the load per length, in N/m."""
     b = line_half_width(load, E, R)
     mean = load / (2 * b)
     peak = line_peak_over_mean() * mean
@@ -175,7 +175,7 @@ def load_order(asperity):
 
 
 def share_exponent(asperity):
-    """The exponent q of A = (K F_p)^q: load sharing turns n into n/A, and n^2 in K gives A^2 = K F_p."""
+    """The exponent q of A = (K F_p)^q. Load sharing turns n into n/A and keeps E/F: K ~ n^2 gives A^2 = K F_p, K ~ n gives A = K F_p."""
     return 0.5 if asperity == TRIPP else 1.0
 
 
@@ -192,7 +192,7 @@ def moment_argument(lam, delta):
 
 
 def real_area_ratio(asperity, roughness, d):
-    """roughness is n beta sigma."""
+    """`roughness` is n beta sigma: summit density times radius times sd."""
     if asperity == TRIPP:
         return (math.pi * roughness) ** 2 * moments.gaussian_moment(2, d)
     return math.pi * roughness * moments.gaussian_moment(1, d)
@@ -216,7 +216,7 @@ def safe_log(x):
 
 
 def log_share(asperity, K, delta, lam):
-    """ln A, above 0 below the floor."""
+    """ln A. It is above 0 if lam is below the floor."""
     log_moment = moments.log_moment(load_order(asperity), moment_argument(lam, delta))
     return share_exponent(asperity) * (safe_log(K) + log_moment)
 
@@ -229,21 +229,21 @@ def sign_change(is_low, low, high):
 
 
 def beyond(is_low, start):
-    """A number past the change of sign."""
+    """A number at which is_low is false, found by doubling `start`. The search ends at 1e300."""
     while is_low(start) and start < 1e300:
         start *= 2
     return start
 
 
 def floor_of(asperity, K, delta):
-    """lam at which the asperities carry everything; 0 where even at lam = 0 they do not."""
+    """The lam at which the asperities carry the whole load; 0 if they do not even at lam = 0."""
     def carries_all(lam):
         return log_share(asperity, K, delta, lam) >= 0
     return sign_change(carries_all, 0.0, beyond(carries_all, 1.0)) if carries_all(0.0) else 0.0
 
 
 def load_sharing(asperity, flooded, K, delta, exponent=None):
-    """lam that solves ln lam - ln flooded + e ln(1 - A(lam)) = 0."""
+    """The lam that solves ln lam - ln flooded + e ln(1 - A(lam)) = 0. `exponent` is e; None means film_exponent()."""
     def film_is_thin(lam):
         log_A = log_share(asperity, K, delta, lam)
         if log_A >= 0:
@@ -256,7 +256,7 @@ def load_sharing(asperity, flooded, K, delta, exponent=None):
 
 
 def shares_of_flooded(asperity, flooded, K, delta, lam, exponent=None):
-    """Shares of asperities and fluid at the root; the fluid's is (flooded/lam)^(1/e)."""
+    """The load shares of asperities and fluid at the root lam of load_sharing. The fluid's share is (flooded/lam)^(1/e)."""
     log_fluid = math.log(flooded / lam) / (exponent or film_exponent())
     if log_fluid < -0.7:
         return -math.expm1(log_fluid), math.exp(log_fluid)
@@ -271,14 +271,14 @@ def log_share_slope(asperity, delta, lam):
 
 
 def log_share_below(asperity, delta, lam, fluid, step):
-    """ln A at lam - step from the fluid's share at lam, where 1 - A would cancel (Gauss-Legendre)."""
+    """ln A at lam - step: its value at lam by the fluid's share, plus the integral of its slope (Gauss-Legendre). So 1 - A does not cancel."""
     middle, reach = lam - step / 2, math.sqrt(0.15) * step
     slopes = [log_share_slope(asperity, delta, middle + place) for place in (-reach, 0, reach)]
     return math.log1p(-fluid) + step * (5 * slopes[0] + 8 * slopes[1] + 5 * slopes[2]) / 18
 
 
 def shares_of_starved(asperity, K, delta, flooded_lam, flooded_fluid, ratio, deficit):
-    """Shares at the film that the inlet leaves, ratio = 1 - deficit of the flooded one."""
+    """The load shares of asperities and fluid at the starved film, which is ratio = 1 - deficit times the flooded one."""
     step = flooded_lam * deficit
     if flooded_fluid < 0.25 and abs(step) < 0.1:
         log_A = log_share_below(asperity, delta, flooded_lam, flooded_fluid, step)

@@ -60,7 +60,7 @@ FUNCTIONS = {function.__name__: function for function in (
 
 
 def value_of(module, name, *first):
-    """Looked up anew at each call."""
+    """A function that looks `name` up in the module at each call, so that a function that was replaced takes effect."""
     return lambda given: {"value": getattr(module, name)(*first, *given.values())}
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sixty wrong solvers: each function below puts its slip into the right solver's modules, as they are imported.
+"""Sixty wrong solvers. Each function below puts its slip into the imported modules of the right solver.
 
-Forty have one slip (SINGLES), twenty have two or three at once (COMBINATIONS).
+Forty have one slip (SINGLES), twenty have two or three at once (COMBINATIONS). Brackets after a wrong number hold the right one.
 """
 
 import math
@@ -31,24 +31,24 @@ def combination(slip):
 
 
 def put(module):
-    """Puts the function that it decorates in the place of the module's function of that name."""
+    """A decorator: the decorated function replaces the module's function of the same name."""
     return lambda function: setattr(module, function.__name__, function)
 
 
 def after(module, name, change):
-    """The function's result goes through change(result, *arguments)."""
+    """The function `name` of the module then returns change(its right result, *arguments)."""
     right = getattr(module, name)
     setattr(module, name, lambda *given: change(right(*given), *given))
 
 
 def before(module, name, change):
-    """The function's arguments go through change, which returns them all."""
+    """The function `name` of the module then gets the arguments that change(*arguments) returns."""
     right = getattr(module, name)
     setattr(module, name, lambda *given: right(*change(*given)))
 
 
 def index_row(end, of_zero=None, of_hundred=None):
-    """Replaces coefficients of the viscosity index' row that ends there."""
+    """Replaces the coefficients of L or H in the row of INDEX_OILS that ends at the viscosity `end`, in m2/s."""
     liquids.INDEX_OILS = tuple((row[0], of_zero or row[1], of_hundred or row[2]) if row[0] == end else row
                                for row in liquids.INDEX_OILS)
 
@@ -234,7 +234,7 @@ def film_at_least_a_nanometre():
 
 @single
 def full_film_from_three():
-    """load_sharing returns the flooded film at once where it is above 3 sd: there asperities may still carry."""
+    """load_sharing returns the flooded film at once where it is above 3 sd, although asperities may still carry load there."""
     right = solver.load_sharing
 
     @put(solver)
@@ -252,7 +252,7 @@ def thermal_reduction_at_least_three_tenths():
 
 @single
 def index_row_by_wrong_unit():
-    """The row of the viscosity index is chosen by Y in m2/s against ends in mm2/s, so always the first one."""
+    """The viscosity index compares Y in m2/s with row ends in mm2/s, so that it always takes the first row."""
     @put(liquids)
     def index_oils(at_100):
         y = 1e6 * at_100
@@ -280,7 +280,7 @@ def eyring_stress_in_megapascals():
 # 8: numerics
 
 def trapezoid_moment(order, d, step, reach):
-    """From d to d + reach."""
+    """F_n(d) by the trapezoid rule from d to d + reach."""
     places = [j * step for j in range(round(reach / step) + 1)]
     terms = [x**order * moments.density(x + d) for x in places]
     return step * (sum(terms) - (terms[0] + terms[-1]) / 2)
@@ -324,7 +324,7 @@ def tail_by_one_minus_erf():
 
 @single
 def moment_cache_with_rounded_key():
-    """gaussian_moment keeps its values by (n, d rounded to a tenth): the first d of a tenth gives the value of all."""
+    """gaussian_moment keeps its values by (n, d rounded to a tenth): each d gets the value of the first d with this key."""
     right, kept = moments.gaussian_moment, {}
 
     @put(moments)
@@ -365,7 +365,7 @@ def limiting_by_hyperbolic_tangent():
 
 @single
 def roelands_with_fixed_exponent():
-    """Roelands' z is 0.6, a usual value of mineral oils, in place of that from alpha."""
+    """Roelands' z is 0.6, a usual value of mineral oils, in place of the z that follows from alpha."""
     @put(liquids)
     def roelands(viscosity, alpha, pressure):
         return viscosity * math.exp((math.log(viscosity) + 9.67) * ((1 + pressure / 0.196e9) ** 0.6 - 1))
@@ -375,13 +375,13 @@ def roelands_with_fixed_exponent():
 
 @single
 def roelands_friction_by_barus():
-    """friction.viscosity "roelands" is not looked at: the film's viscosity is Barus' then."""
+    """The word "roelands" of friction.viscosity is ignored: the film's viscosity follows Barus' law."""
     before(friction, "log_thickening", lambda law, *rest: ("barus" if law == "roelands" else law, *rest))
 
 
 @single
 def offset_planes_ignored():
-    """surface.offset_planes is not looked at: the offset counts once always, not 0, 1 or 2 times."""
+    """surface.offset_planes is ignored: the offset always counts once, not 0, 1 or 2 times."""
     point.plane_offset = lambda scene: scene["surface.summit_plane_offset"]
 
 
@@ -612,7 +612,7 @@ def three_of_the_inlet():
 
 @combination
 def line_load_and_sharing_exponent():
-    """Points of lines: the film takes the load, not the load of a metre; all laws share with the exponent 0.14."""
+    """The film laws of lines take the load, not the load per length; load sharing has the exponent 0.14 with all laws."""
     @put(point)
     def flooded_film(scene, contact, right=point.flooded_film):
         film = right(scene, contact)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Slips that were written after the two sets, each with a cause that came to be told."""
+"""Slips that were written after the two sets, for causes that `tribocheck verify` has named since."""
 
 import functools
 
@@ -16,7 +16,7 @@ def slip(function):
 
 @slip
 def line_film_and_its_sharing_exponent():
-    """dowson_toyoda_central has U^0.68 for U^0.69, and points with it share the load by the exponent 0.2 for 0.69 - 0.56."""
+    """dowson_toyoda_central has U^0.68 in place of U^0.69, and load sharing with it has the exponent 0.2 in place of 0.69 - 0.56."""
     row = films.LINES["dowson_toyoda_central"]
     films.LINES["dowson_toyoda_central"] = (row[0], 0.68, *row[2:])
 

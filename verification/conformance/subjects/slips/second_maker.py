@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Slips: each changes the modules of the right solver, once in a fresh process."""
+"""Sixty wrong solvers. Each slip changes modules of the right solver, one slip in a process. "1 for 2" is a wrong 1 in place of the right 2."""
 
 import functools
 import math
@@ -17,7 +17,7 @@ KINDS = {}
 
 
 def slip(kind):
-    """Registers a slip of one of the ten kinds (several: kinds of each)."""
+    """Registers a slip. `kind` is its kind, 1 to 10 as in the headings; a combination has the kind of each of its slips."""
     def register(function):
         SLIPS.append(function)
         KINDS[function.__name__] = kind
@@ -26,7 +26,7 @@ def slip(kind):
 
 
 def change(module, name):
-    """Replaces a function of the module by the decorated one, which gets the right one first."""
+    """A decorator: the decorated function replaces the module's function `name`, and gets the right function as first argument."""
     def replace(wrong):
         setattr(module, name, functools.partial(wrong, getattr(module, name)))
     return replace
@@ -39,7 +39,7 @@ def edit(table, name, place, number):
 
 
 def summits_with(**wrong):
-    """Replaces members by functions of (m0, m2, m4, right answers)."""
+    """Replaces members of the answer of `summits` by what these functions of (m0, m2, m4, right answer) return."""
     @change(liquids, "summits")
     def summits(right, m0, m2, m4):
         answers = right(m0, m2, m4)
@@ -73,7 +73,7 @@ def thermal_modulus_of_contact():
 
 @slip("1")
 def gradient_of_face_for_m2():
-    """m2 is taken of the gradient of the face, twice that of a profile's slope: take the profile's m2."""
+    """m2 is the mean square gradient of the face, twice that of a profile's slope: take the profile's m2."""
     @change(liquids, "summits")
     def summits(right, m0, m2, m4):
         return right(m0, 2 * m2, m4)
@@ -81,7 +81,7 @@ def gradient_of_face_for_m2():
 
 @slip("1")
 def sliding_over_sum_of_speeds():
-    """The slide-roll ratio is read as sliding speed over u1 + u2, so that the shear rate is twice too high: the mean is meant."""
+    """The slide-roll ratio is read as sliding speed over u1 + u2, so that the shear rate is doubled: divide by the mean speed."""
     @change(friction, "shear_rate")
     def shear_rate(right, speed, ratio, separation):
         return right(2 * speed, ratio, separation)
@@ -109,7 +109,7 @@ def thermal_exponent():
 
 @slip("2")
 def index_coefficient():
-    """c = 33.196 of the range from 3.8 to 4.4 mm2/s of L is copied as 33.916: mend this number of table X2.1."""
+    """The coefficient c = 33.196 of L from 3.8 to 4.4 mm2/s is copied from table X2.1 as 33.916: mend the digits."""
     rows = list(liquids.INDEX_OILS)
     rows[1] = (4.4e-6, (3.38095, -15.4952, 33.916), rows[1][2])
     liquids.INDEX_OILS = tuple(rows)
@@ -125,7 +125,7 @@ def density_without_root_three():
 
 @slip("3")
 def line_shear_of_mean_pressure():
-    """The greatest shear of a line is 0.300 of the mean pressure, where it is of the peak pressure (4/pi missing)."""
+    """The greatest shear of a line is 0.300 of the mean pressure in place of the peak pressure (4/pi is missing)."""
     @change(solver, "hertz_line")
     def hertz_line(right, load, E, R):
         answers = right(load, E, R)
@@ -142,7 +142,7 @@ def williamson_without_four_thirds():
 
 @slip("3")
 def tripp_count_half():
-    """The count of Greenwood and Tripp's contacts is 2 pi n^2 beta sigma A F_1, half of what it is: 4 pi."""
+    """The count of Greenwood and Tripp's contacts is 2 pi n^2 beta sigma A F_1, half of the right number: take 4 pi."""
     @change(solver, "summit_count")
     def summit_count(right, asperity, *rest):
         return right(asperity, *rest) * (0.5 if asperity == solver.TRIPP else 1)
@@ -152,7 +152,7 @@ def tripp_count_half():
 
 @slip("4")
 def thermal_numerator_sign():
-    """Gupta's numerator is 1 + 13.2 (p0/E') L^0.42: it is minus."""
+    """Gupta's numerator is 1 + 13.2 (p0/E') L^0.42: the right sign is minus."""
     films.thermal_reduction = functools.partial(thermal, sign=1)
 
 
@@ -166,13 +166,13 @@ def damiens_ratio_upside_down():
 
 @slip("4")
 def offset_of_planes_added():
-    """The moments are taken at lambda + delta, where lambda - delta is meant: the sign of the offset."""
+    """The moments are taken at lambda + delta in place of lambda - delta: the offset has the wrong sign."""
     solver.moment_argument = lambda lam, delta: lam + delta
 
 
 @slip("4")
 def index_ratio_upside_down():
-    """Above an index of 100 N is log(U/H)/log Y, the negative: take log(H/U)."""
+    """Above an index of 100, N is log(U/H)/log Y, which has the wrong sign: take log(H/U)."""
     @change(liquids, "viscosity_index")
     def viscosity_index(right, at_40, at_100):
         value = right(at_40, at_100)
@@ -208,7 +208,7 @@ def roelands_regime_missing():
 
 @slip("5")
 def boundary_word_from_ninety_percent():
-    """The regime is called boundary from an asperity share of 0.9 on: it is 0.99."""
+    """The regime is called boundary from an asperity share of 0.9 on: the limit is 0.99."""
     @change(solver, "regime")
     def regime(right, asperity_share, fluid_share):
         return "boundary" if asperity_share > 0.9 else right(asperity_share, fluid_share)
@@ -301,7 +301,7 @@ def elliptic_integrals_coarse():
 
 @slip("8")
 def sharing_stops_early():
-    """Load sharing is a fixed-point iteration of 20 steps, A at most 0.9999, too few: iterate to convergence."""
+    """Load sharing is a fixed-point iteration with A at most 0.9999, and 20 steps are too few: iterate to convergence."""
     @change(solver, "load_sharing")
     def load_sharing(right, asperity, flooded, K, delta, exponent=None):
         lam = flooded
@@ -323,7 +323,7 @@ def index_table_interpolated():
 
 @slip("8")
 def ellipse_cache_key_rounded():
-    """The shape of the ellipse is cached by R_y/R_x rounded to one decimal: take the whole number as the key."""
+    """The shape of the ellipse is cached by R_y/R_x rounded to one decimal: take the unrounded ratio as the key."""
     shapes = {}
 
     @change(solver, "ellipse_shape")
@@ -374,7 +374,7 @@ def axes_by_hamrock_brewe():
 
 @slip("10")
 def regime_by_film_parameter():
-    """The regime is told by the film parameter (below 1 boundary, above 3 elastohydrodynamic): it is told by the shares of load."""
+    """The regime is told by the film parameter (below 1 boundary, above 3 elastohydrodynamic): take the load shares."""
     @change(point, "solve")
     def solve(right, scene, outputs):
         values, undefined = right(scene, [*outputs, "film_parameter"] if "regime" in outputs else outputs)
@@ -386,7 +386,7 @@ def regime_by_film_parameter():
 
 @slip("10")
 def friction_viscosity_word_ignored():
-    """friction.viscosity is not looked at, the film is always thickened by Barus' law: obey the word."""
+    """friction.viscosity is ignored, and the viscosity always follows Barus' law: obey the word."""
     @change(friction, "log_thickening")
     def log_thickening(right, law, *rest):
         return right("barus", *rest)
@@ -400,7 +400,7 @@ def sharing_exponent_of_usual_film():
 
 @slip("10")
 def inlet_film_ratio_of_flooded_film():
-    """supply.inlet_film_ratio is read as a part of the flooded film: it is of summit_height_sd."""
+    """supply.inlet_film_ratio multiplies the flooded film: it must multiply summit_height_sd."""
     @change(point, "starved")
     def starved(right, scene, film):
         ratio = scene.get("supply.inlet_film_ratio")
@@ -413,7 +413,7 @@ def inlet_film_ratio_of_flooded_film():
 
 @slip("2, 2")
 def two_line_laws_miscopied():
-    """ertel_grubin has the exponents 3/4 for 8/11 (of GU), and dowson_toyoda_central 3.60 for 3.06."""
+    """ertel_grubin has the exponents 3/4 for 8/11 (of G and U), and dowson_toyoda_central 3.60 for 3.06."""
     films.LINES["ertel_grubin"] = (1.95, 0.75, 0.75, -1 / 11)
     edit(films.LINES, "dowson_toyoda_central", 0, 3.60)
 
@@ -440,13 +440,13 @@ def ellipse_approach_and_ellipticity():
 
 @slip("1, 2")
 def thermal_digits_and_mean_pressure():
-    """Gupta's factor has S^0.38 for S^0.83, and takes p0 for the mean pressure, so that it puts 3/2 p0."""
+    """Gupta's factor has S^0.38 for S^0.83, and takes the given p0 for the mean pressure, so that it uses 3/2 p0 as the peak."""
     films.thermal_reduction = functools.partial(thermal, first=9.9, c=0.38)
 
 
 @slip("1, 3")
 def summit_offset_and_radius():
-    """The offset of the planes is over the root of m0 and not sigma_s, and the summit radius 3/(8 sqrt(m4)) misses the root of pi."""
+    """The offset of the planes is divided by sqrt(m0), not by sigma_s; the summit radius is 3/(8 sqrt(m4)), without sqrt(pi)."""
     summits_with(summit_plane_offset=lambda m0, m2, m4, right: 4 / math.sqrt(math.pi * right["bandwidth"]),
                  summit_radius=lambda m0, m2, m4, right: 0.375 / math.sqrt(m4))
 
@@ -474,7 +474,7 @@ def barus_guard_and_whole_pressure():
 
 @slip("1, 10")
 def friction_peak_pressure_and_whole_area():
-    """Friction thickens by the peak pressure (3/2 of the mean one), and shears the whole area, not that which the asperities leave."""
+    """Friction thickens by the peak pressure (3/2 of the mean one), and shears the whole area, not the part that the asperities leave."""
     @change(friction, "log_thickening")
     def log_thickening(right, law, viscosity, alpha, pressure):
         return right(law, viscosity, alpha, 1.5 * pressure)
@@ -551,7 +551,7 @@ def sharing_exponent_and_root():
 
 @slip("3, 3")
 def tripp_load_and_area_factors():
-    """K of Greenwood and Tripp has 8 for 16 (taken of E' in another book), and its area pi n^2 for pi^2 n^2."""
+    """K of Greenwood and Tripp has 8 for 16 (the factor that belongs to E' = 2E*), and its area pi n^2 for pi^2 n^2."""
     @change(solver, "stiffness")
     def stiffness(right, asperity, *rest):
         return right(asperity, *rest) * (0.5 if asperity == solver.TRIPP else 1)
@@ -563,7 +563,7 @@ def tripp_load_and_area_factors():
 
 @slip("1, 10")
 def ellipse_points_by_reduced_radius():
-    """The film of an elliptic point has R of 1/R = 1/R_x + 1/R_y for R_x, and its ellipticity is not handed on (always 1)."""
+    """The film law of an elliptic contact gets R, with 1/R = 1/R_x + 1/R_y, in place of R_x, and always the ellipticity 1."""
     @change(point, "smooth_contact")
     def smooth_contact(right, scene):
         radius, ellipticity, pressure = right(scene)
@@ -574,7 +574,7 @@ def ellipse_points_by_reduced_radius():
 
 @slip("1, 2")
 def half_length_and_regime_limits():
-    """bodies.length is taken for half of the line, so that F/L is half; and the limits of the regimes are 0.05 for 0.01."""
+    """bodies.length is taken as half of the line's length, so that F/L is halved; the limits of the regimes are 0.05 for 0.01."""
     @change(point, "solve")
     def solve(right, scene, outputs):
         length = scene["bodies.length"]
@@ -600,7 +600,7 @@ def three_regimes_miscopied():
 
 @slip("4, 1, 9")
 def three_films_miscopied():
-    """pan_hamrock_central has W^+0.166; pan_hamrock_minimum has E* for E' in U, G and W; hamrock_dowson_minimum has the central film's 1 - 0.61 exp(-0.73 k)."""
+    """pan_hamrock_central has W^+0.166; pan_hamrock_minimum has E* for E'; hamrock_dowson_minimum has the central film's 1 - 0.61 exp(-0.73 k)."""
     edit(films.LINES, "pan_hamrock_central", 3, 0.166)
     edit(films.POINTS, "hamrock_dowson_minimum", 4, 0.61)
     edit(films.POINTS, "hamrock_dowson_minimum", 5, 0.73)

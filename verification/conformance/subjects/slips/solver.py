@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""solver.py --slip NAME: the right solver of ../python_stdlib with the slips of one trial, as a subject of `tribocheck verify`."""
+"""solver.py --slip NAME: the right solver of ../python_stdlib with the slips that the function NAME puts in, as a subject of `tribocheck verify`."""
 
 import argparse
 import pathlib
