@@ -5,6 +5,7 @@
 #include <gsl/gsl_roots.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -30,6 +31,7 @@ struct BrentIn {
   double operator()(const RootCase& root_case, const Residual& residual) const {
     const Bracket bracket = over_roughness ? bracket_over_roughness(root_case, residual)
                                            : bracket_above(root_case, residual);
+    if (std::isnan(bracket.at_low) || std::isnan(bracket.at_high)) return nan;  // no moment
     if (bracket.at_low == 0 || bracket.low == bracket.high) return bracket.low;
     if ((bracket.at_low > 0) == (bracket.at_high > 0)) return bracket.low;  // λ = λ₀ is the root
     Residual copy = residual;
@@ -55,6 +57,7 @@ struct Toms748 {
   template <class Residual>
   double operator()(const RootCase& root_case, const Residual& residual) const {
     const Bracket bracket = bracket_above(root_case, residual);
+    if (std::isnan(bracket.at_low) || std::isnan(bracket.at_high)) return nan;  // no moment
     if (bracket.at_low == 0 || bracket.low == bracket.high) return bracket.low;
     if (!(bracket.at_low > 0 && bracket.at_high <= 0)) return nan;
     std::uintmax_t iterations = most_iterations;

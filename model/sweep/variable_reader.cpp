@@ -185,8 +185,15 @@ class VariableReader {
                   "a number above from"});
   }
 
+  // Numbers are not drawn for a field of whole numbers.
+  bool is_drawn() {
+    if (field_.type != FieldType::integer) return true;
+    refuse({Fault::other, "", "a whole number is not drawn", "a whole number, or a list of them"});
+    return false;
+  }
+
   void read_printed_number(TableReader& table) {
-    if (!only(table, {"printed"})) return;
+    if (!is_drawn() || !only(table, {"printed"})) return;
     const std::string_view units = scene_detail::usual_units(written_unit_);
     const std::string allowed = "a number as it is printed, as a text: \"0.0202\"" +
                                 (units.empty() ? "" : ", or in " + std::string(units));
@@ -204,9 +211,7 @@ class VariableReader {
   }
 
   void read_distribution(TableReader& table) {
-    if (field_.type == FieldType::integer)
-      return refuse(
-          {Fault::other, "", "a whole number is not drawn", "a whole number, or a list of them"});
+    if (!is_drawn()) return;
     const auto kind = table.word("distribution", distribution_names);
     if (!kind) return;
     const auto is = [&](DistributionKind one) {

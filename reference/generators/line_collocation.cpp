@@ -264,19 +264,19 @@ class Collocation {
     const double room = (state.ends.back() - state.ends[state.ends.size() * 19 / 20 - 1]) / 3;
     double part = std::min({1.0, 0.3 / of_pressure, room / of_outlet});
     if (!(part > 1e-4)) return std::numeric_limits<double>::infinity();  // the part is too small
-    State next;
     for (; part > 1e-4; part /= 2) {
-      next = state;
+      State next = state;
       next.pressure.segment(1, inner) += part * change.head(inner);
       next.mass_flow += part * change[inner];
       next.separation += part * change[inner + 1];
       next.ends = stretched(state.ends, state.ends.back() + part * change[count]);
       const VectorXd there = nodes(next.ends);
-      if (films(next, this->kernel(next.ends, there), there).minCoeff() > 0.3 * film.minCoeff())
-        break;
+      if (films(next, this->kernel(next.ends, there), there).minCoeff() > 0.3 * film.minCoeff()) {
+        state = std::move(next);
+        return std::max({of_pressure, std::fabs(change[inner]), of_outlet});
+      }
     }
-    state = std::move(next);
-    return std::max({of_pressure, std::fabs(change[inner]), of_outlet});
+    return std::numeric_limits<double>::infinity();  // no part of the step leaves a film
   }
 
   Pressure pressure_at(const State& state, double x) const {

@@ -210,6 +210,8 @@ bool write_new_file(const InitArguments& arguments, const std::string& out, cons
     complain(out + ": is there already; --force overwrites it");
     return false;
   }
+  if (const fs::path parent = fs::path(out).parent_path(); !parent.empty())
+    report::make_folder(parent);
   report::write_file(out, text, {.any = arguments.force, .only = {}});
   append_line(output.text(), out + ": written");
   return true;
@@ -273,8 +275,6 @@ int init_ci(const InitArguments& arguments, OutputStream& output) {
   const std::optional<std::string> text = read_text(folder / name);
   if (!text) return fail(exit_failed, (folder / name).string() + ": cannot be read");
   const std::string out = arguments.out.empty() ? name : arguments.out;
-  if (const fs::path parent = fs::path(out).parent_path(); !parent.empty())
-    report::make_folder(parent);
   if (!write_new_file(arguments, out, *text, output)) return exit_bad;
   append(output.text(),
          "next: put the file where its head says, if it is not there, change the variables marked "
@@ -293,7 +293,9 @@ until then the verdict is NOTHING, and the exit code 1. Its comments say what ea
 which units. The line that is printed builds it, where it has to be built, and puts it to the tests.
 
 ci: the file has the gates of values and of speed for a system of CI, github or gitlab, ready to paste;
-its head says where it goes. Folders that --out names are made.
+its head says where it goes.
+
+Folders that --out names are made.
 
 Example:
   tribocheck init subject --language python --out my_solver.py

@@ -118,7 +118,6 @@ class Init(ProgramTest):
             self.assertIn(words, verdict["last_errors"])
 
     def test_the_printed_line_builds_a_library_from_where_it_was_printed(self):
-        os.mkdir(self.folder.path("a b"))
         for language, name, program, _, command in LANGUAGES:
             if "{library}" not in command or shutil.which(program) is None:
                 continue

@@ -457,6 +457,7 @@ class BadSweeps(SweepTest):
         ({"load": '{}'}, {}, ["load", "does not say how"]),
         ({"surface.offset_planes": '{ distribution = "uniform", from = 0, to = 2 }'}, {},
          ["surface.offset_planes", "is not drawn"]),
+        ({"surface.offset_planes": '{ printed = "1" }'}, {}, ["surface.offset_planes", "is not drawn"]),
         ({"surface.offset_planes": "[0, 0.5]"}, {}, ["surface.offset_planes", "not whole"]),
         ({"closures.asperity": '["greenwood"]'}, {}, ["closures.asperity[0]"]),
         ({"load": UNIFORM.replace("0.0", "1")}, {"design": '"factorial"'}, ["sweep.design"]),

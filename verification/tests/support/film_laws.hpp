@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films of each law, computed by hand; and film laws other than the default one. These are the law
-// of the minimum film, and made-up laws whose exponent a − b is the least that load sharing takes
-// (0.01), a small one (0.05) and a great one (0.3).
+// Films of each law, computed by hand; and film laws other than the default one. These are a law of
+// the minimum film, a law of soft bodies (a − b = 0.64), and made-up laws whose exponent a − b is
+// the least (0.01) and the greatest (0.7) that load sharing takes, and a small one (0.05).
 #pragma once
 
 #include <array>
@@ -30,13 +30,14 @@ constexpr FilmLaw law_with_exponents(Fraction speed, Fraction material) {
 }
 inline constexpr FilmLaw least_exponent_law = law_with_exponents({7, 10}, {69, 100});
 inline constexpr FilmLaw small_exponent_law = law_with_exponents({13, 20}, {3, 5});
-inline constexpr FilmLaw greatest_exponent_law = law_with_exponents({4, 5}, {1, 2});
+inline constexpr FilmLaw greatest_exponent_law = law_with_exponents({4, 5}, {1, 10});
 
-inline constexpr std::array<const FilmLaw*, 4> other_film_laws{
-    &hamrock_dowson_minimum_law, &least_exponent_law, &small_exponent_law, &greatest_exponent_law};
+inline constexpr std::array<const FilmLaw*, 5> other_film_laws{
+    &hamrock_dowson_minimum_law, &hamrock_dowson_soft_central_law, &least_exponent_law,
+    &small_exponent_law, &greatest_exponent_law};
 static_assert(least_exponent_law.sharing_power.value == 0.01 &&
               small_exponent_law.sharing_power.value == 0.05 &&
-              greatest_exponent_law.sharing_power.value == 0.3);
+              greatest_exponent_law.sharing_power.value == 0.7);
 static_assert(is_law_of_load_sharing(least_exponent_law) &&
               is_law_of_load_sharing(greatest_exponent_law));
 
