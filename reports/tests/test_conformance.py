@@ -364,7 +364,7 @@ class Baselines(ProgramTest):
 
     def test_a_file_that_is_no_baseline(self):
         right = ("python_stdlib/subject.py",)
-        for text, words in (("{}", "no baseline of"),
+        for text, words in (("{}", "no baseline of"), ("null", "no baseline of"),
                             ('{"schema": 1, "quantities": {}, "tolerance": "engineering"}', "of schema 1"),
                             ('{"schema": "verify-baseline/4", "quantities": {}}', "of schema 4, and this program has 3"),
                             ('{"schema": "bench-baseline/3", "quantities": {}}', "no baseline of"),

@@ -158,10 +158,12 @@ class Verdicts(unittest.TestCase):
 
     def test_answers_that_are_none_are_refused_in_one_line(self):
         request = self.request(functions=["pull_off_force"])
-        first = json.loads(text_of(LIBRARY.tribocheck_cases, request)[1].splitlines()[1])["id"]
-        one = json.dumps({"id": first, "value": 1})
+        ids = [json.loads(line).get("id") for line in text_of(LIBRARY.tribocheck_cases, request)[1].splitlines()]
+        once, twice = (next(one for one in ids if ids.count(one) == times) for times in (1, 2))
+        one, other = (json.dumps({"id": which, "value": 1}) for which in (once, twice))
         for answers, words in [("{", "line 1"), ('{"value": 1}', "without an id"), ('{"id": "?"}', "not asked"),
-                               (f"{one}\n\n{one}", "line 3 of the answers: a second answer")]:
+                               (f"{one}\n\n{one}", "line 3 of the answers: a second answer"),
+                               (f"{other}\n{other}\n{other}", "line 3 of the answers: a third answer")]:
             code, why = text_of(LIBRARY.tribocheck_judge, request, answers.encode())
             self.assertEqual((code, why.count("\n")), (2, 0), why)
             self.assertIn(words, why)

@@ -18,6 +18,7 @@ constexpr std::size_t cases_in_a_row = 20;  // cases of a function in a row
 constexpr std::size_t lines_ahead = 256;    // lines asked and not yet answered
 constexpr std::chrono::milliseconds glance{100};
 constexpr std::size_t kept_error_lines = 5;
+constexpr const char* endless_line = "writes a line that does not end";
 
 // An endless stream of questions: some lines of each function, then the next lines of each.
 class QuestionStream {
@@ -113,7 +114,7 @@ class Run {
       child_.rest_of_output(glance);
       run_.failure = child_.end_text() + " before its input ends";
     } else if (event == ChildProcess::Event::too_long_line) {
-      run_.failure = "writes a line that does not end";
+      run_.failure = endless_line;
     } else if (event == ChildProcess::Event::line && line.find('{') != line.npos) {
       if (run_.answers++ == 0) first_answer_ = Clock::now();
       run_.answers = std::min(run_.answers, asked_);
@@ -126,6 +127,7 @@ class Run {
     while (goes_well()) {
       const ChildProcess::Event event = child_.next_line(line, glance);
       if (event == ChildProcess::Event::line && line.find('{') != line.npos) ++run_.answers;
+      if (event == ChildProcess::Event::too_long_line) run_.failure = endless_line;
       if (event == ChildProcess::Event::end_of_output && child_.has_ended()) break;
     }
     if (run_.failure.empty() && !run_.was_stopped && child_.exit_code() != 0)

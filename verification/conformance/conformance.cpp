@@ -414,7 +414,7 @@ Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cas
         "tolerance: \"{}\" is no file that can be read; allowed: engineering, strict, or "
         "the path of a file with bounds of quantities",
         text));
-  std::set<std::string> known = quantity_names(cases);
+  std::set<std::string> known = quantity_names(cases), seen;
   known.insert("default");
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
@@ -429,6 +429,9 @@ Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cas
     if (!(words >> relative) || words >> rest || !(relative > 0) || !(relative < 1))
       throw std::runtime_error(
           fmt::format("{}:{}: {} needs one number above 0 and below 1", text, number, quantity));
+    if (!seen.insert(quantity).second)
+      throw std::runtime_error(
+          fmt::format("{}:{}: {} has a bound already; give it one line", text, number, quantity));
     if (quantity == "default")
       tolerance.relative = relative;
     else

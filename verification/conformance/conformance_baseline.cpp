@@ -586,7 +586,7 @@ json usable_baseline(const BaselineUse& use, const std::function<void(const json
                              std::istreambuf_iterator<char>()};
       content = protocol::parse_bounded_json(text);
       if (content.is_discarded()) throw Broken(broken_text(text));
-      if (!content.is_null()) check(content);
+      check(content);
     }
   } catch (const Broken& error) {
     if (use.force) return nullptr;

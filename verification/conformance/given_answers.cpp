@@ -46,6 +46,8 @@ Conversation conversation_of(const std::vector<TestCase>& cases, std::string_vie
       if (again == made.again.end() || *again != asked->second)
         refuse("a second answer to a case that was asked once: " + start_of(line));
       to = &made.second_answers[static_cast<std::size_t>(again - made.again.begin())];
+      if (to->outcome != Outcome::not_asked)
+        refuse("a third answer to a case that was asked twice: " + start_of(line));
     }
     *to = reply_of(std::move(answer));
   }

@@ -197,7 +197,7 @@ std::string approximation_of(const Part& part) {
   for (const Part::Number& one : part.all) {
     const double right = std::abs(one.answered->expected->high);
     greatest = std::max(greatest, std::abs(one.answered->error()));
-    relative = std::max(relative, std::abs(one.answered->error()) / right);
+    if (right > 0) relative = std::max(relative, std::abs(one.answered->error()) / right);
     answer = std::max(answer, right);
   }
   if (!results_of(part.function())[part.place].unit.empty() || answer < 0.5 || answer > 1 ||

@@ -42,6 +42,7 @@ function(tribocheck_add_subject test)
     set(words "")
     foreach(word IN LISTS program arg_COMMAND)
       if(NOT word MATCHES "^[A-Za-z0-9_./+=:@%,-]+$")
+        string(REPLACE "'" "'\\''" word "${word}")  # as a shell writes an apostrophe
         set(word "'${word}'")
       endif()
       list(APPEND words "${word}")

@@ -91,7 +91,7 @@ std::vector<std::string> unsteady_lines(const std::vector<Unsteady>& unsteady) {
       "or adds in another order each time:"};
   for (const Unsteady& one : unsteady) {
     if (lines.size() > most_lines) {
-      lines.push_back(fmt::format("  and {} quantities more", unsteady.size() - most_lines));
+      lines.push_back(fmt::format("  and {} more", unsteady.size() - most_lines));
       break;
     }
     lines.push_back(fmt::format("  {} changes in {} of {} cases; in {} most: {}", one.quantity,

@@ -118,7 +118,9 @@ std::string told(const std::vector<AnsweredWord>& answers, const std::string& wo
     const auto got = limit_of(answers, number, word, &AnsweredWord::got);
     if (!got) continue;
     const auto asked = limit_of(answers, number, word, &AnsweredWord::asked);
-    if (asked && asked->low < got->high && got->low < asked->high) return {};
+    if (asked && asked->is_above == got->is_above && asked->low < got->high &&
+        got->low < asked->high)
+      return {};
     std::string text =
         fmt::format(" The word `{}` is answered {}", word, place_in_words(*got, number));
     if (!right.empty()) text += fmt::format("; it is right {}", right);

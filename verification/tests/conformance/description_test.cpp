@@ -1180,6 +1180,11 @@ TEST(Words, AreToldByTheLimitFromWhichTheyAreAnswered) {
                           return film < 1 ? "boundary" : film < 3 ? "mixed" : "elastohydrodynamic";
                         })}}),
               "The word `elastohydrodynamic` is answered from film_parameter = 3 on");
+  expect_said(said_of({{"operating_point", regime_by([&](const json& point) {
+                          return share(point) < 0.99 ? "boundary" : "mixed";
+                        })}}),
+              "The word `boundary` is answered below asperity_load_share = 0.99; it is right from "
+              "asperity_load_share = 0.99 on.");
   // Words that follow no limit are told by none, and right words are not told.
   std::mt19937 random(5);
   expect_said(said_of({{"operating_point", regime_by([&](const json& point) {

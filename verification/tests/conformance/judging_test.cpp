@@ -437,9 +437,9 @@ TEST(ToleranceFile, HasEachNumberAtItsQuantityAndRefusesOtherLines) {
   EXPECT_FALSE(own.is_strict);
   for (const char* const line :
        {"hertz_point.load 1e-3", "hertz_point.radius 0", "hertz_point.radius 1",
-        "hertz_point.radius", "hertz_point.radius 1e-3 m"})
+        "hertz_point.radius", "hertz_point.radius 1e-3 m", "hertz_point.approach 1e-3"})
     try {
-      read("default 1e-3\n" + std::string(line));
+      read("hertz_point.approach 1e-3\n" + std::string(line));
       ADD_FAILURE() << line << " is taken";
     } catch (const std::runtime_error& error) {
       EXPECT_NE(std::string(error.what()).find("own.txt:2: hertz_point."), std::string::npos)
