@@ -46,7 +46,7 @@ class Complete(unittest.TestCase):
     def test_bad_input_is_named_as_we_name_it(self):
         good = scene(speed=0.1)
         bad = [with_field(good, "bodies.reduced_radius", -1), without_field(good, "load"),
-               with_field(good, "load", "50"), with_field(good, "bodies.radius", 1),
+               with_field(good, "load", "50"), with_field(good, "load", 10**400), with_field(good, "bodies.radius", 1),
                with_field(good, "closures.asperity", "gt"), with_field(good, "surface.offset_planes", 3),
                {"function": "gaussian_moment", "order": 0.25, "argument": 0},
                {"function": "hertz_point", "load": 1, "effective_modulus": 1},
@@ -64,6 +64,8 @@ class Complete(unittest.TestCase):
     def test_an_unknown_function_is_skipped(self):
         answer, = answers_of(COMPLETE, numbered([{"function": "stokes"}]))
         self.assertEqual(answer, {"id": "c0", "skip": "no function stokes"})
+        answer, = answers_of(COMPLETE, numbered([{"function": ["stokes"]}]))
+        self.assertIn("skip", answer)
 
     def test_every_answer_is_there_before_the_next_question(self):
         assert_lockstep(self, COMPLETE)

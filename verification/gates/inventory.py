@@ -122,9 +122,9 @@ def main():
         return 2
     if arguments.part:
         listed = {name: row for name, row in listed.items() if name in ran}
-        if not ran:
-            print("inventory: no check ran")
-            return 1
+    if not ran and not listed:
+        print("inventory: no check ran")
+        return 1
     found = list(findings(listed, ran))
     for line in found:
         print(f"inventory: {line}")

@@ -104,6 +104,7 @@ class Gate(Folder):
         self.assertEqual(code, 1)
         self.assertIn("a: ran on 11 cases, 12 are listed", said)
         self.assertEqual(self.gate("--only", "^b$")[0], 0)
+        self.assertEqual(self.gate("--only", "^typo$"), (1, "inventory: no check ran\n"))
 
     def test_of_a_part_what_ran_is_held_alone(self):
         self.write_junit(("a", "run", "Ran 12 cases\n"), ("b", "run", ""))

@@ -461,7 +461,7 @@ def plant(faults, workers, folder, tell, seconds):
             if place not in ready:
                 ready[place] = Scratch(place)
                 start = time.monotonic()
-            took = seconds.get(whole_test(fault["check"]), 0)
+            took = seconds.get(whole_test(test_of(fault["check"])), 0)
             row |= {"caught": True, "said": ready[place].try_fault(fault, took)}
         except Red as red:
             row |= {"caught": False, "said": str(red)}
@@ -519,6 +519,7 @@ def main():
         if len(faults) != len(set(arguments.only)):
             print("plant.py: --only: no such id in the catalogue", file=sys.stderr)
             return 2
+    faults = [fault for fault in faults if not stale(fault)]
     if arguments.sample is not None:
         seed = arguments.seed or commit()
         faults = random.Random(seed).sample(faults, min(arguments.sample, len(faults)))

@@ -109,9 +109,12 @@ class InputError(Exception):
 
 
 def number(name, value, allowed):
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+    try:
+        value = math.nan if isinstance(value, bool) or not isinstance(value, (int, float)) else float(value)
+    except OverflowError:  # a whole number with more digits than a double reaches
+        value = math.inf
+    if not math.isfinite(value):
         raise InputError(name, "this is no finite number")
-    value = float(value)
     if not {"above 0": value > 0, "from 0": value >= 0, "not 0": value != 0,
             "Poisson": -1 < value <= 0.5, "any": True}[allowed]:
         raise InputError(name, f"{value} is not allowed; allowed: {allowed}")

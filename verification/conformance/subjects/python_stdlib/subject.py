@@ -82,7 +82,7 @@ FUNCTIONS["summits_from_spectral_moments"] = lambda given: liquids.summits(*give
 
 def call(line):
     name = line["function"]
-    if name not in FUNCTIONS:
+    if not isinstance(name, str) or name not in FUNCTIONS:
         return {"skip": f"no function {name}"}, {}
     given = {key: value for key, value in line.items() if key not in ("id", "function")}
     arguments = fields.read_arguments(name, given)
