@@ -24,6 +24,15 @@ SAID = {
                                            "0.2 in place of the film's exponent, in load sharing, where `closures.film` is dowson_toyoda_central"),
     "boundary_word_from_ninety_percent": ("operating_point.regime",
                                           "`boundary` is answered from asperity_load_share = 0.9 on; it is right from"),
+    "moes_norms_of_whole_numbers": ("moes_line", "with 2 in place of 7/3, and -3 in place of −7/2 ("),
+    "chart_of_old_and_rounded_zero": ("astm_d341_viscosity",
+                                      "0.6 in place of 0.7, and each of T₁, T₂, T − 0.15 in place of each of T₁, T₂, T"),
+    "roelands_exponent_of_two_decimals": ("roelands_viscosity", "with z rounded to 2 decimals"),
+    "minimum_film_of_converted_ellipticity": ("hamrock_dowson_minimum", "with 1.0339 k^0.636 in place of k ("),
+    "friction_of_smooth_film_and_no_zero": ("operating_point.friction", "`friction.slide_roll_ratio` = 1 where it is given as 0 ("),
+    "index_by_e_of_next_row_and_not_below_zero": (
+        "viscosity_index", "the row after the right one in the table of L and H, and e in place of 10 above 100 ("),
+    "summits_of_a_square_metre": ("operating_point.summit_count", "n in place of nA in the number of summits ("),
 }
 
 

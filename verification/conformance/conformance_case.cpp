@@ -198,7 +198,36 @@ std::vector<TestCase> without_defaults(const std::vector<TestCase>& points) {
   return made;
 }
 
-// How many inputs differ, or are in only one of the two.
+// Some points of each kind once more without sliding, which the certified ones lack. Their friction
+// is that of the asperities alone, μ_b A, and nothing else depends on the sliding.
+std::vector<TestCase> without_sliding(const std::vector<TestCase>& points) {
+  constexpr std::size_t most_without_sliding = 4;  // of each kind
+  constexpr double least_share_shown = 1e-3;
+  std::vector<TestCase> made;
+  std::map<std::string, std::size_t> count;
+  for (const TestCase& one : points) {
+    const auto find = [](TestCase& of, std::string_view field) {
+      return std::find_if(of.expected.begin(), of.expected.end(),
+                          [&](const Expected& expected) { return expected.field == field; });
+    };
+    TestCase still = one;
+    const auto friction = find(still, "friction"), share = find(still, "asperity_load_share");
+    if (friction == still.expected.end() || share == still.expected.end() ||
+        share->high < least_share_shown || count[one.function]++ >= most_without_sliding)
+      continue;
+    still.id += 's';
+    still.inputs["friction"]["slide_roll_ratio"] = 0;
+    const auto boundary = still.inputs["friction"]["boundary_coefficient"].get<long double>();
+    const long double value = boundary * (static_cast<long double>(share->high) + share->low);
+    friction->high = static_cast<double>(value);
+    friction->low = static_cast<double>(value - static_cast<long double>(friction->high));
+    friction->condition = share->condition;
+    made.push_back(std::move(still));
+  }
+  return made;
+}
+
+// How many inputs are other ones, or are in one of both alone.
 std::size_t count_of_others(const json& flat, const json& other) {
   std::size_t count = 0;
   for (const auto& [path, value] : flat.items())
@@ -379,8 +408,10 @@ std::vector<TestCase> read_cases(const CaseSources& sources,
   if (std::any_of(operating_point_functions.begin(), operating_point_functions.end(), is_wanted)) {
     add(paper_points(sources.published));
     std::vector<TestCase> points = operating_points(table("operating_point"));
+    std::vector<TestCase> still = without_sliding(points);
     put_between(points, without_defaults(points));
     add(std::move(points));
+    add(std::move(still));
     std::erase_if(all, [&](const TestCase& one) { return !is_wanted(one.function); });
   }
   for (TestCase& one : all) complete(one);

@@ -341,8 +341,11 @@ class Diagnoser {
     for (const AnsweredCase& one : cases_) {
       if (!has_left(one)) continue;
       std::vector<Used> used = used_by(one);
-      std::erase_if(used,
-                    [&](const Used& wrong) { return is_followed_ && wrong.at_points != nullptr; });
+      // A function with one or two wrong answers says too little of where it is wrong.
+      std::erase_if(used, [&](const Used& wrong) {
+        return (is_followed_ && wrong.at_points != nullptr) ||
+               wrong.below->wrong_answers() < fewest_followed;
+      });
       for (const AnsweredNumber& number : one.numbers) {
         if (!number.is_left()) continue;
         for (const Used& wrong : used)
@@ -414,6 +417,7 @@ class Diagnoser {
     for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;
     if (cause.left_out && has_wrong(*cause.left_out))
       expect_with(cause.choices.front(), *cause.left_out);
+    if (branches.empty()) misread_left(cause.choices.front());
     for (const Mistake* const mistake : cause.choices.front()) named_.push_back(mistake);
     found_.push_back(std::move(one));
   }
@@ -427,7 +431,25 @@ class Diagnoser {
     });
   }
 
-  // Judges a result by what the mistakes give, because something else changes it as well.
+  // Takes the points with wrong answers left as these mistakes misread them: what else is wrong
+  // there stands beside them.
+  void misread_left(const Mistakes& mistakes) {
+    if (!is_operating_point(function_) ||
+        std::any_of(mistakes.begin(), mistakes.end(),
+                    [](const Mistake* one) { return one->instead || one->after || one->applies; }))
+      return;
+    for (AnsweredCase& one : cases_) {
+      if (!has_left(one)) continue;
+      Question question = one.question;
+      for (const Mistake* const mistake : mistakes) mistake->before(question);
+      const Followed misread{&one, question, right_numbers(question), closeness_of_misread, {}};
+      for (AnsweredNumber& number : one.numbers)
+        if (number.is_left()) shift(number, misread);
+      one.question = std::move(question);
+    }
+  }
+
+  // Judges a result by what the mistakes give, because they change it and something else does, too.
   void expect_with(const Mistakes& mistakes, std::size_t place) {
     for (AnsweredCase& one : cases_)
       for (AnsweredNumber& number : one.numbers)

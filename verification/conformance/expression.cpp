@@ -29,20 +29,24 @@ struct Called {
   double (*of)(double);
 };
 // In the order of Call.
-constexpr std::array calls{Called{"e^(", ")", [](double x) { return std::exp(x); }},
-                           Called{"10^(", ")", [](double x) { return std::pow(10, x); }},
-                           Called{"ln(", ")", [](double x) { return std::log(x); }},
-                           Called{"log₁₀(", ")", [](double x) { return std::log10(x); }},
-                           Called{"atan(", ")", [](double x) { return std::atan(x); }},
-                           Called{"atan(1/(", "))", [](double x) { return std::atan(1 / x); }},
-                           Called{"atan in degrees (", ")",
-                                  [](double x) { return std::atan(x) * 180 / std::numbers::pi; }},
-                           Called{"tan(", ")", [](double x) { return std::tan(x); }},
-                           Called{"erf(", ")", [](double x) { return std::erf(x); }},
-                           Called{"erfc(", ")", [](double x) { return std::erfc(x); }},
-                           Called{"tanh(", ")", [](double x) { return std::tanh(x); }},
-                           Called{"|", "|", [](double x) { return std::abs(x); }},
-                           Called{"(", ")", [](double x) { return x; }}};
+constexpr std::array calls{
+    Called{"e^(", ")", [](double x) { return std::exp(x); }},
+    Called{"10^(", ")", [](double x) { return std::pow(10, x); }},
+    Called{"ln(", ")", [](double x) { return std::log(x); }},
+    Called{"log₁₀(", ")", [](double x) { return std::log10(x); }},
+    Called{"atan(", ")", [](double x) { return std::atan(x); }},
+    Called{"atan(1/(", "))", [](double x) { return std::atan(1 / x); }},
+    Called{"atan in degrees (", ")",
+           [](double x) { return std::atan(x) * 180 / std::numbers::pi; }},
+    Called{"tan(", ")", [](double x) { return std::tan(x); }},
+    Called{"erf(", ")", [](double x) { return std::erf(x); }},
+    Called{"erfc(", ")", [](double x) { return std::erfc(x); }},
+    Called{"tanh(", ")", [](double x) { return std::tanh(x); }},
+    Called{"|", "|", [](double x) { return std::abs(x); }},
+    Called{"(", ")", [](double x) { return x; }},
+    Called{"", " rounded to {:.0f} decimals", nullptr},
+    Called{"", " rounded to {:.0f} digits", nullptr},
+    Called{"the whole part of ", "", [](double x) { return std::trunc(x); }}};
 const Called& call_of(Call call) { return calls[static_cast<std::size_t>(call)]; }
 
 // The functions that people write in place of this one.
@@ -93,10 +97,16 @@ class Evaluation {
       case Op::power:
         return std::pow(of(node.parts[0].of), of(node.parts[1].of));
       case Op::call:
-        return call_of(node.called).of(of(node.parts[0].of));
+        return called(node, of(node.parts[0].of));
       default:
         return of(node.parts[static_cast<std::size_t>(node.get(arguments_))].of);
     }
+  }
+  static double called(const Expression::Node& node, double x) {
+    if (node.called == Call::to_digits) return of_digits(x, static_cast<int>(node.number));
+    if (node.called != Call::to_decimals) return call_of(node.called).of(x);
+    const double whole = std::pow(10, node.number);
+    return std::nearbyint(x * whole) / whole;
   }
   double raised(std::size_t part, double exponent) {
     if (exponent == 0) return 1;
@@ -181,6 +191,12 @@ std::string change_in_words(const Expression& law, const Expression& changed, co
   std::string text;
   if (one.whole.size() == 1 && one.whole[0].kind == Op::sum && one.whole[0].parts.empty())
     return fmt::format("{} in place of {}", number_in_words(one.whole[0].number), node.name);
+  if (!one.whole.empty() && one.whole[0].kind == Op::call &&
+      one.whole[0].called >= Call::to_decimals) {
+    const Called& call = call_of(one.whole[0].called);
+    return fmt::format("{}{}{}", call.before, node.name,
+                       fmt::format(fmt::runtime(call.after), one.whole[0].number));
+  }
   if (!one.whole.empty() || one.called || node.kind == Op::power)
     text = fmt::format("{} in place of {}", changed.in_words(one.node, true), whole);
   else if (one.slot < 0) {
@@ -672,7 +688,29 @@ std::vector<Edit> solved_constants(const Expression& law, const Part::Number& on
   return found;
 }
 
-// The changes that alter the law's value in the case of at least one of these answers.
+// The changes by which a number with a name that the law computes is rounded.
+std::vector<Edit> rounded_numbers(const Expression& law) {
+  std::vector<Edit> found;
+  for (std::size_t i = 0; i < law.nodes.size(); ++i) {
+    Expression::Node bare = law.nodes[i];
+    if (bare.name.empty() || bare.kind == Op::given) continue;
+    bare.name.clear();
+    const auto add = [&](Call called, int number) {
+      Expression::Node rounded{Op::call, static_cast<double>(number), {{law.nodes.size(), 1}}};
+      rounded.called = called;
+      found.push_back(
+          {.node = i, .slot = -1, .whole = {rounded, bare}, .added_at = law.nodes.size()});
+    };
+    add(Call::whole_part, 0);
+    for (int number = 0; number <= 6; ++number) {
+      add(Call::to_decimals, number);
+      if (number > 0) add(Call::to_digits, number);
+    }
+  }
+  return found;
+}
+
+// The changes that some of these answers show.
 std::vector<Edit> shown_by(const std::vector<Part::Number>& probes, std::size_t place,
                            const Expression& law, const std::vector<Edit>& all) {
   std::vector<Edit> shown;
@@ -762,6 +800,7 @@ std::vector<ChangedExpression> changed_expressions(const Part& part, std::size_t
       }
     for (Edit& edit : solved_constants(*law, probes[probes.size() / 2], part.place))
       singles.push_back(std::move(edit));
+    for (Edit& edit : rounded_numbers(*law)) singles.push_back(std::move(edit));
     for (const Edit& one : singles) {
       Expression changed = *law;
       one.apply(changed);

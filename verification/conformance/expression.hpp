@@ -43,7 +43,10 @@ class Expression {
     error_complement,
     hyperbolic_tangent,
     size,
-    itself
+    itself,
+    to_decimals,  // the node's number is how many
+    to_digits,
+    whole_part
   };
   struct Node {
     Op kind;

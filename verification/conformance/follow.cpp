@@ -85,17 +85,17 @@ std::vector<Question> inner_questions(const Question& question) {
 WrongFunction::WrongFunction(std::string name, std::vector<AnsweredCase> cases,
                              const std::vector<Mistake>& named)
     : name_(std::move(name)) {
-  std::size_t explained = 0, wrong = 0;
+  std::size_t explained = 0;
   for (AnsweredCase& one : cases)
     for (AnsweredNumber& number : one.numbers) {
-      wrong += number.is_wrong ? 1 : 0;
+      wrong_answers_ += number.is_wrong ? 1 : 0;
       explained += number.is_explained ? 1 : 0;
       number.is_explained = false;
     }
   for (const Part& part : parts_left(cases))
     branches_[part.branch].push_back({place_of_wrong(part)});
-  const bool is_named =
-      !named.empty() && static_cast<double>(explained) >= nearly_all * static_cast<double>(wrong);
+  const bool is_named = !named.empty() && static_cast<double>(explained) >=
+                                              nearly_all * static_cast<double>(wrong_answers_);
   find_slip(cases, is_named ? named : std::vector<Mistake>{});
 }
 

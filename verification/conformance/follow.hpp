@@ -30,6 +30,7 @@ class WrongFunction {
 
   const std::string& name() const { return name_; }
   bool is_wrong_at(const Question& inner) const;
+  std::size_t wrong_answers() const { return wrong_answers_; }
 
   // The mistake in points that are computed with the subject's version of this function. Null: this
   // version is not known well enough at `inner`. `is_shared_alike`: the wrong exponents of a film
@@ -48,7 +49,8 @@ class WrongFunction {
   void find_slip(const std::vector<AnsweredCase>& cases, const std::vector<Mistake>& named);
 
   std::string name_;
-  std::map<std::string, std::vector<Branch>> branches_;  // by name; one for each wrong result
+  std::size_t wrong_answers_ = 0;
+  std::map<std::string, std::vector<Branch>> branches_;  // the wrong ones, one for each result
   std::optional<Mistake> slip_, at_points_, with_sharing_;
   double closeness_ = 0;
 };

@@ -80,7 +80,8 @@ void add_friction(std::vector<Inside>& all) {
   add("the gap in friction", Inner::cut_off, of_sheared_film(&ShearedFilm::gap),
       &FrictionReading::gap, {},
       {result_as("friction-of-film", Output::film),
-       result_as("friction-of-flooded-film", Output::film_flooded)});
+       result_as("friction-of-flooded-film", Output::film_flooded),
+       {"friction-of-smooth-film", "h₀, before the load is shared,", smooth_film}});
   add("`asperity_load_share` beside μ_b in friction", Inner::replaced,
       result_as({}, Output::asperity_load_share).get, &FrictionReading::boundary_share, {},
       {result_as("boundary-friction-by-area", Output::real_area_ratio),
@@ -388,6 +389,11 @@ Mistake by_other_moment(const Counted& counted, AsperityModel model, std::string
 
 }  // namespace
 
+double smooth_film(const Question& asked) {
+  const MixedContact<double> contact(*asked.scene);
+  return contact.flooded_film_parameter(asked.scene->speeds[0]) * contact.summit_height_sd();
+}
+
 const std::vector<Inside>& insides_of_points() {
   static const std::vector<Inside> all = [] {
     std::vector<Inside> insides;
@@ -442,8 +448,18 @@ std::vector<Mistake> mistakes_of_insides() {
   all.push_back(power_of_roughness("count-without-roughness",
                                    "nA in place of nA nβσ_s in the number of summits",
                                    &Question::summit_count_times, 1));
+  Mistake whole_area =
+      of_points("count-of-square-metre", "n in place of nA in the number of summits",
+                {"count-of-square-metre"});
+  whole_area.before = [](Question& asked) {
+    if (asked.scene)
+      asked.summit_count_times *=
+          of_contact(&HertzContact<double>::mean_pressure)(asked) / asked.scene->load;
+  };
+  all.push_back(std::move(whole_area));
   all.push_back(other_for_zero("surface.offset_planes", 1));
   all.push_back(other_for_zero("surface.offset_planes", 2));
+  all.push_back(other_for_zero("friction.slide_roll_ratio", 1));
   const auto models = scene_fields()[*scene_detail::find_field("closures.asperity")].choices;
   for (const Counted& counted :
        {Counted{"real area", &Question::real_area_times, area_order},

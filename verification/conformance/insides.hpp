@@ -40,6 +40,9 @@ struct Inside {
 };
 const std::vector<Inside>& insides_of_points();
 
+// The film h₀ of the scene's film formula, before the load is shared.
+double smooth_film(const Question& asked);
+
 // "x/2 in place of x, in friction" where x is "x in friction".
 std::string in_place_of(const std::string& other, const std::string& symbol);
 

@@ -2,6 +2,7 @@
 #include "conformance/law_numbers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -25,6 +26,7 @@ namespace {
 
 using catalogue::Arguments;
 using Constants = std::span<const double>;
+constexpr std::string_view kelvin = "K";
 
 // --- Laws as formulas of their numbers
 
@@ -44,12 +46,16 @@ std::optional<Numbers> only(double value) {
   return std::isfinite(value) ? std::optional(Numbers{value}) : std::nullopt;
 }
 
-// A law by its terms. Each number of `right` is the next number of this size in the law. Numbers
-// with many digits are written as fractions.
-LawOfNumbers law_by_terms(Expression law, std::vector<double> right) {
+// A law by its terms, whose numbers are these, each of them the next one of this size; behind them
+// stand `exponents` of norms as (aⁿ + bⁿ)^(1/n), each at all places of it and of its reciprocal.
+// Numbers that have no few digits are fractions.
+LawOfNumbers law_by_terms(Expression law, std::vector<double> right,
+                          const std::vector<double>& exponents = {}) {
   struct Slot {
     Expression::Place place;
     double sign;
+    std::size_t number;
+    bool is_reciprocal = false;
   };
   std::vector<Slot> slots;
   LawOfNumbers found;
@@ -58,7 +64,7 @@ LawOfNumbers law_by_terms(Expression law, std::vector<double> right) {
     const auto place = std::find_if(places.begin(), places.end(), [&](const auto& one) {
       return std::abs(std::abs(law.number_at(one)) - std::abs(number)) <= 1e-12 * std::abs(number);
     });
-    slots.push_back({*place, std::copysign(1.0, law.number_at(*place) * number)});
+    slots.push_back({*place, std::copysign(1.0, law.number_at(*place) * number), slots.size()});
     const Expression::Node& node = law.nodes[place->node];
     const bool is_exponent = node.kind == Expression::Op::product && place->slot >= 0;
     LawOfNumbers::NumberName& name = found.names[slots.size() - 1];
@@ -69,12 +75,21 @@ LawOfNumbers law_by_terms(Expression law, std::vector<double> right) {
     if (!is_of_few_digits(number)) name.right = fraction_in_words(number, !name.before.empty());
     places.erase(place);
   }
+  for (const double number : exponents) {
+    for (const Expression::Place& place : places)
+      for (const bool is_reciprocal : {false, true})
+        if (std::abs(law.number_at(place) / (is_reciprocal ? 1 / number : number) - 1) < 1e-12)
+          slots.push_back({place, 1, right.size(), is_reciprocal});
+    found.names[right.size()].right = fraction_in_words(number, false);
+    right.push_back(number);
+  }
   found.right = std::move(right);
   // The numbers are put into one copy, as many of them are tried.
   found.formula = [law = std::make_shared<Expression>(std::move(law)), slots](
                       const Arguments& arguments, Constants n) -> std::optional<Numbers> {
-    for (std::size_t i = 0; i < slots.size(); ++i)
-      law->number_at(slots[i].place) = slots[i].sign * n[i];
+    for (const Slot& slot : slots)
+      law->number_at(slot.place) =
+          slot.sign * (slot.is_reciprocal ? 1 / n[slot.number] : n[slot.number]);
     return only(law->value(law->results[0], arguments));
   };
   return found;
@@ -229,9 +244,15 @@ struct Change {
   std::string symbol;
   std::size_t place;  // in the law's numbers, or in the function's arguments
   bool is_input;
-  double right;  // 1 for the factor of an input
+  double right;           // 1 for the factor of an input
+  bool is_added = false;  // to all temperatures, in K
 
-  double value(double step) const { return is_input ? std::exp(step) : right * (1 + step); }
+  double value(double step) const {
+    constexpr double kelvins = 100;
+    if (is_added) return kelvins * step;
+    return is_input ? std::exp(step) : right * (1 + step);
+  }
+  double step_of(double other) const { return is_added ? other / value(1) : other / right - 1; }
 };
 
 std::vector<Change> changes_of(const catalogue::Function& function, const LawOfNumbers& law) {
@@ -242,6 +263,11 @@ std::vector<Change> changes_of(const catalogue::Function& function, const LawOfN
     if (function.parameters[i].words.empty() &&
         function.parameters[i].range == catalogue::Range::above_zero)
       all.push_back({symbol_of(function.parameters[i].meaning), i, true, 1});
+  std::vector<std::string> temperatures;
+  for (const catalogue::Parameter& one : function.parameters)
+    if (one.unit == kelvin) temperatures.push_back(symbol_of(one.meaning));
+  if (temperatures.size() > 1)
+    all.push_back({fmt::format("each of {}", fmt::join(temperatures, ", ")), 0, true, 0, true});
   return all;
 }
 
@@ -255,7 +281,10 @@ struct ChangedLaw {
     std::vector<double> numbers = law.right;
     for (std::size_t i = 0; i < changes.size(); ++i) {
       const double value = changes[i].value(steps[static_cast<Eigen::Index>(i)]);
-      if (changes[i].is_input)
+      if (changes[i].is_added) {
+        for (std::size_t k = 0; k < asked.function->parameters.size(); ++k)
+          if (asked.function->parameters[k].unit == kelvin) arguments[k] += value;
+      } else if (changes[i].is_input)
         arguments[changes[i].place] *= value;
       else
         numbers[changes[i].place] = value;
@@ -368,16 +397,19 @@ std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change>
     double& step = steps[static_cast<Eigen::Index>(i)];
     if (std::abs(step) < as_printed) return std::nullopt;
     const double value = one.value(step);
-    const std::string now =
-        one.is_input ? times_in_words(value, one.symbol) : law.in_words(one.place, value);
-    found.is_plausible = found.is_plausible &&
-                         (one.is_input ? is_familiar(value) : is_printed_like(value, one.right));
-    found.is_exchange =
-        found.is_exchange && (one.is_input || has_exchanged_digits(value, one.right));
+    const std::string now = one.is_added   ? fmt::format("{} {} {:.6g}", one.symbol,
+                                                       value < 0 ? "−" : "+", std::abs(value))
+                            : one.is_input ? times_in_words(value, one.symbol)
+                                           : law.in_words(one.place, value);
+    found.is_plausible = found.is_plausible && (one.is_added   ? is_of_few_digits(value)
+                                                : one.is_input ? is_familiar(value)
+                                                               : is_printed_like(value, one.right));
+    found.is_exchange = found.is_exchange && !one.is_added &&
+                        (one.is_input || has_exchanged_digits(value, one.right));
     found.values.push_back(value);
-    // The rounded number that people write replaces the search's approximation.
-    if (!one.is_input && is_printed_like(value, one.right))
-      step = round_number(value) / one.right - 1;
+    // The number as people write it is meant, and not what the search came near to.
+    if (one.is_added || (!one.is_input && is_printed_like(value, one.right)))
+      step = one.step_of(round_number(value));
     found.text += fmt::format("{}{} in place of {}", i == 0 ? "" : ", and ", now, one.symbol);
   }
   found.answer = [changed, steps = steps](const Question& asked, std::size_t of) {
@@ -547,7 +579,8 @@ std::optional<LawOfNumbers> law_of_numbers(const catalogue::Function& function) 
   if (function.name == "regime_film")
     return by_terms({128, 0.131, 1.683, 2. / 3, 1.66, 2. / 3, 0.68, 141, 0.375, 0.0387, 8.70, 0.67,
                      0.85, 0.31, 3.42, 0.49, 0.17, 0.68});
-  if (function.name == "moes_line") return by_terms({3, 2.621, 1.287, 1.311});
+  if (function.name == "moes_line")
+    return law_by_terms(*law_expression(function), {3, 2.621, 1.287, 1.311}, {7. / 3, -3.5});
   if (function.name == "viscosity_index") return index_law_of_numbers();
   if (function.name == "starvation_ratio")
     return LawOfNumbers{starved_film,

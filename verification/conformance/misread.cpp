@@ -220,6 +220,14 @@ struct Misreading {
   std::function<void(Question&)> change = {};
 };
 
+// The right answer to the question that is changed so.
+std::function<double(Question, std::size_t)> answer_after(std::function<void(Question&)> change) {
+  return [change = std::move(change)](Question question, std::size_t place) {
+    change(question);
+    return right_numbers(question)[place];
+  };
+}
+
 std::optional<std::string> familiar_times(double factor, const std::string& symbol) {
   constexpr double closeness = 1e-5;
   if (std::abs(factor - 1) < closeness) return symbol;
@@ -266,12 +274,7 @@ void add_misreadings(const std::vector<Input>& inputs, const Input& input, const
       const double read = taken(question);
       if (std::isfinite(read) && read != input.get(question)) input.set(question, read);
     };
-    found.push_back({rank, std::move(text),
-                     [change](Question question, std::size_t place) {
-                       change(question);
-                       return right_numbers(question)[place];
-                     },
-                     fewest, is_default, change});
+    found.push_back({rank, std::move(text), answer_after(change), fewest, is_default, change});
   };
   const double number = round_number(value), more = round_number(value - own);
   const int rank_of_number = is_of_few_digits(number) ? 3 : rank_of_odd;
@@ -413,16 +416,32 @@ void add_forms(const Input& input, std::vector<Misreading>& found) {
     found.push_back({2,
                      fmt::format("{} in place of {}", fmt::format(fmt::runtime(text), input.symbol),
                                  input.symbol),
-                     [change](Question question, std::size_t place) {
-                       change(question);
-                       return right_numbers(question)[place];
-                     },
-                     is_about_one ? 1 : fewest_wrong, false, change});
+                     answer_after(change), is_about_one ? 1 : fewest_wrong, false, change});
   }
 }
 
-// Adds the readings of each input, solved for at the answers with the least and the greatest ratio
-// to the right one, which determine the value best, and at a third one.
+// Adds that a power of the input, times a number, stands in its place, from two answers.
+void add_power(const Input& input, const Part::Number& one, const Part::Number& other,
+               std::size_t place, std::vector<Misreading>& found) {
+  const double x = input.get(one.of->question), y = input.get(other.of->question);
+  if (!(x > 0 && y > 0) || x == y) return;
+  const auto at_x = solved(one, input, place), at_y = solved(other, input, place);
+  if (!at_x || !at_y) return;
+  const double power = round_number(std::log(*at_y / *at_x) / std::log(y / x));
+  const double factor = round_number(*at_x / std::pow(x, power));
+  if (!is_of_few_digits(power) || !is_of_digits(factor, 5) || power == 0 || power == 1) return;
+  const auto change = [&input, power, factor](Question& question) {
+    input.set(question, factor * std::pow(input.get(question), power));
+  };
+  found.push_back(
+      {3,
+       fmt::format("{}{}^{:.6g} in place of {}", factor == 1 ? "" : fmt::format("{:.6g} ", factor),
+                   input.symbol, power, input.symbol),
+       answer_after(change), fewest_wrong, false, change});
+}
+
+// Adds the readings by each input, from where answers are farthest off on both sides, which decide
+// the value best, and from a third one.
 void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part::Number>& wrong,
                         std::size_t place, std::vector<Misreading>& found) {
   const auto off = [](const Part::Number& one) {
@@ -431,14 +450,11 @@ void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part
   const auto [least, greatest] = std::minmax_element(
       wrong.begin(), wrong.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
   for (const Input& input : inputs) {
+    if (input.kind == Kind::single) add_power(input, *least, *greatest, place, found);
     if (input.kind == Kind::each_size) {
       const auto change = [&input](Question& question) { input.set(question, 0); };
       found.push_back({2, "the size of " + input.symbol + ", without its sign",
-                       [change](Question question, std::size_t of) {
-                         change(question);
-                         return right_numbers(question)[of];
-                       },
-                       fewest_wrong, false, change});
+                       answer_after(change), fewest_wrong, false, change});
       continue;
     }
     if (input.kind == Kind::single) add_steps(input, wrong, found);

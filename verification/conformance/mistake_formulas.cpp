@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "conformance/mistake_entry.hpp"
+#include "conformance/solved_mistakes.hpp"
 #include "tribo/adhesion.hpp"
 #include "tribo/film_regimes.hpp"
 #include "tribo/gaussian_moment.hpp"
@@ -103,23 +104,10 @@ Numbers circle(const Arguments& a, double radius) {
 
 double gaussian(double s) { return std::exp(-s * s / 2) / std::sqrt(2 * std::numbers::pi); }
 
-// Simpson's rule for ∫ (s−d)ⁿ φ(s) ds over [d, to].
-double simpson(double order, double d, double to, int intervals) {
-  if (!(to > d)) return 0;
-  const double h = (to - d) / intervals;
-  double sum = 0;
-  for (int i = 0; i <= intervals; ++i) {
-    const double weight = i == 0 || i == intervals ? 1 : i % 2 == 1 ? 4 : 2;
-    const double s = d + i * h;
-    sum += weight * (i == 0 && order == 0 ? 1 : std::pow(s - d, order)) * gaussian(s);
-  }
-  return sum * h / 3;
-}
-
-// F of any order from 0 to 3.5; above 5/2 by Simpson's rule.
+// F of any order from 0 to 3.5; those past 5/2 by quadrature.
 Value moment_of(double order, double d) {
   if (order < 0 || order > 3.5) return std::nullopt;
-  if (order > 2.5) return simpson(order, d, std::max(d, 0.0) + 14, 4000);
+  if (order > 2.5) return moment_to(order, d, std::max(d, 0.0) + 14);
   return gaussian_moment(static_cast<Order>(static_cast<int>(2 * order)), d);
 }
 

@@ -55,23 +55,6 @@ Mistake with_formula(const char* function, std::string name, std::string text, F
       }};
 }
 
-// ∫ (s − d)ⁿ φ(s) ds from d to `end`. With s = d + t² the integrand is smooth for half orders.
-double moment_to(double order, double d, double end) {
-  const double from = std::sqrt(std::max(0.0, std::min(end, 0.0) - 9 - d));
-  const double to =
-      std::sqrt(std::min(std::max(0.0, end - d), std::max(0.0, -d) + 60 / (std::max(d, 0.0) + 4)));
-  constexpr int strips = 6;
-  double sum = 0;
-  for (int i = 0; i < strips && to > from; ++i)
-    sum += boost::math::quadrature::gauss<double, 20>::integrate(
-        [&](double t) {
-          const double s = d + t * t;
-          return 2 * std::pow(t, 2 * order + 1) * std::exp(-s * s / 2);
-        },
-        from + (to - from) * i / strips, from + (to - from) * (i + 1) / strips);
-  return sum / std::sqrt(2 * std::numbers::pi);
-}
-
 std::vector<Mistake> cut_integrals(const std::vector<WrongAnswer>& wrong) {
   std::set<std::string> names;
   std::vector<Mistake> found;
@@ -239,12 +222,16 @@ std::vector<Mistake> coarse_integrals(std::vector<WrongAnswer> wrong) {
   return all;
 }
 
-std::optional<double> index_by_row(const catalogue::Arguments& a, std::size_t row) {
-  const double value = detail::index_among(a[0], a[1], detail::index_oils(a[1], row));
+// `by_e`: with e in place of 10 above 100.
+std::optional<double> index_by_row(const catalogue::Arguments& a, std::size_t row, bool by_e) {
+  const detail::IndexOils<double> oils = detail::index_oils(a[1], row);
+  double value = detail::index_among(a[0], a[1], oils);
+  if (const double u = 1e6 * a[0]; by_e && u < oils.hundred)
+    value = 100 + std::expm1(std::log(oils.hundred / u) / std::log(1e6 * a[1])) / 0.00715;
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::vector<Mistake> other_rows(const std::vector<WrongAnswer>& wrong) {
+std::vector<Mistake> other_rows(const std::vector<WrongAnswer>& wrong, bool by_e) {
   const auto rows = static_cast<std::ptrdiff_t>(detail::index_rows.size());
   const auto row_of = [](const catalogue::Arguments& a) {
     return static_cast<std::ptrdiff_t>(detail::index_row(a[1]));
@@ -253,17 +240,22 @@ std::vector<Mistake> other_rows(const std::vector<WrongAnswer>& wrong) {
   std::set<std::pair<std::ptrdiff_t, std::ptrdiff_t>> taken;
   for (const auto& [of, number] : wrong)
     for (std::ptrdiff_t row = 0; row < rows; ++row)
-      if (const auto value = index_by_row(of->question.arguments, static_cast<std::size_t>(row));
+      if (const auto value =
+              index_by_row(of->question.arguments, static_cast<std::size_t>(row), by_e);
           value &&
           std::abs(*value - number->got) <= of_answer * std::abs(*value - number->expected->high))
         taken.insert({row_of(of->question.arguments), row});
   std::vector<Mistake> found;
   const auto add = [&](std::string name, std::string text, auto row_for) {
+    if (by_e) {
+      name += "-by-e";
+      text += ", and e in place of 10 above 100";
+    }
     found.push_back(with_formula("viscosity_index", std::move(name), std::move(text),
                                  [=](const catalogue::Arguments& a) -> std::optional<double> {
                                    const std::ptrdiff_t row =
                                        std::clamp<std::ptrdiff_t>(row_for(row_of(a)), 0, rows - 1);
-                                   return index_by_row(a, static_cast<std::size_t>(row));
+                                   return index_by_row(a, static_cast<std::size_t>(row), by_e);
                                  }));
   };
   for (const std::ptrdiff_t by : {-1, 1})
@@ -289,19 +281,59 @@ std::vector<Mistake> other_rows(const std::vector<WrongAnswer>& wrong) {
   return found;
 }
 
+std::vector<Mistake> of_function(const std::vector<AnsweredCase>& cases) {
+  const std::string_view function = cases.front().question.function->name;
+  if (function != "gaussian_moment" && function != "viscosity_index") return {};
+  const std::vector<WrongAnswer> wrong = some_wrong(cases);
+  const bool is_moment = function == "gaussian_moment";
+  std::vector<Mistake> all = is_moment ? cut_integrals(wrong) : other_rows(wrong, false);
+  std::vector<Mistake> more = is_moment ? coarse_integrals(wrong) : other_rows(wrong, true);
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  return all;
+}
+
+// Answers below 0 that are set to 0, beside another mistake.
+std::optional<Mistake> none_below_zero(const std::vector<AnsweredCase>& cases) {
+  bool is_cut = false, is_other = false;
+  for (const AnsweredCase& one : cases)
+    for (const AnsweredNumber& number : one.numbers) {
+      is_cut = is_cut || (number.is_wrong && number.got == 0 && number.expected->high < 0);
+      is_other = is_other || (number.is_wrong && number.got != 0);
+      if (number.place != 0 || number.got < 0) return std::nullopt;
+    }
+  if (!is_cut || !is_other) return std::nullopt;
+  Mistake mistake{.function = std::string(cases.front().question.function->name),
+                  .name = "none-below-0",
+                  .text = "0 in place of each answer below 0",
+                  .touches = {"sign of the answer"}};
+  mistake.after = [](const Question&, Numbers& given) { given[0] = std::max(0.0, given[0]); };
+  return mistake;
+}
+
 }  // namespace
+
+// With s = d + t², so that half orders are smooth.
+double moment_to(double order, double d, double end) {
+  const double from = std::sqrt(std::max(0.0, std::min(end, 0.0) - 9 - d));
+  const double to =
+      std::sqrt(std::min(std::max(0.0, end - d), std::max(0.0, -d) + 60 / (std::max(d, 0.0) + 4)));
+  constexpr int strips = 6;
+  double sum = 0;
+  for (int i = 0; i < strips && to > from; ++i)
+    sum += boost::math::quadrature::gauss<double, 20>::integrate(
+        [&](double t) {
+          const double s = d + t * t;
+          return 2 * std::pow(t, 2 * order + 1) * std::exp(-s * s / 2);
+        },
+        from + (to - from) * i / strips, from + (to - from) * (i + 1) / strips);
+  return sum / std::sqrt(2 * std::numbers::pi);
+}
 
 std::vector<Mistake> solved_mistakes(const std::vector<AnsweredCase>& cases) {
   if (cases.empty() || cases.front().question.function == nullptr) return {};
-  const std::string_view function = cases.front().question.function->name;
-  if (function == "gaussian_moment") {
-    const std::vector<WrongAnswer> wrong = some_wrong(cases);
-    std::vector<Mistake> all = cut_integrals(wrong), coarse = coarse_integrals(wrong);
-    std::move(coarse.begin(), coarse.end(), std::back_inserter(all));
-    return all;
-  }
-  if (function == "viscosity_index") return other_rows(some_wrong(cases));
-  return {};
+  std::vector<Mistake> found = of_function(cases);
+  if (auto cut = none_below_zero(cases)) found.push_back(std::move(*cut));
+  return found;
 }
 
 }  // namespace tribo::conformance

@@ -14,4 +14,7 @@ namespace tribo::conformance {
 // too few points. For the viscosity index: another row of the table.
 std::vector<Mistake> solved_mistakes(const std::vector<AnsweredCase>& cases);
 
+// ∫ (s − d)ⁿ φ(s) ds from d to the end.
+double moment_to(double order, double d, double end);
+
 }  // namespace tribo::conformance
