@@ -644,7 +644,18 @@ void add(std::vector<Diagnosis>& found, Diagnosis&& one) {
       same->mistakes.push_back(std::move(mistake));
 }
 
-// A sentence if several functions have the cause, perhaps by a shared helper; else empty.
+// The questions whose parts a solver may keep for this function: of points those of all kinds.
+std::vector<Question> questions_in_order(const std::string& function,
+                                         const std::vector<TestCase>& cases) {
+  std::vector<Question> order;
+  for (const TestCase& one : cases)
+    if (one.function == function ||
+        (is_operating_point(function) && is_operating_point(one.function)))
+      order.push_back(question_of(one));
+  return order;
+}
+
+// Where the cause is found in several functions, as they share a helper.
 std::string shared_text(const Diagnosis& one) {
   if (one.functions.size() == 1) return {};
   const std::vector<std::string> others(one.functions.begin() + 1, one.functions.end());
@@ -681,7 +692,10 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
       for (const WrongFunction& one : wrong)
         if (one.name() == other) below.push_back(&one);
     std::vector<AnsweredCase> answered = answered_cases(function, cases, conversation, tolerance);
-    for (Mistake& one : solved_mistakes(answered))
+    std::vector<Mistake> solved = solved_mistakes(answered);
+    for (Mistake& one : kept_parts(answered, questions_in_order(function, cases)))
+      solved.push_back(std::move(one));
+    for (Mistake& one : solved)
       if (std::none_of(mistakes.begin(), mistakes.end(),
                        [&](const Mistake& known) { return known.name == one.name; }))
         mistakes.push_back(std::move(one));

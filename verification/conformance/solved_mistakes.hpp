@@ -14,6 +14,12 @@ namespace tribo::conformance {
 // too few points. For the viscosity index: another row of the table.
 std::vector<Mistake> solved_mistakes(const std::vector<AnsweredCase>& cases);
 
+// Mistakes of solvers that keep state from earlier questions: a part of the answer, as in a cache
+// whose key lacks an input or in a static variable, or options that a question leaves out.
+// `order`: all questions whose parts the solver may keep, in the order in which it was asked.
+std::vector<Mistake> kept_parts(const std::vector<AnsweredCase>& answered,
+                                const std::vector<Question>& order);
+
 // ∫ (s − d)ⁿ φ(s) ds from d to the end.
 double moment_to(double order, double d, double end);
 

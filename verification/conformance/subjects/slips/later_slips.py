@@ -4,6 +4,7 @@
 import functools
 import math
 
+import fields
 import films
 import friction
 import liquids
@@ -34,6 +35,45 @@ def change(module, name):
     def replace(wrong):
         setattr(module, name, functools.partial(wrong, getattr(module, name)))
     return replace
+
+
+@slip
+def stiffness_kept_without_load():
+    """The stiffness K of the asperities is kept under a key that has neither the load nor the contact's area."""
+    kept = {}
+
+    @change(solver, "stiffness")
+    def wrong(right, asperity, density, summit_radius, sd, F, E, area):
+        return kept.setdefault((asperity, density, summit_radius, sd, E), right(asperity, density, summit_radius, sd, F, E, area))
+
+
+@slip
+def closures_kept_where_left_out():
+    """The options under closures, but for the film, stand in a global object, so that a point that leaves one out gets the last one given."""
+    kept = {}
+
+    @change(fields, "read")
+    def wrong(right, given, allowed):
+        result = right(given, allowed)
+        if allowed is fields.SCENE:
+            options = [name for name in result if name.startswith("closures.") and name != "closures.film"]
+            kept.update({name: result[name] for name in options if name in given})
+            result.update({name: kept[name] for name in options if name in kept})
+        return result
+
+
+@slip
+def moes_exponent_is_static():
+    """The exponent s of Moes' line formula is set at the first call and kept for all later ones."""
+    kept = []
+
+    @change(films, "moes_line")
+    def wrong(right, *given):
+        M, L, unit = films.moes_numbers(*given)
+        rigid, elastic = 3 / M, 2.621 * M**-0.2
+        kept.append((7 + 8 * math.exp(-2 * elastic / rigid)) / 5)
+        piezoviscous = films.norm(-7 / 2, 1.287 * L ** (2 / 3), 1.311 * M**-0.125 * L**0.75)
+        return unit * films.norm(kept[0], films.norm(7 / 3, rigid, elastic), piezoviscous)
 
 
 @slip
