@@ -227,7 +227,7 @@ std::vector<TestCase> without_sliding(const std::vector<TestCase>& points) {
   return made;
 }
 
-// How many inputs are other ones, or are in one of both alone.
+// How many inputs differ, or are in only one of the two.
 std::size_t count_of_others(const json& flat, const json& other) {
   std::size_t count = 0;
   for (const auto& [path, value] : flat.items())

@@ -449,7 +449,7 @@ class Diagnoser {
     }
   }
 
-  // Judges a result by what the mistakes give, because they change it and something else does, too.
+  // Judges a result by what the mistakes give, because something else changes it as well.
   void expect_with(const Mistakes& mistakes, std::size_t place) {
     for (AnsweredCase& one : cases_)
       for (AnsweredNumber& number : one.numbers)

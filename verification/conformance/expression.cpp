@@ -710,7 +710,7 @@ std::vector<Edit> rounded_numbers(const Expression& law) {
   return found;
 }
 
-// The changes that some of these answers show.
+// The changes that alter the law's value in the case of at least one of these answers.
 std::vector<Edit> shown_by(const std::vector<Part::Number>& probes, std::size_t place,
                            const Expression& law, const std::vector<Edit>& all) {
   std::vector<Edit> shown;

@@ -50,7 +50,7 @@ class WrongFunction {
 
   std::string name_;
   std::size_t wrong_answers_ = 0;
-  std::map<std::string, std::vector<Branch>> branches_;  // the wrong ones, one for each result
+  std::map<std::string, std::vector<Branch>> branches_;  // by name; one for each wrong result
   std::optional<Mistake> slip_, at_points_, with_sharing_;
   double closeness_ = 0;
 };

@@ -407,7 +407,7 @@ std::optional<FittedNumbers> fitted(const LawOfNumbers& law, std::vector<Change>
     found.is_exchange = found.is_exchange && !one.is_added &&
                         (one.is_input || has_exchanged_digits(value, one.right));
     found.values.push_back(value);
-    // The number as people write it is meant, and not what the search came near to.
+    // The rounded number that people write replaces the search's approximation.
     if (one.is_added || (!one.is_input && is_printed_like(value, one.right)))
       step = one.step_of(round_number(value));
     found.text += fmt::format("{}{} in place of {}", i == 0 ? "" : ", and ", now, one.symbol);

@@ -440,8 +440,8 @@ void add_power(const Input& input, const Part::Number& one, const Part::Number& 
        answer_after(change), fewest_wrong, false, change});
 }
 
-// Adds the readings by each input, from where answers are farthest off on both sides, which decide
-// the value best, and from a third one.
+// Adds the readings of each input, solved for at the answers with the least and the greatest ratio
+// to the right one, which determine the value best, and at a third one.
 void add_misreadings_of(const std::vector<Input>& inputs, const std::vector<Part::Number>& wrong,
                         std::size_t place, std::vector<Misreading>& found) {
   const auto off = [](const Part::Number& one) {
