@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of validity: each is passed just beyond its bound and not before it, by numbers that are
-// computed here in another way; scenes as they are shipped pass nothing that they do not accept.
+// Each limit of validity is passed just beyond its bound and not before it. The tests compute the
+// bounds in another way than the model. Shipped scenes pass only limits that they accept.
 #include "tribo/validity.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ Scene scene_of(const SceneText& text, SceneUse use = SceneUse::speeds) {
   return reading.scene.value_or(Scene{});
 }
 
-// The limit of a word where the scene makes its assumption; else one whose word is empty.
+// The limit with this word. Its word is empty if the scene does not make the assumption.
 Validity limit_of(const Scene& scene, std::string_view word, SceneUse use = SceneUse::speeds) {
   for (const Validity& one : validity_of(scene, use))
     if (one.word == word) return one;
@@ -45,7 +45,7 @@ SceneText with(SceneText text, std::string_view path, double value) {
   return text.set(path, fmt::format("{}", value));
 }
 
-// Moderate in all respects: a ball with a little speed, on a fine surface.
+// A scene that passes no limit: a slow ball with a fine surface.
 SceneText ordinary() {
   SceneText text = SceneText::good().remove_section("supply");
   text.set("friction.slide_roll_ratio", "1");
@@ -57,8 +57,7 @@ TEST(Validity, OrdinaryScenesPassNothing) {
   EXPECT_EQ(words_passed(scene_of(ordinary())), std::vector<std::string_view>());
 }
 
-// Each limit that is a closed form of one number of the scene: passed from just beyond that number
-// on.
+// The limits here are closed forms of one number of the scene.
 TEST(Validity, EachLimitIsPassedJustBeyondItsBound) {
   using enum verification::True;
   // p₀³ = 6FE*²/(π³R²) of a circle.
@@ -98,8 +97,8 @@ TEST(Validity, AnyEllipticityButOneIsNoCircle) {
     EXPECT_EQ(passes(with(ordinary(), "bodies.ellipticity", k), "circular_hertz"), k != 1);
 }
 
-// The film and λ fall with the speed: both limits are passed just below the speed at which the
-// contact itself has that film.
+// The film and λ fall with the speed. Their limits are passed just below the speed at which the
+// contact has the film of the limit.
 TEST(Validity, FilmsAreJudgedAtTheSlowestSpeed) {
   using enum verification::True;
   for (const bool is_film : {false, true}) {
@@ -119,9 +118,9 @@ TEST(Validity, FilmsAreJudgedAtTheSlowestSpeed) {
   }
 }
 
-// Greenwood and Tripp's load over their area is (16√2/15π) E*√(σ/β) F_{5/2}/F_2, of
-// Greenwood and Williamson (4/3π) E*√(σ/β) F_{3/2}/F_1: both from section 4 of the model, without
-// Hertz' area and load. As δ = λ these are the moments at 0, F_n(0) = 2^{n/2−1}Γ((n+1)/2)/√π.
+// The load of the summits over their area is (16√2/15π) E*√(σ/β) F_{5/2}/F_2 by Greenwood and
+// Tripp, (4/3π) E*√(σ/β) F_{3/2}/F_1 by Greenwood and Williamson (model/README.md, section 4).
+// Hertz' area and load cancel. As δ = λ, the moments are F_n(0) = 2^{n/2−1}Γ((n+1)/2)/√π.
 TEST(Validity, SummitsPressOnEachOtherWithTheirLoadOverTheirArea) {
   const auto moment = [](double n) {
     return std::exp2(n / 2 - 1) * std::tgamma((n + 1) / 2) / std::sqrt(pi);
@@ -148,8 +147,8 @@ TEST(Validity, SummitsPressOnEachOtherWithTheirLoadOverTheirArea) {
   }
 }
 
-// E*√(σ/β) times a number that does not depend on E*, but for A: the limit is that of the number
-// itself, on both sides.
+// The pressure is computed here from the point at each modulus. The limit is passed exactly where
+// the pressure is above 2.8 GPa.
 TEST(Validity, ElasticSummitsArePassedBeyondTheirBound) {
   bool seen[2] = {false, false};
   for (double modulus = 96e9; modulus < 3e11; modulus *= 1.0066) {
@@ -167,7 +166,7 @@ TEST(Validity, ElasticSummitsArePassedBeyondTheirBound) {
   EXPECT_TRUE(seen[0] && seen[1]);
 }
 
-// Bounds of bearing steel judge no softer body, by E/(1 − ν²) of the softer one, or else by 2E*.
+// Bounds of bearing steel do not judge a softer body (by its E/(1 − ν²), else by 2E*).
 TEST(Validity, OfSofterBodiesThePressureOfSteelIsNotKnown) {
   const auto of_effective = [](double modulus) {
     return scene_of(with(ordinary().set("load", "1e5"), "bodies.effective_modulus", modulus));
@@ -196,7 +195,7 @@ TEST(Validity, OfSofterBodiesThePressureOfSteelIsNotKnown) {
   EXPECT_EQ(passes(summits, "elastic_summits"), false);
 }
 
-// The oil alone carries, at the mean pressure and by Barus' law: τ = τ₀ asinh(ηSu/(hτ₀)).
+// The oil carries the whole load: τ = τ₀ asinh(ηSu/(hτ₀)), η by Barus at the mean pressure.
 TEST(Validity, TheHeatOfSlidingInTheContactIsTold) {
   using enum verification::True;
   const double stress_of_eyring = 2.5e6, speed = 1;
@@ -216,13 +215,13 @@ TEST(Validity, TheHeatOfSlidingInTheContactIsTold) {
   EXPECT_TRUE(verification::is_within(flash.value, power, 1e-9 * power));
   EXPECT_FALSE(flash.is_known());
   EXPECT_FALSE(flash.is_passed());
-  // Blok's formula once more: π/4 of 1.5 q, q of the whole circle, is the mean of a band.
+  // Blok's formula: q is the circle's mean heat, 1.5 q its greatest, π/4 of that a band's mean.
   const double a = contact.hertz().semi_axis_x, q = power / (pi * a * a);
   const double kelvin =
       1.11 * pi / 4 * 1.5 * q * std::sqrt(2 * a) / (13e3 * (std::sqrt(1.15) + std::sqrt(0.85)));
   EXPECT_NE(flash.advice.find(fmt::format("by some {:.3g} K", kelvin)), std::string::npos)
       << flash.advice << kelvin;
-  // 10 K are passed just beyond the sliding that makes them.
+  // The limit is passed just beyond the sliding that heats the film by 10 K.
   double low = 1e-3, high = 100;
   while (high / low > 1 + 1e-13) {
     const double middle = std::sqrt(low * high);
@@ -232,15 +231,16 @@ TEST(Validity, TheHeatOfSlidingInTheContactIsTold) {
     return passes(with(smooth, "friction.slide_roll_ratio", slip), "film_heating");
   };
   EXPECT_TRUE(verification::changes_at_its_limit({"film_heating", high, above, is_passed, 1e-9}));
-  // A scene's own conductivity counts, and without friction or without sliding there is no heat.
+  // Without friction or without sliding there is no heat.
   for (const SceneText& other : {SceneText(smooth).set("friction.slide_roll_ratio", "0"),
                                  SceneText(smooth).set("outputs", R"(["film"])")})
     for (const char* word : {"film_heating", "flash_temperature"})
       EXPECT_EQ(limit_of(scene_of(other), word).word, "") << word;
 }
 
-// 1.11 of Blok's formula: a half-space under a band of heat √(1 − x²), −1 < x < 1, that moves fast
-// is hotter by ∫ √(1 − ξ²)/√(π(x − ξ)) dξ from −1 to x; over the mean heat π/4 and √2 of its width.
+// Blok's 1.11: a fast band of heat √(1 − x²), −1 < x < 1, heats a face at x by the integral of
+// √(1 − ξ²)/√(π(x − ξ)) over ξ from −1 to x. Its greatest value is divided by the mean heat π/4 and
+// by √2, the root of the band's width.
 TEST(Validity, TheFactorOfTheFlashTemperatureIsThatOfHertzDistribution) {
   const auto rise = [](double x) {
     constexpr int steps = 20000;  // in s = √(x − ξ), by midpoints
@@ -257,7 +257,7 @@ TEST(Validity, TheFactorOfTheFlashTemperatureIsThatOfHertzDistribution) {
   EXPECT_TRUE(verification::is_within(greatest, 1.11, 0.005));
 }
 
-// Where the fastest speed has no film, heat and films are those of the speeds before it.
+// If the film has collapsed at the fastest speed, heat and films are judged at slower speeds.
 TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
   SceneText text =
       ordinary().set("supply.inlet_film", "1e-6").set("surface.summit_height_sd", "1e-8");
@@ -272,7 +272,7 @@ TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
     EXPECT_EQ(limit_of(scene, "flash_temperature").value,
               limit_of(of("6.5"), "flash_temperature").value);
   }
-  // The greatest of a range is found, wherever it is before the collapse: by all its points here.
+  // The hottest point of a range is found, though it may lie anywhere before the collapse.
   SceneText range = SceneText(text).remove("speed").set("speed.from", "0.1").set("speed.to", "20");
   range.set("speed.count", "60");
   const Scene scene = scene_of(range);
@@ -287,7 +287,7 @@ TEST(Validity, ACollapsedSpeedDoesNotHideWhatIsBeforeIt) {
   EXPECT_TRUE(
       verification::is_within(limit_of(scene, "film_heating").value, greatest, 0.05 * greatest));
   EXPECT_EQ(limit_of(scene, "film_below_molecule").value, least_film);
-  // The fastest speed may still have a film, which is as thin as at the slowest.
+  // Just before the collapse the film is thin and heated less: the greatest value is at 6.5 m/s.
   double with_film = 6.5, without = 20;
   for (int i = 0; i < 60; ++i) {
     const double middle = (with_film + without) / 2;
@@ -320,7 +320,7 @@ TEST(Validity, TheInletIsHeatedAtTheLastSpeedWithAFilm) {
   EXPECT_NE(of("[0.1, 20]").advice.find("at 20 m/s"), std::string::npos);
 }
 
-// A number in another unit than was meant is no reason for advice on what follows from it.
+// Where a number was given in a wrong unit, there is no advice on values that follow from it.
 TEST(Validity, WhereANumberIsASlipNothingElseIsAdvised) {
   const auto advice = [](const char* modulus) {
     SceneText text = ordinary().set("bodies.effective_modulus", modulus);
@@ -330,7 +330,7 @@ TEST(Validity, WhereANumberIsASlipNothingElseIsAdvised) {
   EXPECT_NE(advice("1.15e6").find("hamrock_dowson_soft_central"), std::string::npos);
 }
 
-// Friction of the oil alone makes no heat of a contact whose faces touch.
+// Where the faces touch and only Rq is known, the friction of the oil does not give the heat.
 TEST(Validity, OfFacesThatTouchTheHeatIsNotKnown) {
   SceneText text = ordinary().remove_section("surface").set("speed", "1");
   for (const char* word : {"film_heating", "flash_temperature"}) {
@@ -339,7 +339,7 @@ TEST(Validity, OfFacesThatTouchTheHeatIsNotKnown) {
   }
 }
 
-// S R/(μ_b a) where summits carry a part of the load.
+// The number is S R/(μ_b a). It is judged where summits carry a part of the load.
 TEST(Validity, SummitsThatHardlySlideHaveNoBoundaryFriction) {
   using enum verification::True;
   const SceneText text = ordinary().set("speed", "0.01");
@@ -360,7 +360,7 @@ TEST(Validity, SummitsThatHardlySlideHaveNoBoundaryFriction) {
               "");
 }
 
-// A(0) = √(K F_{5/2}(−m D_d/σ_s)) with m = 2 over that with m = 1, of faces that are rough alike.
+// A(0) = √(K F_{5/2}(−m D_d/σ_s)) for m = 2 over that for m = 1; both faces are about as rough.
 TEST(Validity, TheOffsetOfOneFaceIsToldWhereBothAreAlike) {
   SceneText profile = ordinary().remove_section("surface").set("surface.m0", "1.6e-13");
   profile.set("surface.m2", "4e-3").set("surface.m4", "6e8");
@@ -388,7 +388,7 @@ TEST(Validity, TheOffsetOfOneFaceIsToldWhereBothAreAlike) {
     EXPECT_EQ(limit_of(scene_of(other), "default_planes").word, "");
 }
 
-// L^0.42 of the first term of Gupta's numerator.
+// The speed follows from 13.2 (p₀/E′) L^0.42 = 0.5, half of what makes Gupta's factor 0.
 TEST(Validity, GuptasFactorIsToldBeforeItIsZero) {
   using enum verification::True;
   SceneText text = ordinary().set("lubricant.thermal", "\"gupta\"");
@@ -417,7 +417,7 @@ TEST(Validity, FacesThatMoveAgainstEachOtherAreToldWhereSlidingCounts) {
       "");
 }
 
-// r = h_ff/h_oil, of the closure whose film collapses at 1, and of no other.
+// r = h_ff/h_oil is judged only for flooded_inlet, the closure whose film collapses at r = 1.
 TEST(Validity, AFilmThatCollapsesIsToldWithTheClosuresThatLeaveOne) {
   using enum verification::True;
   const SceneText flooded = ordinary().set("speed", "[0.1, 1]");
@@ -434,8 +434,8 @@ TEST(Validity, AFilmThatCollapsesIsToldWithTheClosuresThatLeaveOne) {
   EXPECT_EQ(limit_of(scene_of(flooded), "inlet_supply").word, "");
 }
 
-// The film behind the inlet by damiens with γ = 3, (1 + r³)^(−1/3), over that by flooded_inlet,
-// where the scene does not choose between them.
+// The number is the film by damiens with γ = 3, (1 + r³)^(−1/3), over that by flooded_inlet. It is
+// judged where the scene names no closure.
 TEST(Validity, ALawOfTheInletThatWasNotChosenIsToldWhereItMatters) {
   const SceneText flooded = ordinary().set("speed", "0.1");
   const double film = MixedContact<double>(scene_of(flooded)).solve(0.1).film_flooded;
@@ -449,7 +449,7 @@ TEST(Validity, ALawOfTheInletThatWasNotChosenIsToldWhereItMatters) {
     EXPECT_EQ(found.holds(), r == 0.01);
     EXPECT_EQ(found.advice.empty(), found.holds());
   }
-  // Beyond collapse another limit tells it, and says whether the law was chosen.
+  // Beyond the collapse inlet_supply is passed, and its advice says if the closure was chosen.
   const auto of_collapse = [&](const char* closure) {
     SceneText text = of(2);
     if (*closure != 0) text.set("closures.starvation", closure);
@@ -464,7 +464,7 @@ TEST(Validity, ALawOfTheInletThatWasNotChosenIsToldWhereItMatters) {
   EXPECT_EQ(limit_of(scene_of(flooded), "default_inlet").word, "");
 }
 
-// S = 1 of a scene that has none, where friction takes it.
+// A scene without S gets S = 1. The limit is judged where friction uses it.
 TEST(Validity, SlidingThatTheSceneLeavesToTheDefaultIsTold) {
   const SceneText silent = ordinary().remove("friction.slide_roll_ratio");
   const Validity found = limit_of(scene_of(silent), "default_sliding");
@@ -479,7 +479,7 @@ TEST(Validity, SlidingThatTheSceneLeavesToTheDefaultIsTold) {
     EXPECT_EQ(limit_of(scene_of(other), "default_sliding").word, "");
 }
 
-// α p₀ is of Barus' law, where friction takes it.
+// α p₀ is judged where friction follows Barus' law.
 TEST(Validity, AlphaTimesPressureIsJudgedWhereBarusLawIsUsed) {
   const SceneText thick = ordinary().set("lubricant.pressure_viscosity", "4e-8");
   EXPECT_EQ(passes(thick, "alpha_p0"), true);
@@ -490,7 +490,7 @@ TEST(Validity, AlphaTimesPressureIsJudgedWhereBarusLawIsUsed) {
             "");
 }
 
-// ν = 0.00174/870 m²/s is 2 mm²/s, at the running temperature or at one that the line is drawn by.
+// ν has to be 2 mm²/s (0.00174/870 m²/s) or more at the running temperature and at both given ones.
 TEST(Validity, AnOilThinnerThanTheFormulaOfItsViscosityIsTold) {
   const auto of = [](const char* pairs, const char* temperature) {
     SceneText text = ordinary().remove("lubricant.viscosity").set("lubricant.density", "870");
@@ -520,8 +520,8 @@ TEST(Validity, AContactIsComparedWithTheBodiesNotWithTheGap) {
   EXPECT_NEAR(limit_of(scene_of(other), "half_space").value / of_gap, 1, 1e-6);
 }
 
-// The border of Hamrock's map between elastic bodies in a liquid that pressure thickens and in one
-// that it does not: 3.42 g_V^0.49 g_E^0.17 (1 − e^{−0.68}) = 8.70 g_E^0.67 (1 − 0.85 e^{−0.31}).
+// The border of Hamrock's map between the piezoviscous-elastic and the isoviscous-elastic regime:
+// 3.42 g_V^0.49 g_E^0.17 (1 − e^{−0.68}) = 8.70 g_E^0.67 (1 − 0.85 e^{−0.31}).
 TEST(Validity, AFilmLawBelongsToItsRegime) {
   using enum verification::True;
   const double modulus = 2 * 1e8, radius = 9.5e-3, speed = 0.1;
@@ -538,12 +538,12 @@ TEST(Validity, AFilmLawBelongsToItsRegime) {
       return passes(with(is_soft ? soft : hard, "lubricant.pressure_viscosity", alpha),
                     "film_law_regime");
     };
-    // Next to the border films that differ by a fifth are alike.
+    // Films that differ by a fifth count as alike: the limit lies beyond the border.
     const double limit = border * std::pow(is_soft ? 1.2 : 1 / 1.2, 1 / 0.49);
     EXPECT_TRUE(verification::changes_at_its_limit(
         {"film_law_regime", limit, is_soft ? above : below, is_passed, 1e-10}));
   }
-  // Its number is how many times the films of both regimes differ.
+  // The number is the ratio of the films of both regimes.
   const Validity found = limit_of(
       scene_of(with(hard, "lubricant.pressure_viscosity", border / 100)), "film_law_regime");
   EXPECT_NEAR(found.value / std::pow(100, 0.49), 1, 1e-9);
@@ -552,7 +552,7 @@ TEST(Validity, AFilmLawBelongsToItsRegime) {
       scene_of(with(soft, "lubricant.pressure_viscosity", border * 100)), "film_law_regime");
   EXPECT_NEAR(other.value / std::pow(100, 0.49), 1, 1e-9);
   EXPECT_NE(other.advice.find("take hamrock_dowson_central"), std::string_view::npos);
-  // Moes' law of lines is one of all regimes.
+  // Moes' law of lines covers all regimes.
   SceneText line = ordinary().remove("bodies.reduced_radius");
   line.set("bodies.radius_x", "0.01").set("bodies.length", "0.01").set("load", "100");
   line.set("closures.film", "\"dowson_toyoda_central\"").set("bodies.effective_modulus", "1e7");
@@ -580,13 +580,13 @@ TEST(Validity, SummitsThatCannotCarryTheLoadAreTold) {
     EXPECT_NEAR(found.value / share, 1, 1e-9);
     EXPECT_EQ(found.holds(), share >= 1);
     seen[found.holds() ? 1 : 0] = true;
-    // It does not matter where the film is thick.
+    // The limit is not judged where the film is thick.
     EXPECT_EQ(limit_of(scene_of(text.set("speed", "1")), "summit_capacity").word, "");
   }
   EXPECT_TRUE(seen[0]);
 }
 
-// Faces of which Rq alone is known do not touch from Λ = 3 on; Λ is that of the slowest speed.
+// Faces of which only Rq is known do not touch where Λ ≥ 3. Λ is taken at the slowest speed.
 TEST(Validity, FacesWithoutSummitsAreSmoothFromAFullFilmOn) {
   using enum verification::True;
   const SceneText text = ordinary().remove_section("surface").set("speed", "[2, 0.1, 1]");
@@ -618,7 +618,7 @@ TEST(Validity, HeightsOfSummitsAreThoseOfTheirFace) {
   EXPECT_EQ(limit_of(scene_of(ordinary()), "summit_heights").word, "");
 }
 
-// A ball beside a groove whose minus was forgotten, and pairs that have none.
+// A ball and a groove whose radius lacks its minus sign, and pairs that are no ball and groove.
 TEST(Validity, AGrooveThatIsConvexIsTold) {
   const auto is_passed = [](const char* first, const char* second) {
     SceneText text = ordinary().remove("bodies.reduced_radius");
@@ -633,14 +633,14 @@ TEST(Validity, AGrooveThatIsConvexIsTold) {
   EXPECT_EQ(is_passed("0.004", "-0.00416"), false);
   EXPECT_EQ(is_passed("0.004", "0.004"), false);
   EXPECT_EQ(is_passed("0.004", "inf"), false);
-  // 2.08 is 1.04 of the ball's diameter; twice the radius alone is no such slip.
+  // A ratio of 2.08 means that the groove's diameter was given. A ratio of 2 is no such slip.
   EXPECT_EQ(is_passed("0.004", "0.00832"), true);
   EXPECT_EQ(is_passed("0.00879", "0.004"), true);
   EXPECT_EQ(is_passed("0.004", "0.008"), false);
   EXPECT_EQ(is_passed("0.004", "0.00881"), false);
 }
 
-// A groove whose diameter was written for its radius, or that is wide for its ball.
+// A groove whose diameter was given as its radius, or that is too wide for its ball.
 TEST(Validity, AGrooveThatIsWiderThanItsBallIsTold) {
   const auto found = [](const char* first, const char* second) {
     SceneText text = ordinary().remove("bodies.reduced_radius");
@@ -659,7 +659,7 @@ TEST(Validity, AGrooveThatIsWiderThanItsBallIsTold) {
     EXPECT_EQ(found("0.004", other).word, "") << other;
 }
 
-// The message names the law to take for a contact whose ellipticity the law does not have.
+// The message names the law to take where the law was not fitted to the contact's ellipticity.
 TEST(Validity, ALawThatWasNotFittedToTheEllipseSaysWhatToTake) {
   const auto advice = [](const char* across, const char* film) {
     SceneText text = ordinary().remove("bodies.reduced_radius").set("closures.film", film);
@@ -682,7 +682,7 @@ TEST(Validity, ALawThatWasNotFittedToTheEllipseSaysWhatToTake) {
   EXPECT_EQ(advice("0.01", hard), "");
 }
 
-// Radii of faces in mm, along the motion; one that was meant to be flat is no slip.
+// A radius along the motion in mm is told. A radius that stands for a flat face is no slip.
 TEST(Validity, ABallOfMetresIsTold) {
   const auto found = [](const char* first) {
     SceneText text = ordinary().remove("bodies.reduced_radius");
@@ -696,7 +696,7 @@ TEST(Validity, ABallOfMetresIsTold) {
     EXPECT_EQ(found(other).word, "") << other;
 }
 
-// The cost of heat: Gupta's factor without sliding, with β = 0.04/K and k_f = 0.14 W/(m K).
+// The film loses 1 minus Gupta's factor without sliding, for β = 0.04/K and k_f = 0.14 W/(m K).
 TEST(Validity, TheWarningOfHeatNamesTheCureAndThePartOfTheFilm) {
   const Scene fast = scene_of(ordinary().set("speed", "20"));
   const Validity heat = limit_of(fast, "inlet_heating");
@@ -710,7 +710,7 @@ TEST(Validity, TheWarningOfHeatNamesTheCureAndThePartOfTheFilm) {
   EXPECT_EQ(limit_of(scene_of(ordinary()), "inlet_heating").advice, "");
 }
 
-// A solved film leaves heat out, whatever the scene says of it.
+// A solved film leaves heat out, even if the scene has lubricant.thermal.
 TEST(Validity, OfASolvedFilmTheHeatIsTold) {
   SceneText line = ordinary().remove_section("surface").remove("bodies.reduced_radius");
   line.set("bodies.radius_x", "0.01").set("bodies.length", "0.01").set("speed", "20");
@@ -783,7 +783,7 @@ TEST(Validity, LeavesOutWhatTheSceneDoesNotAssume) {
   const Scene without = scene_of(SceneText(ball).remove("speed"), SceneUse::onset);
   for (const char* word : {"film_below_molecule", "smooth_film_law", "inlet_heating"})
     EXPECT_EQ(limit_of(without, word, SceneUse::onset).word, "") << word;
-  // Far apart, summits carry nothing that matters.
+  // Where the film is thick, summits carry next to nothing.
   EXPECT_EQ(limit_of(scene_of(SceneText(ball).set("speed", "1")), "elastic_summits").word, "");
 }
 
@@ -824,7 +824,7 @@ TEST(Validity, SlipsOfUnitsAreNamed) {
   }
 }
 
-// The softest rubber and the stiffest body in N/mm² lie on both sides of the range's end.
+// The range of a modulus begins between the stiffest body in N/mm² and the softest rubber in Pa.
 TEST(Validity, ModuliInNewtonsPerSquareMillimetreAreTold) {
   const auto found = [](const char* modulus) {
     SceneText text = ordinary().remove("bodies.effective_modulus");
@@ -851,7 +851,7 @@ TEST(Validity, LiquidsInUsualUnitsAreTold) {
   EXPECT_EQ(limit_of(scene, "conductivity_range").likely_unit, "mW/(m·K)");
 }
 
-// From a watch's jewel to a bearing of three metres, joints and gears: no range is left.
+// Real contacts, from a watch's jewel to a bearing of three metres, stay within all ranges.
 TEST(Validity, RealContactsKeepTheRangesOfFields) {
   struct Contact {
     const char* what;
@@ -927,7 +927,7 @@ void expect_silent(const std::filesystem::path& folder, std::size_t least) {
         is_sweep ? sweep::read_sweep(path).passed : passed_limits(reading.scene.value());
     for (const Validity& limit : passed) ADD_FAILURE() << path << ": " << limit.word;
     if (is_sweep) continue;
-    // Words that are not passed are not accepted, so that a mistake in the scene is told.
+    // A scene accepts only words that it passes, so that a later mistake in the scene is told.
     for (const std::string_view word : reading.scene->accepted) {
       Scene scene = *reading.scene;
       std::erase(scene.accepted, word);

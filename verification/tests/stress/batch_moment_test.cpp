@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The batches of F_n, S_n and ln F_n on each instruction set: a number has the bits that it has
-// alone, at any place of a batch of any size.
+// The batches of F_n, S_n and ln F_n on each instruction set: each number has the same bits alone
+// and at any place of a batch of any size.
 #include <gtest/gtest.h>
 
 #include <array>

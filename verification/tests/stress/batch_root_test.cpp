@@ -67,7 +67,7 @@ double uniform_offset(Sampler& sampler) {
   return sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
 }
 
-// Batches of one surface and of many. The contract test has the single roots of each law.
+// Batches of one surface and of many surfaces. The contract test has single roots of each law.
 TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
   Sampler sampler(77);
   for (const FilmLaw* const film : other_film_laws)
@@ -107,7 +107,7 @@ TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
     }
 }
 
-// Steps are few, and no point that anybody computes needs Newton's method.
+// Points in the usual ranges take few steps and never need Newton's method.
 TEST(BatchRoot, TakesFewStepsAndNoneOfNewtons) {
   Sampler sampler(157);
   for (const AsperityModel model : models) {
@@ -192,7 +192,7 @@ TEST(BatchRoot, IsLeftToNewtonsMethodBeyondTheLimitsOfTheKernelsAndNotBefore) {
     });
 }
 
-// λ = λ₀ to half an ulp from film_from on, and no step is taken there.
+// From film_from on, λ is λ₀ to half an ulp, and no step is taken.
 TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
   Sampler sampler(159);
   for (const AsperityModel model : models) {
@@ -250,7 +250,7 @@ TEST(BatchRoot, IsNeverBelowTheFloor) {
   });
 }
 
-// λ = λ_b to half an ulp up to floor_up_to, but for the floor's own error; no step is taken there.
+// Up to floor_up_to, λ is λ_b to half an ulp and the floor's own error, and no step is taken.
 TEST(BatchRoot, IsTheFloorWhereTheBoundSaysSo) {
   Sampler sampler(160);
   std::size_t far_up = 0;

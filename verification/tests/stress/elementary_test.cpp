@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// e^x and ln x of many numbers on each instruction set: against long double, at the ends of the
-// line, and with the same bits at any place of a batch of any size.
+// e^x and ln x of many numbers on each instruction set: against long double, at the ends of their
+// ranges, and with the same bits at any place of a batch of any size.
 #include "tribo/elementary.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose numbers lie anywhere in the range of double: numbers on the way to a point may then
-// overflow a double, or come so near to 0 that they lose their digits. Every output keeps the
-// contract, or is beyond double itself.
+// Scenes whose numbers lie anywhere in the range of double. Intermediate results may then overflow
+// a double, or underflow and lose digits. Every output still keeps its contract, or overflows
+// itself.
 #include <gtest/gtest.h>
 
 #include <cfloat>
@@ -115,7 +115,7 @@ TEST(ExtremeScenes, AreRightOrBeyondDouble) {
   EXPECT_GT(judged.next_to_zero, 40);
 }
 
-// Each number of a scene and each product, and each speed, at the ends of the engine's range.
+// A scene's numbers, two products of them, and the speed, each at the ends of the engine's range.
 TEST(ExtremeScenes, TheEngineComputesUpToItsLimitsAndNotBeyond) {
   Scene ordinary = paper_scene(PaperSurface::rough, AsperityModel::greenwood_williamson);
   ordinary.load = 1;
@@ -169,7 +169,7 @@ TEST(ExtremeScenes, TheEngineComputesUpToItsLimitsAndNotBeyond) {
   for (const Threshold& one : limits) EXPECT_TRUE(changes_at_its_limit(one));
 }
 
-// The film ratio of this closure is about r⁻⁴: it is subnormal, or 0, where the film is neither.
+// The film ratio of this closure is about r⁻⁴. It may be subnormal or 0 where the film is neither.
 TEST(ExtremeScenes, FilmsThatFallAsTheFourthPowerKeepTheirDigits) {
   Judged judged;
   for (const FluidShear fluid : {FluidShear::eyring, FluidShear::limiting})

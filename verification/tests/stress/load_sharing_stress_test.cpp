@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The root over the whole range of the number type: nothing hangs, nothing is a silent NaN.
+// The root over the whole range of double: the iteration ends, and no valid input gives NaN.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +25,7 @@ TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
         describe({{"K", stiffness}, {"delta", offset}, {"lambda0", lambda0}});
     ASSERT_TRUE(std::isfinite(got.film_parameter)) << inputs;
     ASSERT_GE(got.film_parameter, std::max(lambda0, sharing.floor())) << inputs;
-    // At `upper` A ≤ 1/2, as F_p(d) ≤ F_p(0) e^{−d²/2}, and w ≤ 1/2: the root lies below.
+    // At `upper`, w ≤ 1/2 and A ≤ 1/2, as F_p(d) ≤ F_p(0) e^{−d²/2}. So the root lies below.
     const double load = stiffness * gaussian_moment(load_order(model), 0.0) *
                         (model == AsperityModel::greenwood_tripp ? 4 : 2);
     const double upper = std::max(offset + std::sqrt(2 * std::max(0.0, std::log(load))),
@@ -33,8 +33,8 @@ TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
     ASSERT_LE(got.film_parameter, upper * (1 + 1e-13)) << inputs;
     ASSERT_TRUE(is_within(got.asperity, 0.5, 0.5)) << inputs;
     ASSERT_TRUE(is_within(got.fluid, 0.5, 0.5)) << inputs;
-    // Next to K F_p(−δ) = 1 the rounding of A may keep the kernels from converging: then Newton's
-    // method gives the root.
+    // Next to K F_p(−δ) = 1 the rounding of A may keep the kernels from converging. Newton's method
+    // then gives the root.
     const bool is_critical =
         std::abs(stiffness * gaussian_moment(load_order(model), -offset) - 1) < 1e-6;
     const bool is_in_range = lambda0 >= 1e-280 && lambda0 <= 1e280;
@@ -44,7 +44,7 @@ TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
   RecordProperty("most_iterations", most_iterations);
 }
 
-// An offset so large that λ − δ has no digits left: the shares are still shares.
+// The offset is so large that λ − δ has no digits left. The shares still lie between 0 and 1.
 TEST(LoadSharingStress, AbsurdOffsetsGiveSharesBetweenZeroAndOne) {
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
     for (const double offset : {1e10, 1e16, 1e30, 1e150})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// model_stress: the model in double against its own text in long double, at many random points; the
-// worst of them again in ball arithmetic. Exit code 1 where a contract is broken.
+// model_stress compares the model in double with its templates in long double at many random
+// points, and the worst points again with ball arithmetic. Exit code 1: a contract is broken.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -179,7 +179,7 @@ Json as_json(const Arguments& arguments, const Tally& tally, const std::vector<P
           {"outputs", table}};
 }
 
-// Prints everything about one point, for a look at a worst or a broken one.
+// Prints everything about one point, for example one that breaks a contract.
 void show(const Arguments& arguments) {
   const Point point = point_at(arguments.seed, arguments.first);
   for (const auto& [name, value] : inputs_of(point))
@@ -206,7 +206,7 @@ void show(const Arguments& arguments) {
 
 int stress(const Arguments& arguments) {
   const auto start = Clock::now();
-  // The suspects are spread evenly, so that each row is looked at.
+  // Each row gets the same number of suspects.
   const std::size_t suspects = (arguments.worst + stress_rows - 1) / stress_rows;
   const Tally tally = tally_all(arguments, arguments.worst == 0 ? 0 : suspects);
   const std::vector<ProofTally> proofs = prove_all(arguments, tally);

@@ -102,8 +102,8 @@ std::vector<Scene> paper_and_random_scenes(int count) {
   return scenes;
 }
 
-// Each shape of contact rolling without sliding: flooded, starved and nearly dry. The asperities
-// make all of the friction, however little they carry.
+// Each shape of contact in pure rolling: flooded, starved and nearly dry. The asperities make all
+// of the friction, however little they carry.
 std::vector<Scene> pure_rolling_scenes() {
   std::vector<Scene> scenes;
   for (const ContactShape shape : {ContactShape::circle, ContactShape::ellipse, ContactShape::line})
@@ -124,8 +124,8 @@ std::vector<Scene> pure_rolling_scenes() {
   return scenes;
 }
 
-// Each output alone, and with each other output, has the bits that it has among all outputs; to
-// half an ulp of 1 where 1 − A is set to 1 by a bound.
+// Each output has the same bits alone, with one other output and among all outputs. 1 − A may
+// differ by half an ulp of 1, where a bound sets it to 1.
 TEST(OperatingPoints, OfAPartOfTheOutputsHaveTheBitsOfAll) {
   const std::vector<double> speeds = speeds_between(1e-4, 30, 41);
   std::vector<Scene> scenes = paper_and_random_scenes(30);
@@ -180,8 +180,8 @@ TEST(OperatingPoints, ThatWereNotAskedForReadAsNothing) {
   EXPECT_EQ(none.size(), 0u);
 }
 
-// Points solved one by one, and in parts of sizes near the engine's blocks of 512, the last part
-// first, are those solved in one call. Every 37th point is beyond the engine's range.
+// One call gives the same points as many calls: point by point, or in parts of sizes near the
+// engine's blocks of 512, the last part first. Every 37th point is beyond the engine's range.
 TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
   std::vector<double> speeds = speeds_between(1e-5, 100, 2100);
   for (std::size_t i = 0; i < speeds.size(); i += 37) speeds[i] = i % 2 == 0 ? 1e-70 : 1e70;
@@ -217,7 +217,7 @@ TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
           differing += bits_of(parts[i]) != bits_of(whole[i]) ? 1 : 0;
         EXPECT_EQ(differing, 0u) << size;
       }
-      // Nothing outside a part is touched, and counting changes nothing.
+      // A part changes nothing outside it. Its points are the same when the work is not counted.
       for (const int word : {0, 2})
         for (std::size_t count = 0; count <= 20; ++count) {
           OperatingPoints part;
@@ -241,7 +241,7 @@ TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
   EXPECT_GT(left_to_newton, 1100u);
 }
 
-// Parts from anywhere in a range, of sizes near those of blocks and chunks.
+// A range is filled in parts whose sizes are near those of blocks and chunks.
 TEST(Speeds, OfARangeDoNotDependOnParts) {
   constexpr std::size_t count = 140000;
   for (const auto& [from, to] : {std::pair{1e-4, 3.0}, {1e-300, 1e300}})
@@ -299,7 +299,7 @@ TEST(OperatingPointWork, WithoutASupplyHasNoStarvationRatios) {
   });
 }
 
-// A starvation ratio for each film that has not collapsed.
+// Each film that has not collapsed takes one starvation ratio.
 TEST(OperatingPointWork, WithASupplyHasAStarvationRatioAPoint) {
   const std::vector<double> speeds = speeds_between(1e-4, 3, 200);
   for (const Scene& scene : paper_scenes()) {
@@ -333,7 +333,7 @@ TEST(OperatingPointWork, OfTheFloodedFilmIsItsRootsAlone) {
   }
 }
 
-// The shares, moments, stresses and inlets that each single output takes for a point.
+// The shares, moments, stresses and starvation ratios that each single output takes for a point.
 TEST(OperatingPointWork, IsOnlyWhatAnOutputNeeds) {
   struct Taken {
     Output output;
@@ -357,7 +357,7 @@ TEST(OperatingPointWork, IsOnlyWhatAnOutputNeeds) {
   }
 }
 
-// λ = λ₀ and λ = λ_b: at each speed where the bounds say so, and at no other.
+// λ = λ₀ or λ = λ_b is taken at each speed where the bounds allow it, and at no other.
 TEST(OperatingPointWork, SkipsRootsWhereTheBoundsSaySo) {
   std::uint64_t at_film = 0, at_floor = 0;
   const std::vector<double> speeds = speeds_between(1e-9, 1e4, 300);
@@ -393,8 +393,8 @@ bool is_free_of_asperities(const LoadSharing<double>& sharing, double film) {
   return d > 0 && d * d > limit * limit + 11.9 - 4 / 0.14 * sharing.film().sharing_power.value;
 }
 
-// Shares are skipped where only 1 − A or the regime is asked for and A < 2^−54: the exact 1 − A is
-// 1 to half an ulp.
+// Shares are not computed where A < 2^−54 and only 1 − A or the regime needs them: the exact 1 − A
+// is 1 to half an ulp.
 TEST(OperatingPointWork, SkipsSharesThatAreNothing) {
   std::uint64_t skipped = 0;
   const std::vector<double> speeds = speeds_between(1e-2, 100, 40);

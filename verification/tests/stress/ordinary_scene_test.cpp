@@ -43,7 +43,7 @@ std::vector<std::string> lines_of_every_field() {
   return lines;
 }
 
-// Lists of pairs are left to the other reader.
+// The reader of ordinary lines leaves lists of pairs to the other reader.
 TEST(OrdinaryScene, EveryFieldIsReadAlike) {
   for (const std::string& line : lines_of_every_field()) {
     EXPECT_EQ(is_taken(line), line.find("[[") == std::string::npos) << line;
@@ -105,7 +105,7 @@ std::string printed(const char* format, double number) {
   return text;
 }
 
-// Any double, the subnormal ones too, as programs write it.
+// Any finite double, also a subnormal one, in the forms that programs write.
 std::string random_number(std::mt19937_64& random) {
   double number = std::bit_cast<double>(random());
   if (!std::isfinite(number)) number = 0x1p-1060 * static_cast<double>(random() % 9999);
@@ -126,7 +126,7 @@ std::string random_number(std::mt19937_64& random) {
   }
 }
 
-// A number with all its digits half-way between two doubles, or a little above: a parser that
+// All digits of the number half-way between two doubles, or of one a little above. A parser that
 // rounds twice reads it wrongly.
 std::string halfway_number(std::mt19937_64& random) {
   const double low = std::ldexp(1 + static_cast<double>(random() >> 12) * 0x1p-52,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each point has the same bits alone, in a batch of its contact and among points of other contacts,
-// on every instruction set. All sets with fused multiply-add agree, and all sets without it; so do
-// prepared contacts.
+// on every instruction set, also for prepared contacts. All instruction sets with fused
+// multiply-add agree, and all sets without it agree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct Points {
   }
 };
 
-// Scenes whose every field and word differs, one of them beyond the engine's range, and the
-// paper's, from a floor to a collapse.
+// Scenes that differ in every field, one of them beyond the engine's range, and the paper's scenes
+// at speeds from a floor to a collapse.
 Points points() {
   Points all;
   Sampler sampler(231);
@@ -55,8 +55,8 @@ Points points() {
       for (std::size_t i = 0; i < 40; ++i) speeds.push_back(scene.speeds[5 * i]);
       all.add(scene, speeds);
     }
-  // Laws without fixed exponents, of each shape, with and without a floor, beyond the tables of
-  // solved films too; and starved films between solved ones.
+  // Laws without fixed exponents, for each shape, with and without a floor. Some speeds lie beyond
+  // the tables of solved films. Starved films stand between solved ones.
   for (const double density : {1e11, 2e12})
     for (const auto& [film, shape] :
          {std::pair{FilmFormula::nijenbanning_venner_moes, ContactShape::circle},
@@ -99,8 +99,8 @@ std::vector<Bits> by_contact(const Points& all) {
   return bits;
 }
 
-// Solves `size` points in one call, of contacts that are prepared in several lots after another
-// contact was used and cleared.
+// Solves `size` points in one call. The contacts are prepared in several lots, after another
+// contact was prepared and cleared.
 std::vector<Bits> among_others(const Points& all, std::size_t size) {
   MixedContacts contacts;
   contacts.add(all.scenes.back());
@@ -132,7 +132,7 @@ void hold(const char* way, const std::vector<Bits>& got, const std::vector<Bits>
 
 TEST(SameBits, ComeFromEachWayToAPointOnEachInstructionSet) {
   const Points all = points();
-  // The same points in another order: neighbours are of other contacts, and of other kinds.
+  // The same points in random order: neighbours belong to different contacts.
   std::vector<std::size_t> order(all.speeds.size());
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::mt19937_64(233));
@@ -156,8 +156,8 @@ TEST(SameBits, ComeFromEachWayToAPointOnEachInstructionSet) {
   });
 }
 
-// λ of one surface alone, in a batch of it, among other surfaces, and of a surface that is used
-// once, whose floor is found only where λ₀ may be below it: next to a floor, too.
+// λ is the same alone, in a batch of one surface, among other surfaces, and for a surface that is
+// used once, whose floor is found only if λ₀ may be below it. Some λ₀ are next to a floor.
 void expect_same_roots(const FilmLaw& law) {
   const std::vector<double> films{1e-300, 1e-30, 1e-4, 0.02, 0.3, 0.9, 1.1, 2.0, 3.5, 6, 40, 1e5};
   Sampler sampler(232);

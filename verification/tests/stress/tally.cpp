@@ -37,9 +37,9 @@ void Tally::keep(RowTally& row, const Suspect& suspect) const {
   std::push_heap(row.suspects.begin(), row.suspects.end());
 }
 
-// A condition number is at least 1, and a bound at least contract.ulp. So error/condition can only
-// be a new worst if the error is above the old one, and error/bound if error/contract.ulp is: few
-// condition numbers have to be computed, and the worst is still exact.
+// A condition number is at least 1, and a bound at least contract.ulp. So error/condition is a new
+// worst only if the error alone exceeds the old worst, and error/bound only if error/contract.ulp
+// does. Few condition numbers are computed, and the worst stays exact.
 void Tally::add(std::uint64_t index, const Evaluation& evaluation) {
   for (std::size_t i = 0; i < evaluation.numbers.size(); ++i) {
     const Measured& number = evaluation.numbers[i];

@@ -12,7 +12,7 @@ namespace tribo::verification {
 
 inline constexpr std::uint64_t no_point = std::numeric_limits<std::uint64_t>::max();
 
-// The greatest of some numbers in any order, and the least index that gave it.
+// The greatest of the added numbers, and the least index that gave it; their order is of no matter.
 struct Worst {
   double value = 0;
   std::uint64_t index = no_point;
@@ -68,8 +68,8 @@ class Tally {
   std::vector<RowTally> rows_;
 };
 
-// The bound on the long double itself, in its own ε times the condition: 1/32 of the double's
-// contract of 8 ulp.
+// The bound on the error of the long double, in its own ε times the condition. It is 1/32 of the
+// double's contract of 8 ulp.
 inline constexpr double long_double_ulp_per_condition = 500;
 
 // Judges the suspects number `part`, `part` + `parts`, … of all rows in ball arithmetic.

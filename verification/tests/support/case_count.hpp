@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evidence behind a test's verdict: how many comparisons held, and the greatest error/bound.
-// main.cpp prints both after each test, and gates/inventory.py holds them against the manifest: a
-// test that no longer compares anything, and a bound that was widened, are red.
+// How many comparisons of a test held, and the greatest error/bound. main.cpp prints both after
+// each test, and gates/inventory.py compares them with the manifest: a test that no longer compares
+// anything fails, and so does a widened bound.
 #pragma once
 
 #include <algorithm>

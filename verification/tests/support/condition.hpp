@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Condition numbers (tribo/contract.hpp) by automatic differentiation of the model's own text: its
-// templates on a long double that carries the derivatives by the logarithms of all inputs. Where
-// the text avoids a cancellation in its numbers, it avoids it in their derivatives, too.
+// Condition numbers (tribo/contract.hpp) by automatic differentiation: the model's templates run on
+// a long double that carries its derivatives with respect to the logarithms of all inputs. Where
+// the templates avoid a cancellation in a number, they avoid it in its derivatives, too.
 #pragma once
 
 #include <algorithm>
@@ -69,7 +69,7 @@ struct Dual {
   }
 };
 
-// The image of a function with this slope.
+// f(x) with the slope f′(x), counted in `calls`.
 inline Dual called(long double image, long double slope, const Dual& x) {
   ++Dual::calls;
   return chain(image, slope, x);
@@ -131,7 +131,7 @@ namespace tribo {
 
 namespace detail {
 
-// The scene's numbers, with derivatives by each number that the scene gives.
+// The scene's numbers, with derivatives with respect to each number that the scene gives.
 template <>
 inline SceneNumbers<verification::Dual> numbers_of(const Scene& scene) {
   const SceneNumbers<double> n = numbers_of<double>(scene);

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model's templates on Arb's real balls: the same code, with every operation an enclosure, so
+// The model's templates on Arb's real balls. Every operation of the same code is an enclosure, so
 // that a result encloses the value of the formulas at the exact inputs.
 //
-// These run as they stand: all formulas of hertz.hpp, film_thickness.hpp, asperity_contact.hpp,
-// friction.hpp, hertz_line.hpp and mixed_contact.hpp; of hertz_ellipse.hpp all behind the shape; of
-// load_sharing.hpp the shares; of starvation.hpp the closures and the step that refines ψ; of
-// gaussian_moment.hpp the products with e^{−d²/2}.
+// These run unchanged: all formulas of hertz.hpp, film_thickness.hpp, asperity_contact.hpp,
+// friction.hpp, hertz_line.hpp and mixed_contact.hpp; all of hertz_ellipse.hpp but the shape; the
+// shares of load_sharing.hpp; the closures of starvation.hpp and the step that refines ψ; the
+// products with e^{−d²/2} of gaussian_moment.hpp.
 //
-// Replaced, because a ball does not know what an iteration or a sum leaves out:
-//   scaled_gaussian_moment   by confluent hypergeometric functions (generators/moments.hpp). Sums,
-//                            series and the continued fraction are held to the tables instead.
-//   bracketed_root           the model's own iteration on midpoints proposes, a certain change of
-//                            sign of the model's own equation a little to the left and to the right
-//                            proves, and all between is the root.
+// These are replaced, because a ball does not contain what an iteration or a sum leaves out:
+//   scaled_gaussian_moment   by confluent hypergeometric functions (generators/moments.hpp). Other
+//                            tests compare sums, series and continued fraction with tables.
+//   bracketed_root           the model's own iteration on midpoints proposes a root. A certain
+//                            change of sign of the model's own equation close to it proves the
+//                            root, and all between the two signs is the enclosure.
 //   LoadSharing: the root (root), the floor (find_floor), the way back from a share to a film
-//                            (distance_above_floor): the same, from the root in long double. The
-//                            equations are written out here after the comment that heads
-//                            load_sharing.hpp; A in them is the model's asperity_share.
-//   the shape of an ellipse  the same, by the model's equation in ln k, on Carlson's integrals in
-//                            place of Bulirsch's.
-//   LoadSharing: the Taylor series of 1 − A near the floor, by 1 − A itself: 320 bits stand the
-//                            cancellation.
-// So what is checked here is each formula's text, its branches, and that the numbers of the
-// iterations solve the equations; not how fast or from where they converge.
+//                            (distance_above_floor): the same proof near the root in long double.
+//                            The equations are those at the head of load_sharing.hpp, written out
+//                            here; their A is the model's asperity_share.
+//   the shape of an ellipse  the same proof of the model's equation in ln k, with Carlson's
+//                            integrals in place of Bulirsch's.
+//   LoadSharing: the Taylor series of 1 − A near the floor, by 1 − A itself: 320 bits are enough in
+//                            spite of the cancellation.
+// So each formula with its branches is checked here, and that the results of the iterations solve
+// the equations; but not how fast or from where the iterations converge.
 //
-// On purpose the model's code drops 1/(4x²) of asinh x past x = 1/ε, less than 2^−600 of the value
-// as ε = 2^−300 for this type, and takes e^{−d²/2} as 0 past d = 100000.
+// On purpose the model drops 1/(4x²) of asinh x past x = 1/ε, which is less than 2^−600 of the
+// value as ε = 2^−300 for this type. It takes e^{−d²/2} as 0 past d = 100000.
 #pragma once
 
 #include <arb.h>
@@ -59,11 +59,11 @@ namespace tribo::verification {
 
 using Enclosure = reference::Ball;
 
-// Widths of a proof that are tried, in bits; the first is near the most that 320 bits can prove.
+// The widths that a proof tries, in bits. The first is near the best that 320 bits can prove.
 inline constexpr int proof_bits[] = {290, 270, 250, 220, 190, 160, 130};
 
-// Within the life of this object undecided comparisons do not count: a proof with fewer bits is
-// tried after one that fails, and if none succeeds, an exception tells it.
+// Undecided comparisons do not count during the life of this object: after a proof that fails, one
+// with fewer bits is tried, and an exception tells if none succeeds.
 class Proof {
  public:
   Proof() : before_(reference::undecided_comparisons) {}
@@ -124,12 +124,12 @@ inline Enclosure as_enclosure(long double x) {
   return value;
 }
 
-// |got − truth| at most, in a given unit.
+// An upper bound on |got − truth|, in a given unit.
 inline double error_in(const Enclosure& unit, const Enclosure& got, const Enclosure& truth) {
   return Enclosure(abs(got - truth) / unit).upper_bound();
 }
 
-// |got − truth| at most, in units in the last place of the truth (one subnormal unit at least).
+// An upper bound on |got − truth| in ulp of the truth (one subnormal unit at least).
 inline double error_in_ulp(double got, const Enclosure& truth) {
   const double nearest = truth.nearest();
   if (!std::isfinite(got))
@@ -159,9 +159,9 @@ namespace tribo::reference {
 // A whole number within 1 of the midpoint. The model splits d there, and may do so anywhere.
 inline Ball trunc(const Ball& x) { return Ball(std::trunc(x.nearest())); }
 
-// S_n(d ± ρ) = S_n(d) e^{±(n+2)ρ} or, d above 1, e^{±(n+1)ρ/(d−ρ)}. With h = −F_n′/F_n: for d ≥ 0
-// (ln S_n)′ = d − h lies between 0 and −(n+1)/d (h − d = F_{n+1}/F_n = (n+1)/h_{n+1}, and h > d),
-// and above −(n+2); for d < 0 S is F, and 0 < h < n+2.
+// S_n(d ± ρ) lies within S_n(d) e^{±sρ}, s = (n+1)/(d−ρ) where d − ρ > 1, else n + 2. Let h_n be
+// −F_n′/F_n. For d ≥ 0, (ln S_n)′ = d − h_n lies between 0 and −(n+1)/d, as h_n − d = F_{n+1}/F_n =
+// (n+1)/h_{n+1} and h_{n+1} > d; it is above −(n+2). For d < 0, S_n is F_n, and 0 < h_n < n+2.
 inline Ball scaled_gaussian_moment(Order order, const Ball& d) {
   const Ball middle = d.midpoint();
   Ball value = scaled_moment_by_hypergeometric(twice(order), middle);
@@ -233,7 +233,7 @@ inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
           return (at.share + fluid - 1) / (p * fluid / x - at.share * at.log_slope);
         },
         [](const Ball& x) { return x * epsilon<Ball>(); });
-    // ln λ − ln λ₀ + e ln(1 − A), and as good as −∞ where A ≥ 1.
+    // ln λ − ln λ₀ + e ln(1 − A). It is −∞ where A ≥ 1, for which −1 stands.
     const auto residual = [&](const Ball& x) {
       const Ball share = asperity_share(x);
       if (share >= 1) return Ball(-1);
@@ -244,15 +244,15 @@ inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
   return {proven, 0};
 }
 
-// Does not ask whether λ₀ or the floor is infinite, which a ball cannot answer.
+// Unlike the model, this does not ask if λ₀ or the floor is infinite: a ball cannot answer that.
 template <>
 inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::shares_at(
     const reference::Ball& flooded_film_parameter, const Root& root) const {
   return shares(flooded_film_parameter, root.film_parameter, 0);
 }
 
-// Below 2^−130 the difference 1 − A would cancel. There −ln A is the integral of its slope from the
-// floor on, which lies between distance × the slopes at the two ends.
+// Below a distance of 2^−130 the difference 1 − A would cancel. There ln A is the integral of its
+// slope from the floor on, which lies between the slopes at the two ends times the distance.
 template <>
 inline reference::Ball LoadSharing<reference::Ball>::fluid_share_near_floor(
     const reference::Ball& distance) const {

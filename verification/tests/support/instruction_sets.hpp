@@ -44,9 +44,9 @@ void on_each_instruction_set(Visitor&& visit) {
   case_count.held = fewest;
 }
 
-// A batch on the places [first, first + count) of the inputs must give the same bits as a batch on
-// all places: `apply(first, count, result)`, for all sizes up to 40 and all places, and must leave
-// the cells on both sides of its result as they are. Sanitizers see a read outside the places.
+// A batch of the inputs [first, first + count), by `apply(first, count, result)`, must give the
+// same bits as a batch of all inputs, for all sizes up to 40 and all places. It must leave the
+// cells on both sides of its result as they are. Sanitizers find reads outside these inputs.
 template <class Apply>
 void hold_bits_whatever_place_and_size(std::size_t points, Apply&& apply) {
   constexpr std::size_t guards = 16;  // two of the widest vectors, on either side

@@ -20,7 +20,7 @@
 
 namespace tribo::verification {
 
-// The 50-digit instantiation of the model's templates. MPFR's arithmetic is compiled already, so
+// The number type of the model's templates in 50 digits. MPFR's arithmetic is compiled already, so
 // that tests compile faster than with a number type of headers alone.
 using Reference = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The judges: a number inside its bound passes; outside it fails, and is told by how much.
+// The judges pass a number inside its bound. They fail a number outside, and say by how much.
 #include "support/judge.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(Judge, CountsWhatItHasHeldAndHowNearTheBoundItCame) {
   EXPECT_TRUE(is_close(1.25, 1, 0.5, {}));
   EXPECT_EQ(case_count.held, 1u);
   EXPECT_EQ(case_count.greatest_part_of_bound, 0.5);
-  EXPECT_TRUE(is_close(1.25, 1, 0.5, {}, 8));  // an eighth of the bound
+  EXPECT_TRUE(is_close(1.25, 1, 0.5, {}, 8));  // a sixteenth of the bound
   EXPECT_EQ(case_count.greatest_part_of_bound, 0.5);
   EXPECT_TRUE(is_within(0.25, 1, 1));
   EXPECT_EQ(case_count.greatest_part_of_bound, 0.75);

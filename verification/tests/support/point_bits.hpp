@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All bits of an operating point, to compare two that have to be the same. NaN is one number: its
-// sign has no meaning, and is another on another processor.
+// All bits of an operating point, to compare two that have to be the same. All NaNs count as one:
+// the sign of a NaN has no meaning, and differs between processors.
 #pragma once
 
 #include <bit>

@@ -41,7 +41,7 @@ inline std::string content_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-// The text with another one in the place of `from`, where this stands first; it has to be there.
+// The text with its first `from` replaced by `to`. Throws std::runtime_error if there is none.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw std::runtime_error("the text has no " + from);

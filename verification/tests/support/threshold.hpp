@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers next to a limit: an answer that changes at a limit has to change between two neighbouring
-// doubles there, and at the limit itself it has to be the promised one.
+// Answers next to a limit. An answer has to change between two neighbouring doubles at its limit,
+// and at the limit itself it has to be the promised one.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ struct Threshold {
   double limit;  // not 0
   True side;
   std::function<bool(double)> answer;
-  // How far from the limit, relatively, the answer may change: above 0 where the judged number is
-  // computed from the given one, and so rounded. 0: the answer changes at the limit itself.
+  // The answer may change at this relative distance from the limit. It is above 0 where the judged
+  // number is computed from the given one, and so rounded. 0: it changes at the limit itself.
   double slack = 0;
   double reach = 0.125;  // relative: within this distance the answer changes once
 };

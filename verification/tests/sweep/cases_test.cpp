@@ -145,7 +145,7 @@ TEST(Cases, AreTheSameInBlocksFromAnywhere) {
   }
 }
 
-// Few speeds, at which the cases in hand have more points than a block of the engine, and a curve.
+// Few speeds, and a curve. A block of cases has more points than a block of the engine.
 TEST(CaseSolver, GivesWhatTheSceneOfTheCaseGivesByItself) {
   for (const std::string speed : {"[0.02, 0.1, 0.7]", "{ from = 1e-3, to = 1, count = 20 }"}) {
     const SceneSweep sweep = drawn("draws = 300\n", "speed = " + speed + '\n');
@@ -258,7 +258,7 @@ std::vector<std::pair<const char*, SceneSweep>> sweeps_of_each_kind() {
             "onset = [\"film_maximum\", \"film_departure\"]\n")}};
 }
 
-// Each case among all, alone, and by a solver that had other cases before it, in another order.
+// Each case is solved among all, alone, and in another order by a solver that had other cases.
 TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
   for (const auto& [kind, sweep] : sweeps_of_each_kind()) {
     const std::vector<double> values = all_values(sweep);
@@ -292,8 +292,8 @@ TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
   }
 }
 
-// A chunk's kept values at each place, its summaries, and its groups' sums by their blocks. Chunks,
-// and blocks of cases, end anywhere.
+// Compares the kept values of each chunk, its summaries, and the sums of its groups by blocks. The
+// borders of chunks and of blocks of cases differ.
 TEST(ChunkSolver, KeepsTheValuesOfEachCaseInItsPlace) {
   const auto bytes_of = [](const QuantileSketch& sketch) {
     Bytes bytes;
@@ -374,7 +374,7 @@ pressure_viscosity = 2e-8
   }
 }
 
-// How a field varies, as a table of texts.
+// The variable that a field has with this table of names and texts.
 std::optional<Variable> variable_of(const FieldInfo& field,
                                     const std::vector<std::pair<std::string, std::string>>& table) {
   using namespace scene_detail;

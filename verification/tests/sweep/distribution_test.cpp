@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantiles against the distribution functions in 50 digits: the error of a value is that of the
-// function there against u, over the slope of the function.
+// Quantiles against the distribution functions in 50 digits. The error of a value is the function
+// there minus u, over the slope of the function.
 #include "sweep/distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -32,12 +32,12 @@ Reference density(const Reference& z) {
   return exp(Reference(-z * z / 2)) / sqrt(2 * boost::math::constants::pi<Reference>());
 }
 
-// The error of z against the quantile of u of a standard normal, truncated where a bound is finite:
-// in the upper tail by parts above a number, else by parts below. one_minus_u is as exact as u.
+// The error of z as the quantile of u of a standard normal truncated at the given bounds, by parts
+// above a number where `from` is above 0, else by parts below. one_minus_u is as exact as u.
 Reference miss(const Reference& z, const Reference& u, const Reference& one_minus_u,
                const std::optional<Reference>& from, const std::optional<Reference>& to) {
   const bool mirrored = from && *from > 0;
-  const Reference sign = mirrored ? -1 : 1;  // the tail in which all parts are taken
+  const Reference sign = mirrored ? -1 : 1;  // −1: parts are those above a number
   const auto part = [&](const std::optional<Reference>& bound, int beyond) {
     return bound ? part_above(Reference(-sign * *bound)) : Reference(beyond);
   };
@@ -119,7 +119,7 @@ const std::vector<NormalCase> normal_cases{
     {0, 1e-9, 1e-10, infinity},
 };
 
-// The value of u, or of a standard normal: u and 1 − u are those of the standard normal.
+// Expects x to be the quantile of u. For the value at a standard normal z, u is P(Z < z).
 void expect_normal(const NormalCase& c, double x, const Reference& u,
                    const Reference& one_minus_u) {
   const auto standard = [&](double bound) { return Reference((Reference(bound) - c.mean) / c.sd); };

@@ -14,7 +14,7 @@ namespace {
 using sweep::Needs;
 using sweep::SweepPlan;
 
-// A smooth surface of the paper, with these lines for speed and viscosity and in [sweep].
+// The paper's smooth surface, with this speed and viscosity and these lines in [sweep].
 SweepPlan plan_of(const std::string& speed, const std::string& viscosity,
                   const std::string& settings) {
   const auto reading = sweep::parse_sweep("load = 50\nspeed = " + speed + R"(

@@ -60,8 +60,8 @@ TEST(OutputLock, TellsWhatItsOwnerHasNoted) {
   EXPECT_THROW(OutputLock::noted(output), RunRefused);
 }
 
-// Each open file has a flock() of its own, also within one process. Many threads on few processors:
-// some are interrupted between opening the file and locking it.
+// Each open file has a flock() of its own, also within one process. There are more threads than
+// processors, so that some are interrupted between opening the file and locking it.
 TEST(OutputLock, IsNeverHeldByTwoHoweverOftenItIsTaken) {
   const TemporaryFolder folder;
   const std::string output = folder.file("out.h5");

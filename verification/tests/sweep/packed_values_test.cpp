@@ -158,7 +158,7 @@ TEST(PackedValues, TakeLittleMoreThanTheirInformation) {
     return size / (8 * 65536);
   };
   EXPECT_LT(part(0), 1.001);  // any bits
-  EXPECT_LT(part(1), 0.86);   // uniform: 52 bits, and an exponent of 2
+  EXPECT_LT(part(1), 0.86);   // uniform: 52 bits, and 2 of the exponent
   EXPECT_LT(part(2), 0.83);   // narrow: some 52 bits
   EXPECT_LT(part(3), 0.006);  // constant
   EXPECT_LT(part(5), 0.009);  // repeating

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of a sweep: whole or refused, through truncation, damage, forging and a full disk; and how
-// processes share them.
+// A part of a sweep is whole, or refused after truncation, damage, forging or a full disk.
+// Processes share the parts of a sweep.
 #include "sweep/part.hpp"
 
 #include <gtest/gtest.h>
@@ -259,8 +259,8 @@ SweepPlan wide_plan(std::uint64_t chunks) {
   return plan;
 }
 
-// No part has more than a twentieth of the chunks and `few` more: about the chunks of 2 s or of 2²¹
-// numbers, which are 4 of slow_plan() and 73 of wide_plan().
+// A part has at most a twentieth of the chunks plus `few`, which is a little more than the chunks
+// of 2 s or of 2²¹ numbers: 4 of slow_plan() and 73 of wide_plan().
 void expect_parts_of(const SweepPlan& plan, std::uint64_t chunks, std::uint64_t few) {
   const std::vector<ChunkList> parts = cut_in_parts(plan, first_numbers(chunks));
   ChunkList all;
@@ -300,7 +300,7 @@ TEST(Parts, HaveAsManyChunksAsTheEnvironmentAsksFor) {
   unsetenv("TRIBOCHECK_PART_CHUNKS");
 }
 
-// Parts and shards of another cut of the same sweep never have the same path.
+// Parts and shards from different cuts of a sweep never have the same path.
 TEST(Parts, OfDifferentChunksHaveDifferentNames) {
   std::map<std::string, ChunkList> by_name;
   constexpr std::uint64_t chunks = 24;
@@ -358,7 +358,7 @@ TEST(PartsInHand, OfTwoProcessesEachTakesPartsThatTheOtherHasNot) {
   EXPECT_EQ(files_of_parts(folder.file("out")).size(), 4U);  // no claim is left
 }
 
-// Whether the longest of the names is too long is seen at the begin, wherever its part stands.
+// Too long a name is refused at the beginning, wherever its part stands.
 TEST(PartsInHand, AreRefusedWhereTheNameOfAnyPartIsTooLong) {
   const TemporaryFolder folder;
   const auto is_refused = [&](std::size_t length, const std::vector<ChunkList>& parts) {
@@ -417,7 +417,7 @@ TEST(PartsInHand, OfSeveralThreadsGivesEachChunkOnceAndWaitsForNoPart) {
   EXPECT_EQ(set_of(parts_of(folder.file("out")), 10).count(), 10U);
 }
 
-// While one thread looks for a part in a folder that answers late, the others keep their chunks.
+// While one thread waits for a slow folder, the others can still hand over their chunks.
 TEST(PartsInHand, KeepsChunksWhileAThreadLooksForParts) {
   const TemporaryFolder folder;
   std::promise<void> looks, kept;
@@ -441,8 +441,8 @@ TEST(PartsInHand, KeepsChunksWhileAThreadLooksForParts) {
   EXPECT_EQ(parts_of(folder.file("out")).size(), 1U);
 }
 
-// A file to which a killed process has not given its name is removed; a file of a part that
-// somebody computes, and a file that is not ours, are not.
+// A file that a killed process has not renamed is removed. A file of a part that is being computed
+// is kept, and so is a file of another program.
 TEST(PartsInHand, LeavesWhatIsInUseWhereBegunFilesAreRemoved) {
   const TemporaryFolder folder;
   Process process(folder);

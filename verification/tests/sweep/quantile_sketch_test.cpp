@@ -150,7 +150,7 @@ TEST(QuantileSketch, TakesTwoOrThreeBytesABin) {
   EXPECT_LE(bytes_of(sketch).size(), 3 * sketch.bins().size() + 10);
 }
 
-// A sketch is written again as the same bytes; refused: std::runtime_error; other: anything else.
+// sketch: it is written again as the same bytes; refused: std::runtime_error; other: the rest.
 enum class Verdict { sketch, refused, other };
 Verdict judge(const Bytes& bytes) {
   Receiver reader(bytes);

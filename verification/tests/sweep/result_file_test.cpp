@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result holds what went into it, and nothing about the time and place at which it was written.
+// A result gives back what was written to it, and does not depend on time and place of writing.
 #include "sweep/result_file.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ void expect_same(const Bounded& a, const Bounded& b) {
   EXPECT_EQ(bits_of({{a.value, a.low, a.high}}), bits_of({{b.value, b.low, b.high}}));
 }
 
-// The summary of one value, made of all cases at once and not merged of chunks.
+// The summary of one value of a column, from all cases at once and not merged from chunks.
 ValueSummary summary_of(const SceneSweep& scene, std::size_t column, std::size_t value) {
   const std::vector<double> all = small_cases(scene).columns[column];
   std::vector<double> values;
@@ -139,7 +139,7 @@ TEST(ResultFile, GivesBackTheSummariesOfAllCases) {
         }
         EXPECT_EQ(read.least, whole.moments.least);
         EXPECT_EQ(read.greatest, whole.moments.greatest);
-        // The file's sums are merged of those of chunks, and so are rounded in another way.
+        // The file's sums are merged from those of the chunks, so that their rounding differs.
         EXPECT_NEAR(read.mean, whole.moments.mean, 1e-14 * std::abs(whole.moments.mean));
         EXPECT_NEAR(read.sd, whole.moments.sd(), 1e-14 * whole.moments.sd());
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a sweep is laid out in chunks, at the limits of each rule, and what a run tells of them.
+// The layout of a sweep in chunks at the limits of each rule, and the progress that a run tells.
 #include "sweep/run.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(Layout, OfASceneHasTheChunksThatItsPointsAskFor) {
     EXPECT_EQ(groups(draws, true), expected) << draws;
 }
 
-// A case with more points than a chunk shares it with up to seven others, where there are many.
+// A chunk may have eight long cases, if that is at most a sixteenth of all. Large sweeps have more.
 TEST(Layout, OfLongCasesHasUpToEightOfThemAChunk) {
   for (const auto& [draws, expected] : std::vector<std::pair<std::uint64_t, std::uint64_t>>{
            {1, 1}, {31, 1}, {32, 2}, {127, 4}, {128, 8}, {10000, 8}, {100000, 16}}) {
@@ -69,7 +69,7 @@ TEST(Layout, OfLongCasesHasUpToEightOfThemAChunk) {
   }
 }
 
-// A group has a point at each speed, and a kept case its numbers and its drawn input.
+// A kept case has one number for each speed, and one for its drawn input.
 TEST(Layout, OfKeptPointsHasAtMostSoManyNumbersAChunk) {
   constexpr std::uint64_t most = 1 << 17, points = std::uint64_t{1} << 32;
   for (std::size_t speeds = 1; speeds <= 300; ++speeds) {

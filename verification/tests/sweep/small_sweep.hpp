@@ -57,7 +57,7 @@ inline std::vector<std::uint64_t> bits_of(std::span<const double> values) {
   return bits;
 }
 
-// Writes where no file may be longer than `room`, as on a full disk: that has to fail with a
+// Writes while no file may be longer than `room`, as on a full disk. This has to fail with a
 // message of this pattern and leave nothing in the folder. The next attempt in the same process has
 // to succeed. Both run in a child process, because HDF5 does not free all of a file that it could
 // not close.
@@ -85,8 +85,8 @@ void expect_whole_or_nothing(const TemporaryFolder& folder, std::uint64_t room,
     std::filesystem::remove(written);
 }
 
-// 21 cases in chunks of 8, so that the last is not full; words, drawn fields, columns of three
-// speeds and of an onset.
+// 21 cases in chunks of 8: the last chunk is not full. There are words, a drawn field, and columns
+// of three speeds and of an onset.
 inline SceneSweep small_scene(const std::string& id) {
   SceneSweep scene;
   scene.file = "sweeps/" + id + ".toml";
@@ -164,7 +164,7 @@ inline Chunk chunk_of(const SceneSweep& scene, std::uint64_t number,
   const std::size_t rows = scene.cases_per_group(), kept = scene.cases_kept_per_group();
   const std::uint64_t first = number * scene.chunk_groups;
   const std::uint64_t end = std::min(first + scene.chunk_groups, scene.groups);
-  // `wide` numbers of each row from `at` on, of the first cases of some groups.
+  // The `wide` numbers from `at` on of the first `cases` cases of each of these groups.
   const auto gathered = [&](const std::vector<double>& from, std::uint64_t group,
                             std::uint64_t last, std::size_t cases, std::size_t at,
                             std::size_t wide) {

@@ -110,9 +110,9 @@ TEST(SobolIndices, AreThoseOfASum) {
   EXPECT_EQ(got.total[4].value, 0);
 }
 
-// The definitions, on the values of all groups: means over groups, the variance of a sample, and
-// intervals of 1.96 standard errors by the jackknife, which leaves out one block at a time. They
-// hold in 94.1 of 100 sweeps.
+// The indices by their definitions, from the values of all groups: means over groups, the variance
+// of a sample, and intervals of 1.96 standard errors by the jackknife, which leaves out one block
+// at a time. The intervals hold in 94.1 of 100 sweeps.
 TEST(SobolIndices, AreTheirDefinitionsAndTheirIntervalsTheJackknifes) {
   constexpr std::size_t k = 3, groups = 333;
   Sampler sampler(8);

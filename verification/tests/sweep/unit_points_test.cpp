@@ -135,7 +135,7 @@ TEST(MonteCarlo, IsPhiloxOfPointAndDimension) {
 
 constexpr double improbable = 1e-5;  // of each tail; some hundred tests, all with fixed seeds
 
-// Are the counts as even as chance makes them? freedom: degrees of it, 0: one fewer than counts.
+// Are the counts as even as by chance? freedom: degrees of freedom; 0: one fewer than counts.
 void expect_as_likely(const std::vector<double>& counts, const char* what, double freedom = 0) {
   double sum = 0, squares = 0;
   for (const double count : counts) sum += count;
@@ -147,8 +147,8 @@ void expect_as_likely(const std::vector<double>& counts, const char* what, doubl
   EXPECT_LT(tail, 1 - improbable) << what << ": too even, chi squared " << squares;
 }
 
-// The numbers of points in the squares of a board of 30 by 30, and that the two coordinates, of the
-// points that pair(i) gives, are not correlated.
+// The numbers of the points pair(i) in the squares of a board of 30 by 30. It also expects that the
+// two coordinates are not correlated.
 template <class Pair>
 std::vector<double> squares_of(std::size_t points, const Pair& pair) {
   std::vector<double> squares(30 * 30);
@@ -182,7 +182,7 @@ TEST(MonteCarlo, FillsTheCubeEvenlyAndWithoutCorrelation) {
   }
 }
 
-// Exactly one point has its coordinate d in each of so many equal cells.
+// Expects one of the first `cells` points in each of as many equal cells of coordinate d.
 void expect_one_in_each_cell(const std::vector<double>& u, std::size_t dimensions, std::size_t d,
                              std::size_t cells) {
   std::vector<int> hits(cells);
@@ -212,7 +212,7 @@ TEST(LatinHypercube, PairsTheCellsOfTwoDimensionsAtRandom) {
   constexpr std::size_t points = 90000;
   for (const std::uint64_t seed : {1, 2, 3}) {
     const std::vector<double> u = all_points(Design::latin_hypercube, 4, points, seed);
-    // Coordinate 0 is the number of the point, which says nothing of its cells.
+    // Coordinate 0 here is the number of the point, which must not be related to its cells.
     const auto at = [&](std::size_t i, std::size_t d) {
       return d == 0 ? (static_cast<double>(i) + 0.5) / points : u[i * 4 + d - 1];
     };

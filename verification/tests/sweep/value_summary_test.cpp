@@ -55,7 +55,7 @@ void expect_moments(const Moments& got, const std::vector<double>& values, const
   const auto sd = static_cast<double>(
       std::sqrt(expected.squares / static_cast<long double>(values.size() - 1)));
   const auto mean = static_cast<double>(expected.mean);
-  // The sd loses as many digits as the mean is greater than the sd.
+  // The error of the sd grows with the ratio of the mean to the sd.
   EXPECT_TRUE(is_within(got.mean, mean, ulp * (std::abs(mean) + sd))) << how;
   EXPECT_TRUE(is_within(got.sd(), sd, ulp * (std::abs(mean) + sd))) << how;
 }
@@ -148,8 +148,8 @@ double rank_in(std::size_t n, double value) {
 }
 
 // Against the binomial distribution: the value of rank l is above the quantile if at most l − 1
-// values are below the quantile, and the value of rank h is not if h values are. For many values
-// the bounds come from an expansion; few of them differ from these ranks, by one.
+// values are below the quantile, and the value of rank h is below it if at least h values are. For
+// many values the bounds come from an expansion. Few of them differ from these ranks, by one.
 TEST(Quantiles, IntervalsHaveTheRanksOfTheBinomialDistribution) {
   int asked = 0, other = 0;
   double sum_of_others = 0;

@@ -18,13 +18,13 @@ inline void require(bool holds, std::string_view property, std::string_view of =
   if (!holds) throw PropertyBroken(std::string(property) + ": " + std::string(of));
 }
 
-// Reads the text as a scene, for each use. It is a scene with every field in its range, and equal
-// when written as TOML or JSON and read again; or it has errors, each one line of printable UTF-8.
+// Reads the text as a scene, for each use. It gives a scene with every field in its range, which is
+// equal when written as TOML or JSON and read again; or errors, each one line of printable UTF-8.
 void check_toml_scene(std::string_view text);
 void check_json_scene(std::string_view text);
 
-// Takes the text as the input of `tribocheck stream`. Each line that is not blank has one line of
-// JSON as its answer, in whatever pieces the bytes arrive: an error, or outputs in their ranges.
+// Takes the text as input of `tribocheck stream`, whole and in pieces. Each line that is not blank
+// gets one line of JSON as its answer: an error, or outputs in their ranges.
 void check_stream(std::string_view text);
 
 // Takes the text as a line of a stream. If the reader of ordinary lines takes the line, its scene
@@ -36,7 +36,7 @@ void check_sweep(std::string_view text);
 
 using Check = void (*)(std::string_view);
 
-// The checks of each way in.
+// The checks of each kind of input.
 inline constexpr Check toml_checks[] = {check_toml_scene, check_sweep};
 inline constexpr Check json_checks[] = {check_json_scene, check_ordinary_scene};
 inline constexpr Check stream_checks[] = {check_stream};

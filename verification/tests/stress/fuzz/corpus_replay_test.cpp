@@ -52,7 +52,7 @@ TEST(FuzzCorpus, EmptyAndRepeatedInputsHoldTheProperties) {
         EXPECT_EQ(broken_property(check, std::string(size, sign)), "") << size << " × " << sign;
 }
 
-// The fuzzers get on faster with the words of the language they write.
+// The fuzzers get to valid scenes faster if they know the words of scenes.
 TEST(FuzzCorpus, DictionaryHasEveryWordOfTheSchema) {
   const std::string dictionary = text_of(folder / "scene.dict");
   const auto hold = [&](std::string_view word) {

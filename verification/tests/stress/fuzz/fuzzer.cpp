@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer's entry to TRIBOCHECK_FUZZED (CMakeLists.txt): the checks of one way in. An exception
-// that gets out counts as a crash.
+// libFuzzer's entry point. It runs TRIBOCHECK_FUZZED (CMakeLists.txt), the checks of one kind of
+// input. An uncaught exception counts as a crash.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene readers on any text. The ranges are written out here once more, from model/README.md,
-// section 1: the reader's own table would agree with itself.
+// Checks of the scene readers on any text. The ranges are copied from model/README.md, section 1: a
+// check by the reader's own table would prove nothing.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,7 +27,8 @@ constexpr std::string_view source = "fuzz";
 
 // --- Two readings of a scene, compared in everything.
 
-// All numbers and words; a scene that is written again gives each of them, whatever the first gave.
+// All numbers and words, without the flags that say which of them the text gave: a scene that is
+// written again gives all of them.
 auto values_of(const Scene& scene) {
   const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures,
                accepted] = scene;
@@ -209,8 +210,8 @@ Json speeds_as_json(const Speeds& speeds) {
           {"spacing", word_of("speed.spacing", static_cast<int>(speeds.spacing))}};
 }
 
-// The bodies as they were given, without the numbers that follow from two bodies. JSON has no ∞,
-// and 1e308 is as flat.
+// The bodies as they were given, without the numbers that follow from two bodies. JSON has no ∞, so
+// 1e308 stands for a flat face.
 Json bodies_as_json(const Bodies& bodies) {
   const auto& [first, second] = bodies.bodies;
   Json json;
@@ -330,7 +331,7 @@ std::string toml_text(const std::string& text) {
   return toml + '"';
 }
 
-// JSON's numbers and lists of them are TOML's too; tables go inline.
+// Numbers and lists of numbers look alike in JSON and TOML. Tables are written inline.
 std::string toml_value(const Json& json) {
   if (json.is_string()) return toml_text(json.get<std::string>());
   if (!json.is_object()) return json.dump();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tribocheck stream` on any bytes: its lines come from descriptors, as in the program.
+// Checks of `tribocheck stream` on any bytes. The lines come from descriptors, as in the program.
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -88,7 +88,7 @@ Streamed streamed_whole(std::string_view text) {
   return stream_from(input.number());
 }
 
-// Each read of a sequenced-packet socket gives one piece. All of them fit its buffer.
+// Each read of a sequenced-packet socket gives one piece. All pieces fit the socket's buffer.
 Streamed streamed_in_pieces(std::string_view text) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data()) != 0)
@@ -191,13 +191,13 @@ void check_point(const Json& answer, const std::string& text) {
   if (answer.value("inlet", Json()) == "collapsed")
     require(film == 0 && number_or(answer, "film_parameter", 0) == 0, "no film where it collapsed",
             text);
-  // Without a film and a floor nothing balances the load: one word, and no shares.
+  // Without a film and a floor nothing balances the load: there are no shares and no friction.
   if (answer.value("regime", Json()) == "collapsed")
     for (const char* none : {"asperity_load_share", "fluid_load_share", "friction"})
       require(!answer.contains(none) || answer[none].is_null(), "nothing balances the load", text);
 }
 
-// The parts of the answers of functions that have more than one value.
+// The names of the values of each function that gives more than one.
 const std::map<std::string_view, std::vector<const char*>> parts_of_functions{
     {"hertz_point", {"radius", "mean_pressure", "peak_pressure", "approach"}},
     {"hertz_ellipse",
