@@ -923,8 +923,10 @@ void expect_silent(const std::filesystem::path& folder, std::size_t least) {
     const bool is_sweep = folder.filename() == "sweeps";
     const std::string path = file.path().string();
     const SceneReading reading = is_sweep ? SceneReading() : read_scene(path, SceneUse::speeds);
+    const sweep::SweepReading of_sweep = is_sweep ? sweep::read_sweep(path) : sweep::SweepReading();
+    EXPECT_EQ(of_sweep.sweep.has_value(), is_sweep) << path;
     const std::vector<Validity> passed =
-        is_sweep ? sweep::read_sweep(path).passed : passed_limits(reading.scene.value());
+        is_sweep ? of_sweep.passed : passed_limits(reading.scene.value());
     for (const Validity& limit : passed) ADD_FAILURE() << path << ": " << limit.word;
     if (is_sweep) continue;
     // A scene accepts only words that it passes, so that a later mistake in the scene is told.

@@ -311,6 +311,7 @@ Json as_json(const Scene& scene) {
       {"starvation", word_of("closures.starvation", static_cast<int>(closures.starvation))},
       {"film", word_of("closures.film", static_cast<int>(closures.film))},
       {"damiens_exponent", closures.damiens_exponent}};
+  for (const std::string_view word : accepted) json["accept"].push_back(std::string(word));
   return json;
 }
 
