@@ -172,7 +172,9 @@ std::optional<Mistake> kept(const KeptPart& part, const std::vector<Probe>& prob
                             const std::vector<Question>& order) {
   std::set<std::size_t> lacking, needed;
   std::size_t met = 0, looked_at = 0;
-  for (const auto& [of, before] : probes) {
+  for (const Probe& probe : probes) {
+    const AnsweredCase* const of = probe.of;
+    const std::vector<const Question*>& before = probe.before;
     const double own = part.get(of->asked);
     if (!std::isfinite(own)) continue;
     const auto donor = std::find_if(before.begin(), before.end(), [&](const Question* one) {
