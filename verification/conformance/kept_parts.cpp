@@ -276,6 +276,14 @@ std::vector<Mistake> kept_parts(const std::vector<AnsweredCase>& answered,
   const std::vector<Probe> probes = probes_of(answered, order);
   std::vector<Mistake> found;
   if (probes.size() < fewest_kept_probes) return found;
+  const AnsweredCase& first = *probes.front().of;
+  const auto is_whole_answer_of = [&](const AnsweredCase& other) {
+    return &other != &first &&
+           std::equal(first.numbers.begin(), first.numbers.end(), other.numbers.begin(),
+                      other.numbers.end(),
+                      [](const auto& a, const auto& b) { return a.got == b.got; });
+  };
+  if (std::any_of(answered.begin(), answered.end(), is_whole_answer_of)) return found;
   const catalogue::Function* const function = order.front().function;
   for (const KeptPart& part : function == nullptr ? parts_of_points() : parts_of(*function))
     if (auto mistake = kept(part, probes, order)) found.push_back(std::move(*mistake));
