@@ -67,7 +67,7 @@ class SweepTest(ProgramTest):
         whole = self.whole_mini()
         draw = random.Random(7)
         processes = begin()
-        self.wait_until(self.locks)
+        self.wait_until(lambda: self.locks() or all(process.poll() is not None for process in processes))
         started = time.monotonic()
         for process in processes:
             process.wait()
@@ -118,13 +118,12 @@ class SweepTest(ProgramTest):
         return [name for name in self.names() if re.fullmatch(re.escape(out) + r"\.part-\d+-\d+(-\d+)?", name)]
 
     def wait_until(self, is_so):
-        """Waits until it is so, for up to a minute. Returns whether it is."""
+        """Waits until it is so. The test fails if it is not within a minute."""
         end = time.monotonic() + 60
         while not is_so():
             if time.monotonic() > end:
-                return False
+                self.fail("what was waited for did not come within a minute")
             time.sleep(0.002)
-        return True
 
     def wait_for_handler(self, process, number):
         """Waits until the process has its own handler for the signal. Without a handler the signal would end it."""
@@ -132,10 +131,10 @@ class SweepTest(ProgramTest):
             with open(f"/proc/{process.pid}/status", encoding="ascii", errors="replace") as file:
                 mask = next((line.split()[1] for line in file if line.startswith("SigCgt:")), "0")
             return int(mask, 16) >> (number - 1) & 1
-        return self.wait_until(has_handler)
+        self.wait_until(has_handler)
 
     def wait_for_parts(self, count=3):
-        return self.wait_until(lambda: len(self.parts()) >= count)
+        self.wait_until(lambda: len(self.parts()) >= count)
 
     def put(self, name, content):
         with open(self.path(name), "wb") as file:
