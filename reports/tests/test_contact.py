@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import unittest
 
 from program import ProgramTest, quiet_scene, run, scene, with_field, without_field
@@ -346,16 +347,12 @@ class Ranges(ContactTest):
         path = self.folder.write("scene.toml", quiet_scene())
         told, = run("contact", path, "--format", "json").json()["scenes"]
         rows = run("contact", path, "--format", "csv").rows()
-        for part in ("contact", "surfaces"):
-            self.assertEqual([row["value"] for row in rows if row["part"] == part],
-                             ["" if fact["value"] is None else
-                              fact["value"] if isinstance(fact["value"], str) else row["value"]
-                              for fact, row in zip(told[part], [row for row in rows if row["part"] == part])])
-        for row in rows:
-            facts = told[row["part"]] if not row["speed"] else []
-            for fact in facts:
-                if fact["name"] == row["name"] and isinstance(fact["value"], float):
-                    self.assertEqual(float(row["value"]), fact["value"])
+        facts = [("", part, fact) for part in ("contact", "surfaces", "lubricant") for fact in told[part]]
+        facts += [(at["speed"], part, fact) for at in told["speeds"] for part in ("numbers", "films", "ratios") for fact in at[part]]
+        self.assertEqual([(row["speed"] and float(row["speed"]), row["part"], row["name"],
+                           float(row["value"]) if re.match(r"[\d-]", row["value"]) else row["value"]) for row in rows],
+                         [(speed, part, fact["law"], fact["film"]) if part == "films" else
+                          (speed, part, fact["name"], "" if fact["value"] is None else fact["value"]) for speed, part, fact in facts])
 
 
 class Outputs(ContactTest):

@@ -86,10 +86,14 @@ class Data(unittest.TestCase):
                 validator.validate(row)
                 for member, value in row.items():
                     cell = cells[member]
-                    if isinstance(value, float):
-                        self.assertEqual(value, float.fromhex(cell) if "0x" in cell else float(cell), (name, row))
-                    elif isinstance(value, str):
-                        self.assertEqual(value, cell, (name, row))
+                    if isinstance(value, str):
+                        read = cell
+                    elif value is None:
+                        value, read = "", cell
+                    else:
+                        read = float.fromhex(cell) if "0x" in cell else json.loads(cell)
+                    self.assertEqual(value, read, (name, row))
+                self.assertFalse([member for member, cell in cells.items() if cell and member not in row], (name, row))
 
     def test_cases_are_those_that_verify_saves(self):
         saved = [json.loads(line) for line in run("verify", "--save-cases", "-").out.splitlines()]

@@ -151,8 +151,11 @@ class Elsewhere(ProgramTest):
                     self.assertTrue(file.startswith(shared), file)
 
     def test_those_of_the_built_program_are_the_projects(self):
-        for file in self.scenes_in_help(PROGRAM, "solve"):
+        files = self.scenes_in_help(PROGRAM, "solve")
+        self.assertTrue(files)
+        for file in files:
             self.assertTrue(os.path.isfile(file), file)
+            self.assertTrue(pathlib.Path(file).resolve().is_relative_to(ROOT.resolve()), file)
 
 
 def has_fma():

@@ -180,6 +180,8 @@ class Ignored(unittest.TestCase):
         for command in [*sorted({form[0] for form in FORMS} | elsewhere)]:
             unknown = set(options_of(command)) - {"--help", "--version", *VALUES}
             self.assertEqual(unknown, set(), command)
+        for command, option in UNSEEN:
+            self.assertIn(option, options_of(command), command)
 
     def test_an_option_without_a_value_as_of_an_unset_variable_is_refused(self):
         for command, base in {form[0]: form[1] for form in FORMS}.items():

@@ -195,7 +195,7 @@ class Check(unittest.TestCase):
         for expression, text in zip(expressions, self.judged(*expressions, start=start), strict=True):
             with self.subTest(expression=expression):
                 count = "3 of 4" if "outputs" in expression else r"(\d+) of \1"
-                self.assertRegex(text, rf"(?<!ERROR).*{count} quantities held")
+                self.assertRegex(text, rf"{count} quantities held")
                 self.assertNotIn("ERROR", text)
 
     def test_a_fake_is_told_with_its_worst_case_and_the_cause_that_verify_names(self):
@@ -254,7 +254,7 @@ class Check(unittest.TestCase):
                      "@sin, 'hertz_point', 'units', 'mN'": 'units: a struct is wanted',
                      "@sin, 'hertz_point', 'modulus', 'bodies'": 'effective_modulus is no argument of the question; "arguments" has the names'}
         for expression, text in zip(questions, self.judged(*questions), strict=True):
-            self.assertEqual(text, f"ERROR tribocheck_check: {text.removeprefix('ERROR tribocheck_check: ')}")
+            self.assertRegex(text, r"\AERROR tribocheck_check: [^\n]+\n\Z")
             self.assertIn(questions[expression], text)
 
 

@@ -138,10 +138,13 @@ class Baselines(unittest.TestCase):
     def test_in_the_ids_of_scenes(self):
         sections = ["figures", "contacts", "film-solved", "model"]
         good, _ = self.page(sections=sections)
+        named = []
         for path in (self.project / "reference").rglob("*.toml"):
             text = path.read_text()
             if path.parent.name != "sweeps" and re.search(r"(?m)^id = ", text):
                 path.write_text(re.sub(r'(?m)^id = "(.*)"', lambda m: "id = " + json.dumps(m[1] + WORD), text))
+                named.append(re.search(r'(?m)^id = "(.*)"', text)[1] + WORD)
+        self.assertGreater(len(named), 3)
         live, made = self.page(sections=sections)
         self.assert_dead(live, good)
         self.assertGreater(len(list(self.out.rglob("*.svg"))), 5)

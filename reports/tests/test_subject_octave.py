@@ -27,7 +27,7 @@ class Octave(unittest.TestCase):
         assert_lockstep(self, [*OCTAVE, SUBJECTS / "octave/subject.m"])
         with Folder() as folder:
             path = f"{folder}/solver.m"
-            run("init", "subject", "--language", "octave", "--out", path)
+            self.assertEqual(run("init", "subject", "--language", "octave", "--out", path).code, 0)
             assert_lockstep(self, [*OCTAVE, path])
 
     def test_the_template_skips_everything(self):
@@ -41,9 +41,11 @@ class Octave(unittest.TestCase):
     def test_an_error_or_a_print_in_the_template_is_of_its_own_case(self):
         with Folder() as folder:
             path = f"{folder}/solver.m"
-            run("init", "subject", "--language", "octave", "--out", path)
+            self.assertEqual(run("init", "subject", "--language", "octave", "--out", path).code, 0)
             with open(path) as file:
                 text = file.read()
+            for mark in ("answer = [];  % h₀", 'answer = [];  % struct ("film"'):
+                self.assertIn(mark, text)
             text = text.replace("answer = [];  % h₀", "error ('no \"root\"');  % h₀").replace(
                 'answer = [];  % struct ("film"', 'disp (7); answer = struct ("film", 1);  %')
             with open(path, "w") as file:
@@ -58,9 +60,11 @@ class Octave(unittest.TestCase):
     def test_the_template_writes_what_is_filled_in(self):
         with Folder() as folder:
             path = f"{folder}/solver.m"
-            run("init", "subject", "--language", "octave", "--out", path)
+            self.assertEqual(run("init", "subject", "--language", "octave", "--out", path).code, 0)
             with open(path) as file:
                 text = file.read()
+            for mark in ("answer = [];  % h₀", 'answer = [];  % struct ("film"'):
+                self.assertIn(mark, text)
             point = 'answer = struct ("friction", NaN, "regime", "mixed");'
             text = text.replace("answer = [];  % h₀", "answer = 1 / 3;  % h₀").replace(
                 'answer = [];  % struct ("film"', point + "  %")

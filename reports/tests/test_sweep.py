@@ -273,6 +273,10 @@ class Files(SweepTest):
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertIn("COMPRESSION DEFLATE", said.stdout)
         self.assertIn("PREPROCESSING SHUFFLE", said.stdout)
+        listed = subprocess.run(["h5ls", "-r", "-v", self.path("out.h5")], capture_output=True, text=True)
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        self.assertIn("/smooth/outputs/film", listed.stdout)
+        self.assertNotIn("Modified:", listed.stdout)
 
     def test_the_shipped_sweeps_run(self):
         files = [os.path.join(SHIPPED, name) for name in sorted(os.listdir(SHIPPED))]

@@ -82,14 +82,16 @@ class Ids(Words):
     def test_of_sweeps(self):
         for word in HOSTILE:
             with self.subTest(word):
-                text = json.dumps(word, ensure_ascii=True).replace("\\ud", "\\u00d")
+                text = json.dumps(word, ensure_ascii=True)
                 toml = f"id = {text}\nload = [50, 60]\nspeed = 0.1\noutputs = [\"film\"]\n" + "".join(
                     f"[{name}]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in table.items())
                     for name, table in quiet_scene().items() if isinstance(table, dict) and name != "speed")
                 path = self.folder.write("sweep.toml", toml)
                 done = run("sweep", path, "-o", self.folder.path("out.h5"), "--force", "--format", "csv")
                 self.assert_dead(done)
-                if done.code == 2:  # some ids cannot name a group of a file
+                if "/" in word:
+                    self.assertEqual(done.code, 2, done.said)
+                    self.assertIn("cannot name a group of the result", done.said)
                     continue
                 self.assertEqual(done.code, 0, done.said)
                 shown = LIVE.sub(lambda sign: f"\\u{ord(sign[0]):04x}", word)

@@ -311,7 +311,9 @@ class Ledger(Tree):
         self.assertEqual([fault["id"] for fault in chosen], ["three", "two"])
 
     def test_without_a_file_nothing_is_kept(self):
-        plant.Ledger(None, self.CATALOGUE).add(self.row("one"), "new")
+        ledger, before = plant.Ledger(None, self.CATALOGUE), set(self.folder.rglob("*"))
+        ledger.add(self.row("one"), "new")
+        self.assertEqual((ledger.rows, set(self.folder.rglob("*"))), ({}, before))
 
 
 class Main(Tree):

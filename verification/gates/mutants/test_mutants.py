@@ -79,6 +79,9 @@ class Cpp(Folder):
                 self.built([one])
                 patch = sample.patch(one, SOURCE + MAIN)
                 self.assertEqual((SOURCE + MAIN).count(patch["find"]), 1)
+                planted = (SOURCE + MAIN).replace(patch["find"], patch["replace"])
+                planted = planted.replace("static_assert(twice(3) == 6);", "")  # some change twice()
+                subprocess.run(["c++", "-std=c++20", "-w", "-fsyntax-only", "-x", "c++", "-"], input=planted, text=True, check=True)
 
     def test_a_mutant_changes_what_the_program_says_only_while_it_is_on(self):
         drawn = sample.draw(self.places, {"engine": 6}, 1)
