@@ -6,6 +6,7 @@
 
 #include "support/judge.hpp"
 #include "tribo/adhesion.hpp"
+#include "tribo/batch.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/hertz_line.hpp"
 #include "tribo/liquids.hpp"
@@ -19,6 +20,7 @@
 #include "tribo/subsurface_shear.hpp"
 #include "tribo/thermal_reduction.hpp"
 #include "tribo/two_bodies.hpp"
+#include "tribo/viscosity_index.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -95,6 +97,7 @@ TEST(Contracts, AreNoWiderThanPromised) {
     EXPECT_LE(a.ulp_per_condition, b.ulp_per_condition);
   };
   same(gaussian_moment_contract, {1, 0});
+  same(log_gaussian_moment_contract, {2, 0});
   same(hertz_contract, {10, 0});
   same(effective_modulus_contract, {6, 0});
   same(reduced_radius_contract, {6, 0});
@@ -108,6 +111,7 @@ TEST(Contracts, AreNoWiderThanPromised) {
   same(barus_contract, {4, 1});
   same(roelands_contract, {8, 4});
   same(astm_d341_contract, {8, 4});
+  same(viscosity_index_contract, {8, 4});
   same(carreau_yasuda_contract, {16, 4});
   same(murch_wilson_thermal_contract, {8, 0});
   same(subsurface_shear_contract, {8, 4});

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
-
 #include "support/condition.hpp"
 #include "support/point_bits.hpp"
 #include "support/scenes.hpp"
@@ -112,11 +110,8 @@ TEST(MixedContact, EachOutputAskedAloneIsTheSameToTheLastBit) {
       } else if (row.output == Output::inlet) {
         EXPECT_EQ(one.inlet, all.inlet);
       } else {
-        const auto bits = [&](const OperatingPoint<double>& point) {
-          return std::bit_cast<std::uint64_t>(
-              numbers_of(point)[static_cast<std::size_t>(row.output)]);
-        };
-        EXPECT_EQ(bits(one), bits(all)) << row.name << describe_scene(scene);
+        const std::size_t place = 1 + static_cast<std::size_t>(row.output);  // the speed is first
+        EXPECT_EQ(bits_of(one)[place], bits_of(all)[place]) << row.name << describe_scene(scene);
       }
     }
   }

@@ -507,11 +507,13 @@ TEST(SceneShapes, WithoutAContactAreRefused) {
                       "the faces do not meet at a point"));
   EXPECT_TRUE(refused(faces("5e-3", "5e-3", "5e-3", "-5e-3"), "bodies.first_radius_y",
                       "or length in place of both radii, for a line"));
-  EXPECT_TRUE(refused(faces("5e-3", "5e-3", "5e-3", "-4e-3"), "bodies.first_radius_y",
+  const SceneText groove = faces("5e-3", "5e-3", "5e-3", "-4e-3");
+  EXPECT_TRUE(refused(groove, "bodies.first_radius_y",
                       "the groove's radius must be larger than the ball's"));
+  for (const Format format : formats)
+    EXPECT_EQ(lines_of(read(format, groove).errors).find("perhaps"), std::string::npos);
   EXPECT_TRUE(refused(faces("5e-3", "5e-3", "3.969", "-4.128e-3"), "bodies.first_radius_y",
                       "; perhaps \"3.969 mm\" was meant"));
-  EXPECT_FALSE(refused(faces("5e-3", "5e-3", "5e-3", "-4e-3"), "bodies.first_radius_y", "perhaps"));
   EXPECT_TRUE(refused(faces("5e-3", "\"inf\"", "5e-3", "5e-3"), "bodies.second_radius_x",
                       "write it without the quotes"));
   EXPECT_TRUE(refused(faces("5e-3", "5e-3", "1e308", "1e308"), "bodies.first_radius_y",
