@@ -6,11 +6,13 @@ import os
 import pathlib
 import random
 import sys
+import tempfile
 import unittest
 
 import page_tables
 
 sys.path.insert(0, str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page/render"))
+import drawing  # noqa: E402
 import markup  # noqa: E402
 import numbers_text  # noqa: E402
 import sweep_pictures  # noqa: E402
@@ -67,6 +69,19 @@ class Texts(unittest.TestCase):
         for count in range(38, 43):
             self.assertEqual(sweep_pictures.cell("x" * count), "x" * count if count <= 40 else "x" * 40 + "…")
         self.assertEqual([sweep_pictures.cell(one) for one in ("", " ", "\n")], ["–", "–", "–"])
+
+    def test_a_scene_without_a_film_leaves_the_unit_to_the_others(self):
+        def scene(name, film):
+            value = {"speed": 1.0, "count": 0 if film is None else 9, "undefined": 9 if film is None else 0, "least": film, "greatest": film,
+                     "quantiles": [{"level": level, "value": film} for level in (0.025, 0.5, 0.975)]}
+            return {"id": name, "design": "random", "columns": [{"name": "film", "unit": "m", "values": [value, value | {"speed": 2.0}]}]}
+        for scenes in ([scene("dry", None), scene("wet", 5e-8)], [scene("wet", 5e-8), scene("dry", None)]):
+            self.assertIn("film (nm)", sweep_pictures.curve_band({"scenes": scenes}, "film").blocks)
+        self.assertIsNone(sweep_pictures.curve_band({"scenes": [scene("dry", None)]}, "film"))
+        with tempfile.TemporaryDirectory() as folder:  # as many scenes as one has
+            picture = sweep_pictures.curve_band({"scenes": [scene(f"wet {i}", 5e-8 + i * 1e-9) for i in range(130)]}, "film")
+            sweep_pictures.write_blocks(picture, pathlib.Path(folder))
+            self.assertEqual(drawing.draw(picture.drawn(), pathlib.Path(folder), pathlib.Path(folder) / "band.svg"), "")
 
     def test_a_bar_ends_no_cell_of_a_table(self):
         self.assertEqual(markup.escaped("a|b*"), r"a\|b\*")

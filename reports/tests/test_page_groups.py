@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page's own arithmetic at its limits: verdicts, agreement of two samples, parts below a speed, errors of maps, ranges of formulas
 and starved films, on data made up."""
+import datetime
 import json
 import math
 import os
@@ -12,6 +13,8 @@ from unittest import mock
 
 sys.path[:0] = [str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page" / folder) for folder in ("groups", "render")]
 import ellipse_fits  # noqa: E402
+import environment  # noqa: E402
+import group  # noqa: E402
 import ledger  # noqa: E402
 import line_films  # noqa: E402
 import onset_uncertainty  # noqa: E402
@@ -64,10 +67,10 @@ class EllipseFits(unittest.TestCase):
 class Uncertainty(unittest.TestCase):
     LEVELS = ((0.025, "low"), (0.5, "median"), (0.975, "high"))
 
-    def compared(self, distances, count=300, draws=100):
-        """agreement() of quantiles 1 ± 0.196, thus of standard deviation 0.1, with quantiles that lie at these distances from 1."""
+    def compared(self, distances, count=300, draws=100, low=0.804):
+        """Quantiles of 1 with intervals of ± 0.196, a standard deviation of 0.1, and others at this distance."""
         columns = {surface: {onset_uncertainty.COMPARED: {
-            "count": count, "quantiles": [{"level": level, "value": 1.0, "low": 0.804, "high": 1.196} for level, _ in self.LEVELS]}}
+            "count": count, "quantiles": [{"level": level, "value": 1.0, "low": low, "high": 1.196} for level, _ in self.LEVELS]}}
             for surface in ledger.SURFACES}
         drawn = {"draws": draws, "onset_speed": {surface: {end: 1 + distances.get((surface, end), 0) for _, end in self.LEVELS} for surface in ledger.SURFACES}}
         return onset_uncertainty.agreement(columns, drawn)
@@ -86,6 +89,9 @@ class Uncertainty(unittest.TestCase):
         limit = 0.2 * onset_uncertainty.MOST_DEVIATIONS
         self.assertTrue(self.compared({("rough", "high"): 0.999 * limit})["agree"])
         self.assertFalse(self.compared({("rough", "high"): 1.001 * limit})["agree"])
+        for low in (None, 1.196):  # without an interval nothing is known of them
+            with self.assertRaisesRegex(group.Missing, "too few onset speeds"):
+                self.compared({}, low=low)
 
     def test_the_part_below_a_speed_is_linear_within_a_bar(self):
         value = {"count": 10, "histogram": {"edges": [1, 2, 4, 5], "counts": [2, 4, 3]}}
@@ -94,8 +100,20 @@ class Uncertainty(unittest.TestCase):
 
     def test_an_end_of_an_interval_that_is_not_bounded_is_infinite(self):
         value = {"quantiles": [{"level": 0.5, "value": 2.0, "low": None, "high": None}, {"level": 0.9, "value": 3.0, "low": 1.0, "high": 4.0}]}
-        self.assertEqual(onset_uncertainty.quantile(value, 0.5), (2.0, math.inf, math.inf))
+        self.assertEqual(onset_uncertainty.quantile(value, 0.5), (2.0, -math.inf, math.inf))
         self.assertEqual(onset_uncertainty.quantile(value, 0.9), (3.0, 1.0, 4.0))
+
+
+class Dates(unittest.TestCase):
+    def test_a_date_is_a_whole_text_and_a_time_is_one_of_the_calendar(self):
+        self.assertEqual(environment.day_of("2026-11-21"), datetime.date(2026, 11, 21))
+        for text in ("2026-11-21 or so", "2026-13-01", "unknown"):
+            self.assertIsNone(environment.day_of(text), text)
+        for seconds, year in (("86400", 1970), ("-9999999999", 1653), ("9999999999", 2286)):
+            with mock.patch.dict(os.environ, {"SOURCE_DATE_EPOCH": seconds}):
+                self.assertEqual(environment.today().year, year)
+        with mock.patch.dict(os.environ, {"SOURCE_DATE_EPOCH": "-99999999999"}):
+            self.assertGreater(environment.today().year, 2025)
 
 
 class Maps(unittest.TestCase):

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The common part of the figures of the ledger.
 
-# The colours of the surfaces in the other figures.
-colour(surface) = surface eq "rough" ? 0xD86400 : surface eq "medium" ? 0x006B50 : 0x003468
 # Columns of data/ledger_surfaces.tsv.
 surfaces = data."ledger_surfaces.tsv"
-sd = 2; median = 3
+sd = 2
 set style line 9 linecolor rgb "#222222" pointtype 8 pointsize 1.7*outline linewidth 1.6
 set style fill solid 1 noborder
 wide = 0xDCE6EE; narrow = 0x9FBAD0; edge = 0x6A8FB0   # plausible inputs, print precision

@@ -5,10 +5,11 @@ load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
   is_log = column(5), label = strcol(6), \
   label_across = strcol(7), 0) nooutput
-array names[128]
-array colours[128]
+stats data index 1 using (0) nooutput name "scenes"
+array names[scenes_records]
+array colours[scenes_records]
 stats data index 1 using (names[int($1)] = strcol(4), colours[int($1)] = column(3), \
-  0) nooutput name "scenes"
+  0) nooutput
 stats data index 2 using 1 nooutput name "first"
 medians = first_records > 12 ? "lines" : "linespoints"  # a few values are also shown as points
 set lmargin at screen 0.11

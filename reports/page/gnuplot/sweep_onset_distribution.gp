@@ -5,16 +5,18 @@ load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), top = column(3), has_marks = column(4), 0) \
   nooutput
 # The texts stand outside the plot, where `set label` draws them and a plot style would leave them out.
-array base[512]
-array colours[512]
-array criteria[512]
-array numbers[512]
-array missing[512]
+stats data index 1 using (0) nooutput name "lanes"
+array base[lanes_records]
+array colours[lanes_records]
+array criteria[lanes_records]
+array numbers[lanes_records]
+array missing[lanes_records]
 stats data index 1 using (i = int($0) + 1, base[i] = column(1), criteria[i] = strcol(3), \
-  colours[i] = column(4), numbers[i] = strcol(9), missing[i] = strcol(10) eq "-" ? "" : strcol(10), 0) nooutput name "lanes"
-array heights[128]
-array ids[128]
-stats data index 2 using (i = int($0) + 1, ids[i] = strcol(1), heights[i] = column(2), 0) nooutput name "scenes"
+  colours[i] = column(4), numbers[i] = strcol(9), missing[i] = strcol(10) eq "-" ? "" : strcol(10), 0) nooutput
+stats data index 2 using (0) nooutput name "scenes"
+array heights[scenes_records]
+array ids[scenes_records]
+stats data index 2 using (i = int($0) + 1, ids[i] = strcol(1), heights[i] = column(2), 0) nooutput
 do for [i = 1:lanes_records] {
   set label criteria[i] at screen 0.19, first base[i] + 0.28 right font small noenhanced
   set label numbers[i] at screen 0.76, first base[i] + 0.28 left font small noenhanced

@@ -3,10 +3,10 @@
 # Blocks: 0 the axes; 1 variables; 2 bars; 3 scenes.
 load scripts."sweep.gp"
 stats data index 0 using (right = column(1), top = column(2), 0) nooutput
-array names[128]
-array colours[128]
-stats data index 3 using (i = int($0) + 1, names[i] = strcol(1), colours[i] = column(2), 0) \
-  nooutput name "scenes"
+stats data index 3 using (0) nooutput name "scenes"
+array names[scenes_records]
+array colours[scenes_records]
+stats data index 3 using (i = int($0) + 1, names[i] = strcol(1), colours[i] = column(2), 0) nooutput
 n = scenes_records
 stats data index 3 using (pales_one = column(3), 0) every ::0::0 nooutput
 set lmargin at screen 0.27

@@ -8,7 +8,7 @@ colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 
   family eq "closed form" ? 0x556B2F : family eq "plugin" ? 0x000000 : 0x777777
 family_of(series) = series[1:strstrt(series, ":") - 1]
 # In blocks of a table column 2 is the family and 3 the series.
-ns = 5; evaluations = 6; max_ulp = 7; p99_ulp = 8; mean_ulp = 9; failures = 10
+ns = 5; evaluations = 6; max_ulp = 7; mean_ulp = 9; failures = 10
 # Only the first blocks of a table are drawn.
 most = 8
 # A point shape for each series. Points of ours and of a plugin are larger; our lines are thicker.

@@ -33,14 +33,14 @@ def processor():
 def today():
     seconds = os.environ.get("SOURCE_DATE_EPOCH", "")
     now = datetime.datetime.now(datetime.timezone.utc)
-    if re.fullmatch(r"-?\d{1,11}", seconds):
+    if re.fullmatch(r"-?\d{1,10}", seconds):
         now = datetime.datetime.fromtimestamp(int(seconds), datetime.timezone.utc)
     return now.date()
 
 
 def day_of(date):
     """Reads "2026-11-21"; None where it is no date."""
-    found = re.match(r"(\d{4})-(\d{1,2})-(\d{1,2})", date)
+    found = re.fullmatch(r"(\d{4})-(\d{1,2})-(\d{1,2})", date)
     try:
         return datetime.date(*map(int, found.groups())) if found else None
     except ValueError:

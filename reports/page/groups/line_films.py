@@ -135,7 +135,7 @@ class Films:
         loads, materials = self.loads.numbers, self.materials.numbers
         for load, material in itertools.product(loads, materials):
             if (load, material) not in known:
-                raise Missing(f"neither line_films.csv nor line_films_between.csv has the film of M = {load:g}, L = {material:g}")
+                raise Missing(f"no table of line films in reference/ehl has the film of M = {load:g}, L = {material:g}")
         moes = self.formula("moes_line", list(itertools.product(loads, materials)))
         moes = {at: film for at, film in zip(itertools.product(loads, materials), moes)}
         # The maps interpolate the logarithm of film/(Moes' film), which is smooth.

@@ -53,7 +53,7 @@ def run_sweeps(asked):
 def quantile(value, level):
     """A quantile with its interval, whose ends are infinite where too few values bound them."""
     found = next(one for one in value["quantiles"] if one["level"] == level)
-    return tuple(math.inf if found[name] is None else found[name] for name in ("value", "low", "high"))
+    return tuple(end if found[name] is None else found[name] for name, end in (("value", math.inf), ("low", -math.inf), ("high", math.inf)))
 
 
 def part_below(value, speed):
@@ -99,6 +99,8 @@ def agreement(columns, drawn):
             distance = abs(ours - other[end])
             # The interval of this sweep spans 2 · 1.96 standard deviations of independent draws.
             deviation = (high - low) / (2 * 1.96) * math.sqrt(1 + value["count"] / drawn["draws"])
+            if not 0 < deviation < math.inf:
+                raise Missing(f"the {surface} surface has too few onset speeds for the interval of their quantile at {100 * level:g} %")
             farthest = max(farthest, distance / other[end])
             in_deviations = max(in_deviations, distance / deviation)
     return {"column": COMPARED, "ledger_draws": drawn["draws"], "farthest": farthest, "in_deviations": in_deviations,

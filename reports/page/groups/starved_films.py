@@ -7,9 +7,9 @@ import math
 from baselines import from_baseline, number, number_or_none
 from group import Group, Missing, finding
 from numbers_text import exact
+from scenes import DEPARTURE
 
 CLOSURES = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
-DEPARTURE = 0.05  # of the criterion film_departure
 SURFACES = ("smooth", "medium", "rough")
 LEAST_SUPPLY, GREATEST_SUPPLY, SUPPLY_STEPS = 0.2, 5.0, 160
 CURVE_STEPS = 200  # over the speeds of a surface

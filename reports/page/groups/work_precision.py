@@ -48,7 +48,7 @@ def drawn_first(rows, error="max_ulp"):
     merits = {}
     for row in rows:
         if row["family"] != "control" and row[error] is not None:
-            merit = (number(row.get("failures", 0)) > 0, number(row[error]) * number(row["ns"]))
+            merit = (number(row["failures"] if "failures" in row else row["no_numbers"]) > 0, number(row[error]) * number(row["ns"]))
             merits[row["series"]] = min(merits.get(row["series"], merit), merit)
     ranked = sorted(merits, key=lambda series: merits[series])
     families = {row["series"]: row["family"] for row in rows}

@@ -7,7 +7,6 @@
 import argparse
 import json
 import os
-import platform
 import pstats
 import sysconfig
 
@@ -42,7 +41,7 @@ def main():
         functions.append({"file": "" if file == "~" else file, "line": line, "name": name,
                           "kind": kind_of(file, name, arguments.module.split(".")[0]), "calls": calls, "seconds": own,
                           "callers": [[places[caller], cost[3]] for caller, cost in callers.items() if caller in places]})
-    print(json.dumps({"python": platform.python_version(), "functions": functions}))
+    print(json.dumps({"functions": functions}))
 
 
 if __name__ == "__main__":

@@ -354,9 +354,9 @@ def curve_band(result, name):
     bands = [one for one in bands if is_band(*one[:2])]
     if not bands:
         return None
-    unit, factor = min((readable_unit(column["unit"], [value[end] for value in column["values"]
-                                                       for end in ("least", "greatest")])
-                        for _, column, _ in bands), key=lambda one: one[1])
+    columns = [(column["unit"], [value[end] for value in column["values"] for end in ("least", "greatest") if value[end] is not None])
+               for _, column, _ in bands]
+    unit, factor = min((readable_unit(*one) for one in columns if one[1]), key=lambda one: one[1], default=(None, 1))
     speeds, shown, scenes, curves = [], [], "", ""
     for number, (scene, column, colour) in enumerate(bands, 1):
         scenes += row(number, legend(scene), colour, legend(scene) + without_value(column["values"]))
@@ -579,8 +579,11 @@ def grid_pictures(scene, number):
 def pictures(result):
     names = dict.fromkeys(column["name"] for scene in result["scenes"] for column in scene["columns"])
     made = [onset_distribution(result), *(sensitivity(result, name) for name in names)]
-    grids = [scene for scene in result["scenes"] if any(grid_pictures(scene, 1))]
-    made += [picture for number, scene in enumerate(grids, 1) for picture in grid_pictures(scene, number)]
+    number = 1
+    for scene in result["scenes"]:
+        of_grid = grid_pictures(scene, number)
+        made += of_grid
+        number += any(of_grid)
     made += [curve_band(result, name) for name in names]
     return [one for one in made if one]
 
