@@ -170,9 +170,10 @@ function tomlOf(state) {
   return Object.entries(told).map(([section, lines]) => (section ? `\n[${section}]\n` : "") + lines.join("\n") + "\n").join("");
 }
 
+const FRICTION = ["lubricant.eyring_stress", "friction.boundary_coefficient"];  // the fields without which it is undefined
 function pythonOf(state) {
   return `import tribocheck\n\nscene = tribocheck.Scene("""\n${tomlOf(state).replaceAll("\\", "\\\\")}""")\n` +
-    `print(scene.solve([${Number(state.values.at)}], outputs=["film", "asperity_load_share"${state.values["lubricant.eyring_stress"] ? ', "friction"' : ""}]))\n` +
+    `print(scene.solve([${Number(state.values.at)}], outputs=["film", "asperity_load_share"${FRICTION.every((path) => (state.values[path] ?? "").trim() !== "") ? ', "friction"' : ""}]))\n` +
     "print(scene.onset())\n";
 }
 
@@ -609,12 +610,13 @@ class Page {
       else rest.push(path ? `${path}: ${sentence}` : sentence);
     }
     find("faults").textContent = (names.length ? `Mend below: ${[...new Set(names)].join("; ")}. ` : "") + rest.join(" ");
-    const isStale = errors.length > 0;
+    const isStale = this.isStale = errors.length > 0;
     for (const name of ["charts", "numbers", "onsets", "films", "limits"]) find(name).classList.toggle("stale", isStale);
-    if (isStale) find("said").textContent = `${this.drawn > 0 ? "The numbers below are of the last contact that could be read" : "This contact cannot be read yet"}; mend ${names.join("; ") || "it"}.`;
+    if (isStale) find("said").textContent = `${this.hasNumbers ? "The numbers below are of the last contact that could be read" : "This contact cannot be read yet"}; mend ${names.join("; ") || "it"}.`;
   }
 
   draw(low, high, at, warnings) {
+    this.hasNumbers = true;
     const {model} = this, curve = model.points(low, high, POINTS), here = model.points(at, at, 1);
     const onsets = model.lines("live_onsets").map(([name, meaning, speed, film, parameter, why]) =>
       ({name, meaning, x: speed === "" ? NaN : Number(speed), film: Number(film), parameter, why}));
@@ -728,6 +730,10 @@ class Page {
   }
 
   test() {
+    if (this.isStale) {
+      find("cause").textContent = "This contact cannot be read, so that there is no right number; mend its fields first.";
+      return;
+    }
     const quantity = this.quantities[find("quantity").selectedIndex], {unit} = quantity, own = typedNumber(find("own").value, unit);
     if (!own) {
       find("cause").textContent = `"${find("own").value}" is not allowed; allowed: a number above 0${unit ? ` with its unit, as ${unit === "m" ? "152 nm" : "1.08 GPa"}` : ""}`;

@@ -199,7 +199,7 @@ def main():
     asked = parser.parse_args()
     try:
         made = build(asked.release.resolve()).read_bytes()
-    except (OSError, RuntimeError) as error:
+    except (OSError, RuntimeError, ValueError) as error:
         print(f"make live: {error}", file=sys.stderr)
         return 1
     kept = HERE / "tribocheck.wasm"

@@ -208,6 +208,9 @@ class Scenes(unittest.TestCase):
         self.assertEqual(asked["text"].strip(), toml.strip())
         self.assertEqual(asked["speeds"], [float(state["values"]["at"])])
         self.assertTrue(asked["onset"])
+        self.assertIn("friction", asked["outputs"])
+        state["values"]["friction.boundary_coefficient"] = " "
+        self.assertNotIn("friction", ask([["python", state]])[0].rpartition("outputs=")[2])
 
 
 class OwnNumber(unittest.TestCase):

@@ -429,8 +429,13 @@ class Use(LivePage):
         self.begin("rough")
         self.assertEqual(self.fault("load"), "")
         self.assertNotEqual(self.field("load").get_attribute("aria-invalid"), "true")
+        self.type("load", "x")
+        self.assertIn("The numbers below are of the last contact", self.part("said"))
+        self.assertIn("mend its fields first", self.said_of("film of this contact", "100 nm"))
         self.show(fragment="#live?shape=cirle&kind=flooded&laod=5&load=5")
         self.assertIn("laod, shape=cirle, which this page does not know", self.part("done"))
+        self.type("load", "x")  # the link has too few fields, so that nothing was drawn
+        self.assertIn("This contact cannot be read yet", self.part("said"))
 
     def test_random_scenes_have_the_numbers_of_node(self):
         """Chromium gives the same bits as Node. So the numbers that test_live checks under Node are right here, too."""

@@ -361,7 +361,8 @@ class Films(unittest.TestCase):
             except TypeError: pass
             else: raise AssertionError("a number with an error is no tuple")
             print(json.dumps([[*films, film.profile.film.tolist(), film.tolerance, film.formulas],
-                              str(film.central), str(film), dir(film)]))"""))
+                              str(film.central), str(film), dir(film)]))
+            assert str(tribocheck.Measured(0.0, 1e-9, "m")) == "0.00 ± 1.0e-09 m", tribocheck.Measured(0.0, 1e-9, "m")"""))
         self.assertEqual(found[:4], [[expected[name][key] for key in ("value", "error")] for name in
                                                           ("central_film", "minimum_film", "film_at_greatest_pressure", "friction")])
         self.assertEqual(found[4:], [expected["profile"]["film"], expected["tolerance"], expected["formulas"]])

@@ -13,7 +13,8 @@ import setuptools
 from setuptools.command.build_py import build_py
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-SCRATCH = tempfile.mkdtemp()  # setuptools writes there, and not into the sources
+FOLDER = tempfile.TemporaryDirectory()  # setuptools writes there, and not into the sources
+SCRATCH = FOLDER.name
 
 
 class Binary(setuptools.Distribution):

@@ -10,7 +10,7 @@ exports.load = (files, names) => {
   return page;
 };
 
-function answer(functions, { id, function: name, ...given }) {
+function answer(functions, { id, function: name = "operating_point", ...given }) {
   try {
     const result = Object.hasOwn(functions, name) ? functions[name](given) : undefined;
     if (result === undefined) return { id, skip: `${name} is not offered here` };

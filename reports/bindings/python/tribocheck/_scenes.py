@@ -116,9 +116,9 @@ class Measured:
     unit: str
 
     def __str__(self) -> str:
-        if not (self.value and self.error > 0):
+        if not self.error > 0:
             return f"{self.value:g} {self.unit}".rstrip()
-        digits = math.ceil(math.log10(abs(self.value) / self.error)) + 1
+        digits = math.ceil(math.log10(abs(self.value) / self.error)) + 1 if self.value else 1
         return f"{self.value:#.{min(max(digits, 3), 12)}g} ± {self.error:.1e} {self.unit}".rstrip()
 
     def __float__(self) -> float:
