@@ -3,12 +3,14 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <mutex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "catalogue/columns.hpp"
@@ -138,9 +140,8 @@ TRIBOCHECK_EXPORT int tribocheck_fault(const char* name, const double* arguments
 TRIBOCHECK_EXPORT int tribocheck_number(const char* with_unit, const char* unit, double* number) {
   return tell({nullptr, 0, nullptr}, [&](int& code) {
     const auto decimal = scene_detail::si_decimal(with_unit, unit);
-    if (decimal)
-      *number = std::stod(*decimal);
-    else
+    const std::string_view text = decimal ? std::string_view(*decimal) : std::string_view();
+    if (std::from_chars(text.data(), text.data() + text.size(), *number).ec != std::errc())
       code = TRIBOCHECK_REFUSED;
     return std::string();
   });

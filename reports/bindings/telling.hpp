@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <locale.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,10 +40,29 @@ struct Told {
   }
 };
 
+// While it lives, this thread reads and writes numbers with a decimal point, whatever locale the
+// host has set.
+class DecimalPoint {
+ public:
+  DecimalPoint()
+      : own_(::newlocale(LC_NUMERIC_MASK, "C", ::duplocale(::uselocale(nullptr)))),
+        before_(::uselocale(own_)) {}
+  DecimalPoint(const DecimalPoint&) = delete;
+  DecimalPoint& operator=(const DecimalPoint&) = delete;
+  ~DecimalPoint() {
+    ::uselocale(before_);
+    if (own_ != nullptr) ::freelocale(own_);
+  }
+
+ private:
+  ::locale_t own_, before_;
+};
+
 // Writes the text that make(code) returns, and returns the code that `make` sets, at first
 // TRIBOCHECK_OK. Where `make` throws, it writes the reason and returns TRIBOCHECK_REFUSED.
 template <class Make>
 int tell(const Told& told, Make make) noexcept {
+  const DecimalPoint point;
   try {
     int code = TRIBOCHECK_OK;
     told.write(make(code));

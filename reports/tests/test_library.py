@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """libtribocheck.so: the functions of the catalogue by columns, and verdicts, as the program gives them."""
+import contextlib
 import ctypes
 import json
+import locale
 import math
+import os
 import pathlib
 import re
 import subprocess
 import tempfile
 import unittest
+from unittest import mock
 
 from program import ENVIRONMENT, PROGRAM, TIMEOUT, run
 from subjects import answers_of, python
@@ -18,6 +22,22 @@ LIBRARY = ctypes.CDLL(str(BINDINGS / "libtribocheck.so"))
 CATALOGUE = {one["name"]: one for one in run("functions", "--format", "json").json()["functions"]}
 DONE, FAILED = 0, 3
 POINTS = ["operating_point", "operating_point_of_other_film", "operating_point_of_ellipse", "operating_point_of_line"]
+
+
+@contextlib.contextmanager
+def decimal_comma():
+    """A locale with a decimal comma, as a host may set it."""
+    with tempfile.TemporaryDirectory() as folder:
+        source = pathlib.Path(folder) / "comma.def"
+        source.write_text('comment_char %\nescape_char /\nLC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n')
+        subprocess.run(["localedef", "-c", "-i", source, f"{folder}/comma"], capture_output=True)  # it warns of all that is left out
+        with mock.patch.dict(os.environ, LOCPATH=folder):
+            locale.setlocale(locale.LC_NUMERIC, "comma")
+        try:
+            yield
+            assert locale.localeconv()["decimal_point"] == ","
+        finally:
+            locale.setlocale(locale.LC_NUMERIC, "C")
 
 
 def text_of(call, *arguments):
@@ -101,11 +121,14 @@ class Functions(unittest.TestCase):
         self.assertEqual(text_of(LIBRARY.tribocheck_fault, b"hertz", None), (2, 'no function is called "hertz"'))
 
     def test_numbers_with_units(self):
-        for text, unit, expected in [("20.2 mPa s", "Pa·s", 0.0202), ("46 kN", "N", 46e3), ("60 °C", "K", 333.15),
-                                     ("1 nm", "m", 1e-9), ("3 kg", "m", None), ("", "m", None)]:
-            number = ctypes.c_double(-1)
-            code = LIBRARY.tribocheck_number(text.encode(), unit.encode(), ctypes.byref(number))
-            self.assertEqual((code, number.value), (2, -1) if expected is None else (0, expected), text)
+        for place in (contextlib.nullcontext, decimal_comma):
+            for text, unit, expected in [("20.2 mPa s", "Pa·s", 0.0202), ("46 kN", "N", 46e3), ("60.5 °C", "K", 333.65),
+                                         ("1.5 GPa", "Pa", 1.5e9), ("4.5 km/h", "m/s", 1.25), ("1 nm", "m", 1e-9),
+                                         ("1e-310 m", "m", 1e-310), ("1e400 m", "m", None), ("3 kg", "m", None), ("", "m", None)]:
+                number = ctypes.c_double(-1)
+                with place():
+                    code = LIBRARY.tribocheck_number(text.encode(), unit.encode(), ctypes.byref(number))
+                self.assertEqual((code, number.value), (2, -1) if expected is None else (0, expected), text)
 
 
 class Verdicts(unittest.TestCase):
@@ -137,6 +160,8 @@ class Verdicts(unittest.TestCase):
                 self.assertEqual([one for one in found["quantities"] if one["status"] != "not offered"], asked)
                 self.assertEqual(found["examples"], expected["examples"])
                 self.assertEqual(found["overall"] == "failed", mistake != "none")
+        with decimal_comma():
+            self.assertEqual(self.judged(mistake, only, format="json"), (code, text))
 
     def test_the_same_question_gets_the_same_answer_or_a_note(self):
         request = self.request(functions=["pull_off_force"])
@@ -223,6 +248,8 @@ class Scenes(unittest.TestCase):
                 self.same("solve", text, own)
                 if own["speeds"] > 1:
                     self.same("curve", text, own)
+                with decimal_comma():
+                    self.same("solve", text, about(text))
         plain = re.sub(rb"(?m)^(speed|outputs) *=.*\n", b"", scene_text("published/rough.toml"))
         for law, more in [(b"flooded_inlet", b""), (b"flooded_inlet", b', "minimum_film"'), (b"damiens", b"")]:
             text = self.WIDE % more + re.sub(rb"(?m)^starvation *=.*$", b'starvation = "' + law + b'"', plain)
