@@ -71,8 +71,8 @@ CaseTable read_cases(const SceneResult& scene, const sweep::ResultFile& file) {
 }
 
 std::string word_of(const CaseColumn& column, double value) {
-  const auto place = static_cast<std::size_t>(value);
-  return std::isnan(value) || place >= column.words.size() ? "" : column.words[place];
+  const bool is_word = value >= 0 && value < static_cast<double>(column.words.size());
+  return is_word ? column.words[static_cast<std::size_t>(value)] : "";
 }
 
 // The unrounded value; empty if it is undefined.

@@ -170,7 +170,7 @@ Measurement measure_contenders(const BenchArguments& arguments) {
 Measurement measure_solvers(const BenchArguments& arguments, const std::set<std::string>& chosen) {
   const SolverRun run{arguments.plugins.empty() ? arguments.subjects : arguments.plugins,
                       arguments.has_plugin(), arguments.quick, arguments.timeout};
-  const IsRun is_asked = [&](const std::string& key) {
+  const IsAsked is_asked = [&](const std::string& key) {
     return is_run(arguments.filter, key) &&
            (chosen.empty() || chosen.contains(key.substr(0, key.find('/'))));
   };

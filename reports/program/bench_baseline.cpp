@@ -39,6 +39,10 @@ std::optional<double> optional_number(const json& row, const char* field) {
 constexpr auto time_fields =
     std::to_array<const char*>({"least_over_control", "median_over_control"});
 
+void forget_times(json& row) {
+  for (const char* field : time_fields) row[field] = nullptr;
+}
+
 // A row of the baseline. Only rows of solvers have the members "cases" and "measured".
 json row_json(const BenchRow& row, const std::optional<double>& control) {
   json made{
@@ -63,12 +67,17 @@ std::string percent_slower(double ratio) {
   return fmt::format("{:.0f} % slower", 100 * (ratio - 1));
 }
 
-// The model name of the processor, as "AMD EPYC"; "unknown" if /proc/cpuinfo has none.
+// The model name of the processor, as "AMD EPYC". AArch64 has numbers in its place: "CPU 0x41
+// 0xd0c". "unknown" if /proc/cpuinfo has neither.
 std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
+  std::string numbers;
+  for (std::string line; std::getline(file, line) && !line.empty();) {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
+    if (line.starts_with("CPU implementer") || line.starts_with("CPU part"))
+      numbers += line.substr(line.find(':') + 1);
+  }
+  return numbers.empty() ? "unknown" : "CPU" + numbers;
 }
 
 json environment_json() { return {{"processor", processor_name()}, {"compiler", compiler_name()}}; }
@@ -331,8 +340,7 @@ std::vector<std::string> improve(json& baseline, const BenchResults& results) {
       const std::string key = row.key();
       if (!rows.contains(key)) {
         rows[key] = row_json(row, control);
-        for (const char* field : time_fields)
-          if (!is_here) rows[key][field] = nullptr;
+        if (!is_here) forget_times(rows[key]);
         said.push_back("baseline improved: " + key + ": is new");
         continue;
       }
@@ -340,6 +348,7 @@ std::vector<std::string> improve(json& baseline, const BenchResults& results) {
       const RowComparison one(row, before, control, is_here && (row.over_control || control));
       if (one.worse.empty() && one.slower.empty()) {
         rows[key] = one.improved();
+        if (!is_here && row.cases && *row.cases != before.at("cases")) forget_times(rows[key]);
         for (const RowNote& note : one.better) said.push_back("baseline improved: " + note.line());
       } else {
         said.push_back("baseline kept: " + key + ": it got worse");
@@ -355,8 +364,7 @@ json new_bench_baseline(const BenchResults& results, const json& before, const I
     for (const auto& [key, row] : before.at("rows").items()) {
       if (is_asked(key)) continue;
       rows[key] = row;
-      for (const char* field : time_fields)
-        if (!keeps_times) rows[key][field] = nullptr;
+      if (!keeps_times) forget_times(rows[key]);
     }
   }
   const std::optional<double> control = control_of(results);

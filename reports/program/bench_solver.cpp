@@ -69,21 +69,20 @@ void check_startable(const SolverRun& run) {
     check_solver(run.are_plugins ? given : "", run.are_plugins ? "" : given);
 }
 
-std::vector<Measuring> measurings(const SolverRun& run, const IsRun& is_run) {
+std::vector<Measuring> measurings(const SolverRun& run, const IsAsked& is_asked) {
   const report::ReferenceFiles files = report::reference_files("");
   const std::vector<TimedFunction> all =
       timed_functions(read_cases({files.exact, files.published}), cases_a_function);
   std::vector<Measuring> made;
-  bool any = false;
   for (const std::string& given : run.solvers) {
     const char* const family = !made.empty() ? base_family : run.are_plugins ? "plugin" : "subject";
-    Measuring one{given, name_of_solver(given, run.are_plugins), family, {}, {}};
-    for (const TimedFunction& function : all)
-      if (is_run(one.key(function.name))) one.functions.push_back(function);
-    any = any || !one.functions.empty();
-    made.push_back(std::move(one));
+    made.push_back({given, name_of_solver(given, run.are_plugins), family, {}, {}});
   }
-  if (any) return made;
+  for (const TimedFunction& function : all)
+    if (std::ranges::any_of(made,
+                            [&](const Measuring& one) { return is_asked(one.key(function.name)); }))
+      for (Measuring& one : made) one.functions.push_back(function);
+  if (!made[0].functions.empty()) return made;
   std::vector<std::string> names;
   for (const TimedFunction& function : all) names.push_back(function.name);
   throw std::invalid_argument(
@@ -193,10 +192,10 @@ std::optional<Ratio> over_base(const std::vector<Measuring>& solvers, std::size_
 
 }  // namespace
 
-BenchResults measure_solvers(const SolverRun& run, const IsRun& is_run) {
+BenchResults measure_solvers(const SolverRun& run, const IsAsked& is_asked) {
   const Clock::time_point deadline = Clock::now() + milliseconds(run.timeout);
   check_startable(run);
-  std::vector<Measuring> solvers = measurings(run, is_run);
+  std::vector<Measuring> solvers = measurings(run, is_asked);
   {
     StepLine progress{std::chrono::seconds(1), std::chrono::milliseconds(200)};
     for (std::size_t start = 0; start < starts; ++start)

@@ -3,7 +3,6 @@
 // each beside a control. This does not need the program tribocheck_bench.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,11 +17,8 @@ struct SolverRun {
   double timeout = 1800;  // s, of the whole run
 };
 
-// Is a row to be measured?
-using IsRun = std::function<bool(const std::string& key)>;
-
-// A row for each solver and each function that it offers. Throws std::invalid_argument if `is_run`
-// takes no row, and conformance::SolverFailed.
-BenchResults measure_solvers(const SolverRun& run, const IsRun& is_run);
+// A row for each solver and each function that it offers, if `is_asked` takes the row of one of the
+// solvers. Throws std::invalid_argument if it takes no row, and conformance::SolverFailed.
+BenchResults measure_solvers(const SolverRun& run, const IsAsked& is_asked);
 
 }  // namespace tribo::cli

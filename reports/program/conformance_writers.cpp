@@ -509,7 +509,9 @@ std::string subject_junit(const SubjectVerdict& verdict) {
   if (verdict.changes) suite.properties.emplace_back("baseline", verdict.baseline);
   for (const QuantityVerdict& one : result.quantities) {
     const auto add = [&](End end, const std::string& message) {
-      suite.tests.push_back({one.quantity, end, message, junit_details(verdict, one),
+      const bool is_offered = one.status != Verdict::not_offered;
+      suite.tests.push_back({one.quantity, end, message,
+                             is_offered ? junit_details(verdict, one) : "",
                              seconds_of(result, one.quantity)});
     };
     const auto why = std::find_if(failed.begin(), failed.end(), [&](const QuantityNote& failure) {

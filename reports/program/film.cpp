@@ -114,7 +114,7 @@ class FilmRun {
 
   int finish(const LoadedScenes& loaded) {
     while (!waiting_.empty()) show_first();
-    if (stop_signal() != 0 && (next_ < total_ || !stopped_.empty()))
+    if (stop_signal() != 0)
       complain(
           fmt::format("stopped: {} of {} contacts are solved to the tolerance", done_, total_) +
           (stopped_.empty() ? "" : "; " + stopped_));

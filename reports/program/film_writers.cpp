@@ -225,7 +225,7 @@ void append_notes(Text& to, const FilmCase& film) {
                 "this liquid: the formula against the {}; deviation, from the film of the liquid "
                 "that the formula was fitted to, is not known, because no text at hand names it",
                 film.is_starved() ? "film with a flooded inlet" : "film above"));
-  if (film.is_starved())
+  if (!film.closures.empty())
     note("closure: the starved film that it makes from the solved flooded one, over that one");
   if (std::isfinite(film.damiens_exponent))
     note(fmt::format("Damiens' closure gives the solved film ratio with the exponent {:.3g}",

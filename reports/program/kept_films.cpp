@@ -75,6 +75,7 @@ void KeptFilms::keep(const std::string& contact, const KeptFilm& film) {
       {"contact", contact}, {"reason", film.reason}, {"text", film.text}};
   append_to(file_, line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n',
             path_);
+  films_[contact] = film;
 }
 
 }  // namespace tribo::cli

@@ -210,7 +210,7 @@ struct HeldColumn {
   std::string_view field, unit;
   std::span<const std::string_view> names;
   std::optional<double> (*value_of)(const Scene&);  // std::nullopt: the scene has none
-  double tolerance;                                 // relative; of a temperature: in K
+  double tolerance;  // relative; of a temperature in K; where the scene has 0, of the number itself
 };
 constexpr auto load_names = std::to_array<std::string_view>(
     {"load", "normal load", "normal force", "applied load", "f", "fn", "f n", "w"});
@@ -410,7 +410,8 @@ class MeasuredReader {
     if (!number) return false;
     if (column.held->unit.empty()) number = std::abs(*number);
     ++column.held_rows;
-    const double tolerance = column.held->tolerance * (column.held->unit == "K" ? 1 : own);
+    const bool is_absolute = column.held->unit == "K" || own == 0;
+    const double tolerance = column.held->tolerance * (is_absolute ? 1 : own);
     if (std::abs(*number - own) <= tolerance) return false;
     column.least = column.other_rows == 0 ? *number : std::min(column.least, *number);
     column.greatest = column.other_rows == 0 ? *number : std::max(column.greatest, *number);

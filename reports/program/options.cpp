@@ -63,17 +63,16 @@ std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& 
   return {};
 }
 
-CLI::Option* add_number_option(CLI::App& app, const std::string& name,
-                               std::function<void(double)> store, bool (*is_allowed)(double),
-                               const std::string& allowed, const std::string& description,
-                               std::string_view unit) {
+void add_number_option(CLI::App& app, const std::string& name, std::function<void(double)> store,
+                       bool (*is_allowed)(double), const std::string& allowed,
+                       const std::string& description, std::string_view unit) {
   const auto read = [=, store = std::move(store)](const std::string& text) {
     const std::optional<double> number = number_of(text, unit);
     if (!number || !is_allowed(*number))
       throw CLI::ValidationError(name, text + " is not allowed; allowed: " + allowed);
     store(*number);
   };
-  return app.add_option_function<std::string>(name, read, description);
+  app.add_option_function<std::string>(name, read, description);
 }
 
 void add_speed_option(CLI::App& app, std::function<void(double)> store) {

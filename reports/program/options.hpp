@@ -33,10 +33,9 @@ inline std::chrono::milliseconds milliseconds(double seconds) {
 // Adds an option that is a number. CLI11's own conversion rounds twice and lets "nan" through.
 // `allowed` tells in words which numbers `is_allowed` takes. With a `unit`, such as "m/s" or "%",
 // the number may have a unit, as in scenes. A number in % is stored as a part of 1.
-CLI::Option* add_number_option(CLI::App& app, const std::string& name,
-                               std::function<void(double)> store, bool (*is_allowed)(double),
-                               const std::string& allowed, const std::string& description,
-                               std::string_view unit = {});
+void add_number_option(CLI::App& app, const std::string& name, std::function<void(double)> store,
+                       bool (*is_allowed)(double), const std::string& allowed,
+                       const std::string& description, std::string_view unit = {});
 
 // Adds --speed, which takes one speed in place of those of the scenes.
 void add_speed_option(CLI::App& app, std::function<void(double)> store);

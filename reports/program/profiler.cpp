@@ -38,9 +38,10 @@ bool is_python(const std::string& program) {
 // Is a program an interpreter? A profile would show its work in place of the solver's.
 bool is_interpreter(const std::string& program) {
   constexpr auto known = std::to_array<std::string_view>(
-      {"sh", "bash", "dash", "octave", "octave-cli", "julia", "java", "node", "perl", "ruby", "lua",
-       "R", "Rscript", "matlab"});
-  const std::string name = fs::path(program).filename().string();
+      {"sh", "bash", "dash", "ksh", "zsh", "octave", "octave-cli", "julia", "java", "node",
+       "nodejs", "perl", "ruby", "lua", "luajit", "pypy", "R", "Rscript", "matlab"});
+  std::string name = fs::path(program).filename().string();
+  name.resize(name.find_last_not_of("0123456789.-") + 1);  // lua5.4, octave-cli-7.3.0
   return std::find(known.begin(), known.end(), name) != known.end();
 }
 
@@ -131,18 +132,26 @@ void Profiler::choose_tool(const std::string& tool) {
         "perf is not installed, which takes the time of each line; apt-get install linux-perf");
 }
 
-// Finds the program among the words. `exec` and VARIABLE=VALUE may stand in front of it; `env` is
-// put in front of the variables.
+// Finds the program among the words. `exec`, `env` and VARIABLE=VALUE may stand in front of it;
+// `env` is put in front of the variables.
 void Profiler::take_program(std::vector<std::string> words) {
-  if (words.front() == "exec") words.erase(words.begin());
+  for (const char* const starter : {"exec", "env"})
+    if (!words.empty() && fs::path(words.front()).filename() == starter) words.erase(words.begin());
   const auto program = std::find_if(words.begin(), words.end(), [](const std::string& word) {
     return word.find('=') == word.npos;
   });
   if (program == words.end()) refuse("it names no program");
-  if (program != words.begin()) words.insert(words.begin(), "env");
+  if (program->starts_with('-'))
+    refuse(
+        fmt::format("{} stands in place of a program; allowed in front of one: env, and "
+                    "VARIABLE=VALUE",
+                    *program));
+  tool_place_ = static_cast<std::size_t>(program - words.begin());
+  if (tool_place_ > 0) {
+    words.insert(words.begin(), "env");
+    ++tool_place_;
+  }
   words_ = std::move(words);
-  tool_place_ = words_.front() == "env" ? 1 : 0;
-  while (tool_place_ > 0 && words_[tool_place_].find('=') != std::string::npos) ++tool_place_;
   if (is_python(words_[tool_place_])) return take_python(tool_place_);
   const std::string path = found_by_shell(words_[tool_place_]);
   std::vector<std::string> interpreter = interpreter_of(path);

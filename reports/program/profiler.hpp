@@ -2,6 +2,7 @@
 // The way to measure a solver: callgrind or perf for what is compiled, cProfile for Python.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@ namespace tribo::cli {
 class StepLine {
  public:
   // The first line is shown after `first`, and then one at most every `between`.
-  explicit StepLine(std::chrono::milliseconds first = {}, std::chrono::milliseconds between = {});
+  StepLine(std::chrono::milliseconds first, std::chrono::milliseconds between);
   StepLine(const StepLine&) = delete;
   StepLine& operator=(const StepLine&) = delete;
   ~StepLine() { wipe(); }

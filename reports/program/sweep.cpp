@@ -340,11 +340,12 @@ std::string subcommand_meant(const SweepArguments& arguments) {
 }
 
 // Limits the threads: more are of no use, and each takes memory.
-void cap_threads(int& threads) {
+void cap_threads(int& threads, bool is_told) {
   const int most = 16 * thread_count(0);
   if (threads <= most) return;
-  complain(fmt::format("warning: --threads {} is more than is of use here; {} are taken", threads,
-                       most));
+  if (is_told)
+    complain(fmt::format("warning: --threads {} is more than is of use here; {} are taken", threads,
+                         most));
   threads = most;
 }
 
@@ -371,7 +372,6 @@ int run_sweep(SweepArguments& arguments, OutputStream& output) {
     return exit_bad;
   }
   if (arguments.one_case) return print_case(arguments, output);
-  cap_threads(arguments.run.threads);
   if (arguments.files.empty() || (arguments.run.result.empty() && !arguments.estimate)) {
     complain(arguments.files.empty()
                  ? "sweep: no SWEEP.toml is given (see --help)"
@@ -384,6 +384,7 @@ int run_sweep(SweepArguments& arguments, OutputStream& output) {
   }
   return told([&] {
     const sweep::Ranks ranks;
+    cap_threads(arguments.run.threads, ranks.rank() == 0);
     bool is_over = false;
     try {
       return told([&] { return run_on_rank(arguments, ranks, output, is_over); });

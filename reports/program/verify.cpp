@@ -31,6 +31,8 @@ std::string allowed(const QuantityResult& result) {
   return fmt::format("{} or {} × cond.", result.allowed_ulp, result.allowed_ulp_per_condition);
 }
 
+constexpr const char* no_row = "no table of reference/exact has a row of it";
+
 // "COMPLETE: 24 of 24 quantities held, in 5230 cases."
 std::string summary(const std::vector<QuantityResult>& results) {
   std::size_t held = 0, cases = 0;
@@ -41,7 +43,7 @@ std::string summary(const std::vector<QuantityResult>& results) {
       ++held;
     else
       failed += (failed.empty() ? "" : ", ") + one.quantity +
-                (one.cases == 0 ? " (no table of reference/exact has a row of it)" : "");
+                (one.cases == 0 ? fmt::format(" ({})", no_row) : "");
   }
   return fmt::format("{}: {} of {} quantities held, in {} cases{}.",
                      failed.empty() ? "COMPLETE" : "FAILED", held, results.size(), cases,
@@ -91,9 +93,10 @@ std::string junit_text(const std::vector<QuantityResult>& results) {
     if (r.passed())
       suite.tests.push_back({r.quantity});
     else
-      suite.tests.push_back(
-          {r.quantity, JunitTest::End::failure,
-           fmt::format("row {}: {:.3g} times the bound", r.worst_row, r.worst_part_of_bound)});
+      suite.tests.push_back({r.quantity, JunitTest::End::failure,
+                             r.cases == 0 ? no_row
+                                          : fmt::format("row {}: {:.3g} times the bound",
+                                                        r.worst_row, r.worst_part_of_bound)});
   return junit_xml(suite);
 }
 

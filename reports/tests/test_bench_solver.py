@@ -195,6 +195,12 @@ class Gate(OfSolvers):
         self.assertLess(after[ROW]["median_over_control"], 0.6 * before[ROW]["median_over_control"])
         self.assertEqual(self.gate("--update-baseline", hertz_time=1, code=1)[0], {"slower": [ROW]})
         self.assertEqual(json.loads(self.path.read_text())["rows"][ROW], after[ROW])
+        # Times of fewer cases, of another machine, are no times of these cases.
+        after[ROW]["cases"] -= 1
+        self.change(rows=after, environment={"processor": "another", "compiler": "another"})
+        self.gate("--update-baseline", code=1)
+        kept = json.loads(self.path.read_text())["rows"]
+        self.assertEqual((kept[ROW]["cases"], kept[ROW]["median_over_control"], kept[LINE]), (32, None, after[LINE]))
 
     def test_a_function_or_cases_that_are_gone_are_red(self):
         self.assertEqual(self.gate(hertz_time=0, code=1)[0], {"gone": [ROW]})
@@ -215,11 +221,17 @@ class Gate(OfSolvers):
 
     def test_a_function_that_one_solver_alone_offers_and_a_baseline_beside(self):
         before = self.subject(name="before.py")
-        found = self.document("--subject", self.subject(0), "--subject", before, code=1)["comparison"]
-        self.assertEqual([note["row"] for note in found["gone"]], ["hertz_point/base/python3 before.py"])
+        report = self.folder.path("speed.xml")
+        found = self.document("--subject", self.subject(0), "--subject", before, "--junit", report, code=1)["comparison"]
+        gone = "hertz_point/base/python3 before.py"
+        self.assertEqual([note["row"] for note in found["gone"]], [gone])
+        names = [one.get("name") for one in junit_suite(report).iter("testcase")]
+        self.assertEqual((names.count(gone), len(names)), (1, 3))
         self.assertEqual((found["base"], found["baseline"], found["timed"]), (before, None, 1))
         found = self.document("--subject", before, "--subject", self.subject(0))["comparison"]
         self.assertEqual([note["row"] for note in found["new"]], ["hertz_point/subject/python3 before.py"])
+        found = self.document("--subject", self.subject(), "--subject", before, "--filter", "^hertz_point/subject/")["comparison"]
+        self.assertEqual((found["timed"], found["new"]), (1, []))
         self.change(environment={"processor": "another", "compiler": "another"})
         found = self.document("--subject", self.subject(), "--subject", before, "--baseline", self.path)["comparison"]
         self.assertEqual((found["timed"], [note["row"] for note in found["worse"]]), (2, []))

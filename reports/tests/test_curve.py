@@ -258,6 +258,9 @@ class Data(CurveTest):
         for head, row in (("load [N]", "50"), ("load [kN]", "0.0505"), ("SRR [-]", "-0.5"), ("T [°C]", "60.9"), ("load [N],SRR", "50,0.5")):
             with self.subTest(head):
                 self.assertEqual(said(head, row), "")
+        tree["friction"]["slide_roll_ratio"] = 0  # rigs hold pure rolling as well as any other ratio
+        self.assertEqual(said("SRR [%]", "1.9", "-1.9"), "")
+        self.assertIn("1 of 2 rows have 0.021, and the scene has friction.slide_roll_ratio = 0", said("SRR [%]", "1.9", "-2.1"))
         self.assertEqual(said("load [s],SRR [N]", "50,0.5"), "columns that are not compared: load [s], SRR [N]\n")
 
     def test_many_mistakes_are_twenty_lines_and_their_number(self):

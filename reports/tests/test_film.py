@@ -446,6 +446,7 @@ class Failures(FilmTest):
             self.assertEqual((many.code, many.out, many.err), (one.code, one.out, one.err), threads)
         for taken in (0, len(speeds)):
             self.assertEqual(self.kept(*arguments, "--threads", "3", code=1), (one.out, taken))
+        self.assertEqual(self.kept(self.write(line(10, 5, speed=[3, 3])), "--tolerance", "1e-2")[1], 1)  # the same contact twice
 
     def test_ctrl_c_with_several_threads_loses_no_film(self):
         path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 60}))

@@ -247,8 +247,10 @@ class Evidence(Trips):
                                    ".* times as far off as is allowed$")
         self.assertIn("  hertz_point.radius: got ", result.out)
         self.assertIn(" of the error that is allowed", result.out)
-        held = self.verify(self.SMALL, "--show", "h0000")
-        self.assertEqual(held.code, 0)
+        held, skipped = self.verify(self.SMALL, "--show", "h0000"), self.verify(self.SMALL, "--show", "h0000", "--show", "r0000")
+        self.assertEqual((held.code, skipped.code), (0, 0))
+        self.assertIn("all of it holds where each case is asked alone", held.err)
+        self.assertEqual(skipped.err, "")  # what is skipped holds nothing
 
     def test_a_case_that_has_no_answer_is_shown_with_the_reason(self):
         result = self.verify(self.command(each="raise ValueError('no root')"), "--show", "r0000")

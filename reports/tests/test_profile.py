@@ -186,7 +186,7 @@ class Profile(ProgramTest):
 
     def test_a_compiled_program(self):
         program = self.compiled(C_PROGRAM, "-O1", "-g")
-        for command in (program, f"SOME=thing {program} an_argument"):
+        for command in (program, f"SOME=thing {program} an_argument", f"exec env {program}", f"env SOME=thing {program}"):
             one = self.document("--subject", command)
             self.assertEqual((one["lines"][0]["file"], one["lines"][0]["line"]), (self.source, line_of(C_PROGRAM, "the slow line")))
             self.assertGreater(one["lines"][0]["share"], 0.5)
@@ -252,6 +252,12 @@ class Profile(ProgramTest):
         self.refused("--subject", python + " | cat", said="only the shell can read this")
         self.refused("--subject", "octave-cli --version" if shutil.which("octave-cli") else "sh solver", said="the work of")
         self.refused("--subject", "python3 -c 'pass'", said="a script or a module")
+        for command in ("env", "env A=1", "A=1", "exec"):
+            self.refused("--subject", command, said="it names no program")
+        self.refused("--subject", "env -i ./solver", said="-i stands in place of a program; allowed in front of one: env")
+        versioned = pathlib.Path(self.folder.path("lua5.4"))
+        versioned.symlink_to("/bin/true")
+        self.refused("--subject", f"{versioned} solver.lua", said="the work of lua5.4 would be shown")
         self.refused("--plugin", library, "--function", "gausian_moment", said="did you mean gaussian_moment?")
         self.refused("--plugin", library, "--function", "hertz_point", said="does not offer hertz_point")
         self.refused("--subject", self.python(PYTHON.replace('"gaussian_moment"', '"no"')), said="offers nothing")

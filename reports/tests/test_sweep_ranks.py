@@ -28,8 +28,8 @@ class Ranks(SweepTest):
         alone = self.swept(LONG, "--format", "csv", out="alone.h5")
         for ranks in (1, 2, 4):
             with self.subTest(ranks=ranks):
-                done = self.with_ranks(ranks, LONG, "--format", "csv", out=f"{ranks}.h5")
-                self.assertEqual(done.returncode, 0, done.stderr)
+                done = self.with_ranks(ranks, LONG, "--format", "csv", "--threads", "4096", out=f"{ranks}.h5")
+                self.assertEqual((done.returncode, done.stderr.count("--threads 4096")), (0, 1), done.stderr)
                 self.assertEqual(self.bytes_of(f"{ranks}.h5"), self.bytes_of("alone.h5"))
                 self.assertEqual(done.stdout, alone.out)
         self.assertEqual(self.names(), ["1.h5", "2.h5", "4.h5", "alone.h5", "sweep.toml"])

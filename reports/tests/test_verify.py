@@ -105,11 +105,15 @@ class Verify(unittest.TestCase):
             self.assertEqual([r["worst_row"] for r in failed], [cells[0]])
 
     def test_a_quantity_without_certified_rows_is_told_as_such(self):
+        report = tempfile.NamedTemporaryFile(suffix=".xml")
+        self.addCleanup(report.close)
         told = self.with_changed("operating_point", lambda text: "".join(
-            line for line in text.splitlines(keepends=True) if ",friction," not in line), "--format", "table")
+            line for line in text.splitlines(keepends=True) if ",friction," not in line), "--format", "table", "--junit", report.name)
         self.assertEqual(told.code, 1)
         self.assertEqual(told.out.splitlines()[-1].partition("; ")[2],
                          "failed: operating_point.friction (no table of reference/exact has a row of it).")
+        failed, = xml.parse(report.name).iter("failure")
+        self.assertEqual(failed.get("message"), "no table of reference/exact has a row of it")
 
     def test_the_last_line_of_the_table_names_what_failed(self):
         done = self.with_changed("onset_constant", lambda text: text.replace("0x1.", "0x1.8"), "--format",
