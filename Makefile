@@ -26,7 +26,7 @@ test: ## build, run all tests, hold what ran to the manifest of checks; some 20 
 	python3 verification/gates/inventory.py build/release/ctest.xml
 
 ##@ The program
-deps: ## install the packages of PURPOSE="build report test check bench references"
+deps: ## install the packages of PURPOSE, as "build report test"; .ci/packages has a list of each
 	@.ci/deps $(PURPOSE)
 
 # This target does not change TRIBOCHECK_BUILD_TESTS, which `make test` sets.
@@ -238,7 +238,7 @@ references: ## make the tables of reference/exact and reference/ehl anew, and ro
 	build/release/reference/generators/generate_point_films reference/ehl/point_films_compressible.csv --compressible
 	build/release/reference/generators/generate_point_films reference/ehl/point_films_between.csv --between
 
-references-check: ## make SAMPLE rows of each table again (default 8), and compare them
+references-check: ## make SAMPLE rows of each exact table and of line films again (default 8), and 5 of point films, and compare them
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references generate_line_films generate_point_films

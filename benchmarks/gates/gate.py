@@ -178,7 +178,7 @@ def hold(gates, program, base_program, baseline, say=print):
 def update(program, path):
     """Writes the baseline, with one line for each row, so that a diff can be read."""
     instructions = {}
-    if measure.valgrind_version() is not None:
+    if measure.valgrind_version() is not None and measure.has_instruction_set(program, measure.VALGRIND_SET):
         instructions = measure.instructions(program)
     found = measure.times([program])
     rounded = {key: [float(f"{part:.4g}") for part in value] for key, value in found.intervals()[0].items()}

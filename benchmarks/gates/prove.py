@@ -90,6 +90,8 @@ def main():
     try:
         plants = [plant for plant in tomllib.loads(PLANTS.read_text())["plant"]
                   if arguments.only in (None, plant["id"])]
+        if not plants:
+            raise measure.Unmeasured(f"--only: {arguments.only} is no plant of {PLANTS.name}")
         print("the same program")
         same = [row("passed", verdict) for verdict in
                 gate.hold(gate.GATES, arguments.program, arguments.program, {}).values()]

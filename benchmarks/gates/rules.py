@@ -51,12 +51,14 @@ def fewer_instructions(base, now):
 
 
 def dearer(now):
-    """A line for each workload of MOST_TIMES that takes more instructions than its limit allows."""
+    """A line for each workload of MOST_TIMES that takes more instructions than its limit allows. Where the other workload was not
+    measured, comparable() says so."""
     for key, count in now.items():
-        workload, instruction_set = key.split(" ")
+        workload, _, instruction_set = key.partition(" ")
         other, limit = MOST_TIMES.get(workload, (None, 0))
-        if other is not None and count > limit * now[f"{other} {instruction_set}"]:
-            yield f"{key}: {count / now[f'{other} {instruction_set}']:.2f} times the instructions of {other}, more than {limit}"
+        of_other = now.get(f"{other} {instruction_set}")
+        if of_other is not None and count > limit * of_other:
+            yield f"{key}: {count / of_other:.2f} times the instructions of {other}, more than {limit}"
 
 
 class Repetition(typing.NamedTuple):

@@ -47,7 +47,7 @@ static double moment(double d) {
     const double t = low + width * (i + 0.5);
     total += t * t * sqrt(t) * exp(-(t + d) * (t + d) / 2);
   }
-  return total * width;
+  return total * width / sqrt(2 * acos(-1));
 }
 int tribocheck_function(const char* name, size_t count, const double* const* argument, double* const* result,
                         int* status) {
@@ -102,7 +102,7 @@ def outcome(done):
 
 def rate(solvers, way, change, runs):
     """The counts of one kind of runs, and the load average of the machine over the last 5 minutes at their end."""
-    runs = runs // 5 if change == "slower_10" else runs
+    runs = max(1, runs // 5) if change == "slower_10" else runs
     counts = collections.Counter(outcome(solvers.bench(way, change)) for _ in range(runs))
     return {"solver": change, "runs": runs, "red": counts["red"], "told": counts["told"], "load": round(os.getloadavg()[1], 1)}
 

@@ -129,6 +129,9 @@ class Proved(Folder):
                 contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
             self.assertEqual(prove.main(), 2)
         self.assertEqual(said.getvalue(), "prove.py: it does not run\n")
+        with mock.patch.object(sys, "argv", ["prove.py", "program", "--only", "typo"]), contextlib.redirect_stderr(io.StringIO()) as said:
+            self.assertEqual(prove.main(), 2)
+        self.assertEqual(said.getvalue(), "prove.py: --only: typo is no plant of planted_work.toml\n")
 
 
 class Rates(Folder):
