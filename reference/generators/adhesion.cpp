@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Smooth bodies that adhere, and the shear stress below a contact.
-#include <array>
-#include <utility>
 
 #include "generators/sampler.hpp"
 #include "generators/table.hpp"

@@ -63,8 +63,8 @@ inline bool is_within_errors(const std::string& one, const std::string& other, s
   const std::vector<double> a = numbers_of(one, count), b = numbers_of(other, count);
   if (a.size() != count || b.size() != count) return false;
   for (std::size_t i = 0; i < count; i += i < keys ? 1 : 2) {
-    if (std::isnan(a[i]) != std::isnan(b[i])) return false;
-    if (std::fabs(a[i] - b[i]) > (i < keys ? 0 : a[i + 1] + b[i + 1])) return false;
+    if (std::isnan(a[i]) && std::isnan(b[i])) continue;
+    if (!(std::fabs(a[i] - b[i]) <= (i < keys ? 0 : a[i + 1] + b[i + 1]))) return false;
   }
   return true;
 }

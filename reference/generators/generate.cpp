@@ -45,14 +45,18 @@ std::vector<std::string> make_rows(const Table& table) {
 }
 
 int make_tables(const std::filesystem::path& folder, const std::string& only) {
+  bool is_known = only.empty();
   for (const Table& table : all_tables()) {
     const std::string file = file_of(table);
     if (!only.empty() && only != file) continue;
+    is_known = true;
     const std::string rows = joined(make_rows(table));
     write_whole(folder / file, header_text(table.header, rows) + rows);
     std::cerr << fmt::format("{}: {} rows\n", file, table.rows.size());
   }
-  return 0;
+  if (is_known) return 0;
+  std::cerr << fmt::format("--only: no table is named {}\n", only);
+  return 2;
 }
 
 int check_sample(const std::filesystem::path& folder, std::uint64_t seed, int count) {
@@ -80,8 +84,10 @@ int main(int argc, char** argv) {
   app.add_option("folder", folder, "where the tables are, or go")
       ->required()
       ->check(CLI::ExistingDirectory);
-  app.add_option("--only", only, "make this file alone");
-  app.add_option("--sample", sample, "make this many rows of each table again and compare bytes");
+  CLI::Option* const of_only = app.add_option("--only", only, "make this file alone");
+  app.add_option("--sample", sample, "make this many rows of each table again and compare bytes")
+      ->check(CLI::PositiveNumber)
+      ->excludes(of_only);
   app.add_option("--seed", seed, "of the sample");
   try {
     app.parse(argc, argv);

@@ -273,11 +273,15 @@ int main(int argc, char** argv) {
   std::uint64_t seed = 1;
   bool is_between = false, is_compressible = false;
   app.add_option("file", file, "where the table is, or goes")->required();
-  app.add_option("--sample", sample, "make this many rows again and compare them");
+  CLI::Option* const of_sample =
+      app.add_option("--sample", sample, "make this many rows again and compare them")
+          ->check(CLI::PositiveNumber);
   app.add_option("--seed", seed, "of the sample");
-  app.add_flag("--between", is_between, "make the films between those of the table, for the map");
+  app.add_flag("--between", is_between, "make the films between those of the table, for the map")
+      ->excludes(of_sample);
   app.add_flag("--compressible", is_compressible,
-               "make the films of a compressible liquid, for the formulas that were fitted to one");
+               "make the films of a compressible liquid, for the formulas that were fitted to one")
+      ->excludes(of_sample);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

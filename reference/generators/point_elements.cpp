@@ -21,7 +21,6 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr double even = 1.25, stretched = 0.35;  // of graded(), over the semi-axes
 constexpr double rounding = 1e-5;                // of the penalty's corner at 0, in P(1 + gap²)
 constexpr double most_change = 0.1;              // of P at a node, in a step
-using Nodes = std::vector<double>;               // rising
 
 // Weights of the values at a node and both neighbours, at distances l and r, in the node's slope.
 // They are of second order.

@@ -2,8 +2,6 @@
 // Rough faces: plasticity, a summit that yields, the area of contact, flow, and the lambda ratio.
 #include <arb_hypgeom.h>
 
-#include <utility>
-
 #include "generators/sampler.hpp"
 #include "generators/table.hpp"
 #include "generators/zeros.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starvation ratios and onset constants.
-#include <array>
+#include <utility>
 
 #include "generators/sampler.hpp"
 #include "generators/starved_film.hpp"

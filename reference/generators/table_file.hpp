@@ -11,12 +11,14 @@
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -45,7 +47,12 @@ inline void write_whole(const std::filesystem::path& file, const std::string& te
     std::cerr << "cannot write " << temporary.string() << ": is the disk full?\n";
     std::exit(1);
   }
-  std::filesystem::rename(temporary, file);
+  std::error_code failure;
+  std::filesystem::rename(temporary, file, failure);
+  if (failure) {
+    std::cerr << "cannot write " << file.string() << ": " << failure.message() << '\n';
+    std::exit(1);
+  }
 }
 
 inline std::string joined(const std::vector<std::string>& rows) {
