@@ -57,6 +57,7 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
     const auto values = variables.subspan(first * count, some * count);
     const auto to = results.subspan(first * width, some * width);
     if (only_contact_) {
+      if (is_stopped()) throw Stopped();
       solve_speeds(values, to);
       continue;
     }

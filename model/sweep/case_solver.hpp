@@ -19,8 +19,8 @@ namespace tribo::sweep {
 // Two threads must not use one solver at once: each thread has its own.
 class CaseSolver {
  public:
-  // stopped() is asked for each case, but not where the speed alone varies (only_contact_). Once it
-  // gives true, solve() throws Stopped.
+  // stopped() is asked for each case, or for each 256 where the speed alone varies (only_contact_).
+  // Once it gives true, solve() throws Stopped.
   explicit CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped = {});
 
   // variables: the values of each case's variables. results: the values of each case's columns, NaN

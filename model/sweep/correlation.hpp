@@ -4,8 +4,6 @@
 // thus the correlation of normal variables themselves, and of the logarithms of log-normal ones.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/hdf5_handles.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 

@@ -21,10 +21,10 @@ std::string time_text(double seconds) {
     std::snprintf(written.data(), written.size(), form, seconds / unit);
     return std::string(written.data());
   };
-  if (seconds < 100) return text("%.2g s", 1);
-  if (seconds < 6000) return text("%.2g min", 60);
+  if (seconds < 99.5) return text("%.2g s", 1);
+  if (seconds < 99.5 * 60) return text("%.2g min", 60);
   if (seconds < 2e5) return text("%.2g h", 3600);
-  return text("%.3g days", 86400);
+  return text(seconds < 999.5 * 86400 ? "%.3g days" : "%.0f days", 86400);
 }
 
 }  // namespace tribo::sweep

@@ -2,6 +2,8 @@
 // Work on several threads, or on fewer where the system does not allow so many.
 #pragma once
 
+#include <sched.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -13,10 +15,13 @@
 
 namespace tribo {
 
-// The number of threads that `threads` asks for; 0 asks for one on each processor of the machine.
+// The number of threads that `threads` asks for; 0 asks for one on each processor that this process
+// may run on, as taskset or a batch system allows.
 inline int thread_count(int threads) {
-  return threads > 0 ? threads
-                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (threads > 0) return threads;
+  cpu_set_t allowed;
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) return CPU_COUNT(&allowed);
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 // Calls work() once on each of `count` threads, of which the calling one is the first, and waits

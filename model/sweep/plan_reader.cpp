@@ -391,14 +391,18 @@ class SweepBinder {
   }
 
   // Advice on a lower bound, and the part that it cuts off, for a normal distribution with a mean
-  // above 0 that reaches 0 or less. Empty for all others.
+  // above the least of its field that reaches beyond it. Empty for all others.
   static std::string bound_text(const Variable& variable, double value) {
     const double mean = variable.nominal;
-    if (variable.distribution.kind() != DistributionKind::normal || !(value <= 0 && mean > 0))
+    const double least = scene_fields()[scene_detail::field_at(variable.path)].minimum;
+    if (variable.distribution.kind() != DistributionKind::normal ||
+        !(value <= least && mean > least))
       return {};
-    const double bound = std::max(mean - 0.5 * (mean - value), mean / 100);
+    const double bound = std::max(mean - 0.5 * (mean - value), least + (mean - least) / 100);
+    const double part = variable.distribution.part_beyond(bound, false);
     return ", as from = " + scene_detail::rounded_text(bound) + ", which cuts off " +
-           scene_detail::rounded_text(variable.distribution.part_beyond(bound, false)) + " of it";
+           scene_detail::rounded_text(part) + " of it" +
+           (part > 1e-3 && least == 0 ? ", or take a log_normal distribution" : "");
   }
 
   // How much of a distribution with tails is beyond the range of its field; empty where the allowed

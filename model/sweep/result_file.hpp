@@ -123,7 +123,8 @@ struct CaseRange {
 // result of `tribocheck sweep`.
 class ResultFile {
  public:
-  explicit ResultFile(const std::string& path);
+  // Throws Stopped once stopped() gives true, while the checksum is read.
+  explicit ResultFile(const std::string& path, const std::function<bool()>& stopped = {});
   // The result that this process itself has written at `path`; `own` is its open file.
   ResultFile(const std::string& path, Descriptor own);
 

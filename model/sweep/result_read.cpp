@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -339,9 +340,9 @@ const ColumnResult* SceneResult::column(std::string_view name) const {
   return found == columns.end() ? nullptr : &*found;
 }
 
-ResultFile::ResultFile(const std::string& path)
+ResultFile::ResultFile(const std::string& path, const std::function<bool()>& stopped)
     : path_(path), file_(open_file(path, O_RDONLY, path + " cannot be read")), is_own_(false) {
-  if (const std::string why = broken_seal(file_, path, "result"); !why.empty())
+  if (const std::string why = broken_seal(file_, path, "result", stopped); !why.empty())
     throw std::runtime_error(path + ' ' + why);
 }
 
@@ -375,6 +376,8 @@ Result ResultFile::read_with(Read&& read) const {
     return result;
   } catch (const NotThere& why) {
     throw std::runtime_error(path_ + ' ' + why.what());
+  } catch (const std::system_error&) {  // such an error says nothing about the file
+    throw;
   } catch (const std::exception& error) {
     throw std::runtime_error(path_ + ' ' + not_whole + error.what());
   }

@@ -147,7 +147,7 @@ class Starter {
       if (!settings_.resume)
         throw RunRefused(path + " is there already; --resume keeps it if it is this sweep's, " +
                          "--force replaces it");
-      const std::string why = why_not_it();
+      const std::string why = why_not_it(settings_.stopped);
       if (why.empty()) {
         remove_all(files);
         return {true, {}, {}};
@@ -178,8 +178,9 @@ class Starter {
   }
 
   // Why the file at the output is not what this run makes; empty if it is.
-  std::string why_not_it() const {
-    return settings_.shard ? of_shard(settings_.result) : of_result(settings_.result);
+  std::string why_not_it(const std::function<bool()>& stopped = {}) const {
+    return settings_.shard ? of_shard(settings_.result, stopped)
+                           : of_result(settings_.result, stopped);
   }
 
   // Why this run cannot use a part; empty if it can.
@@ -198,9 +199,9 @@ class Starter {
   }
 
  private:
-  std::string of_result(const std::string& path) const {
+  std::string of_result(const std::string& path, const std::function<bool()>& stopped) const {
     try {
-      const ResultIdentity identity = ResultFile(path).identity();
+      const ResultIdentity identity = ResultFile(path, stopped).identity();
       const bool is_mine = identity.digest == plan_.digest;
       if (!is_mine && identity.version != plan_.version)
         return path + " was computed by tribocheck " + identity.version + ", this is " +
@@ -210,14 +211,18 @@ class Starter {
       if (!is_mine) theirs.digest.clear();
       const std::string why = difference(header_, theirs, settings_.mixed_fma);
       return why.empty() ? why : path + ' ' + why;
+    } catch (const Stopped&) {
+      throw;
+    } catch (const std::system_error&) {  // such an error says nothing about the file
+      throw;
     } catch (const std::runtime_error& error) {
       return error.what();
     }
   }
 
-  std::string of_shard(const std::string& path) const {
+  std::string of_shard(const std::string& path, const std::function<bool()>& stopped) const {
     try {
-      const Part part(path);
+      const Part part(path, stopped);
       std::string why = difference(header_, part.header(), settings_.mixed_fma);
       if (!why.empty()) return path + ' ' + why;
       if (!is_of_shard(part, *settings_.shard)) return path + " is another shard";
@@ -227,6 +232,10 @@ class Starter {
       return std::find(parts.begin(), parts.end(), false) == parts.end()
                  ? ""
                  : path + " is another shard, or not the whole of this one";
+    } catch (const Stopped&) {
+      throw;
+    } catch (const std::system_error&) {
+      throw;
     } catch (const std::runtime_error& error) {
       return error.what();
     }
@@ -239,6 +248,8 @@ class Starter {
         const Part part(path, settings_.stopped);
         return refusal(part).empty() && (replaces.empty() || part.header().replaces == replaces);
       } catch (const Stopped&) {
+        throw;
+      } catch (const std::system_error&) {
         throw;
       } catch (const std::runtime_error&) {
         return false;
@@ -684,6 +695,8 @@ RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSetting
       throw RunRefused(shards.front() + " is of a sweep that this tribocheck lays out otherwise");
     chunks.emplace(std::move(parts), plan->chunks(), settings.mixed_fma);
   } catch (const Stopped&) {
+    throw;
+  } catch (const std::system_error&) {
     throw;
   } catch (const std::runtime_error& error) {
     throw RunRefused(error.what());

@@ -434,14 +434,17 @@ class BadSweeps(SweepTest):
           "truncate it with `from`"]),
         ({"lubricant.viscosity": '{ distribution = "normal", mean = 0.0202, sd = 0.01 }'}, {},
          ["lubricant.viscosity: this normal distribution reaches −0.06",
-          "; viscosity must be a number above 0, in Pa·s: truncate it with `from`",
-          "; 0.0217 of it lies beyond that range"]),
-        # 0.0217 above is Φ(−2.02). Below, 9.87e-10 is Φ(−6), and 3.17e-05 is Φ(−4).
+          "; viscosity must be a number above 0, in Pa·s: truncate it with `from`, as from = 0.000202, which cuts off 0.0228 of it, "
+          "or take a log_normal distribution; 0.0217 of it lies beyond that range"]),
+        # Φ(−2.02), Φ(−6) and Φ(−4)
         ({"lubricant.viscosity": '{ distribution = "normal", mean = 0.06, sd = 0.01 }'}, {},
          [", as from = 0.0", ", which cuts off ", " of it; 9.87e-10 of it lies beyond that range"]),
         ({"bodies.effective_modulus": None, "bodies.first_modulus": "2e11", "bodies.second_modulus": "2e11", "bodies.second_poisson_ratio": "0.3",
           "bodies.first_poisson_ratio": '{ distribution = "normal", mean = 0.3, sd = 0.05 }'}, {},
          ["must be a number above -1 and at most 0.5: truncate it with `to`", "; 3.17e-05 of it lies beyond that range"]),
+        ({"bodies.effective_modulus": None, "bodies.first_modulus": "2e11", "bodies.second_modulus": "2e11", "bodies.second_poisson_ratio": "0.3",
+          "bodies.first_poisson_ratio": '{ distribution = "normal", mean = 0.3, sd = 0.4, to = 0.4 }'}, {},
+         ["must be a number above -1 and at most 0.5: truncate it with `from`, as from = -0.989, which cuts off "]),
         ({"load": '{ distribution = "uniform", from = -3, to = 5 }'}, {},
          ["load: this uniform distribution reaches −3; load must be a number above 0, in N"]),
         ({"friction.viscosity": '"roelands"', "lubricant.viscosity":

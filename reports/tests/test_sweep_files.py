@@ -313,8 +313,8 @@ class Meanwhile(SweepTest):
 class Threads(SweepTest):
     """A sweep where the system allows fewer threads than are asked for."""
 
-    def run_with(self, most, *arguments):
-        environment = dict(ENVIRONMENT, LD_PRELOAD=preloadable("few_threads"), MOST_THREADS=str(most))
+    def run_with(self, most, *arguments, **more):
+        environment = dict(ENVIRONMENT, LD_PRELOAD=preloadable("few_threads"), MOST_THREADS=str(most), **more)
         environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0"
         return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=100, env=environment)
 
@@ -331,6 +331,22 @@ class Threads(SweepTest):
                     self.assertIn(f"the system allows {most} of the 16 threads", done.stderr)
                     self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
         self.assertEqual([name for name in self.names() if name.startswith("out.")], ["out.h5"])
+
+    def test_a_sweep_that_may_start_no_process_to_read_a_result_says_nothing_of_the_result(self):
+        self.swept(SHORT)
+        done = self.run_with(99, "sweep", self.path("sweep.toml"), "-o", self.path("out.h5"), "--resume", NO_PROCESSES="1")
+        self.assertEqual((done.returncode, done.stderr), (1, "tribocheck: cannot start a process: Resource temporarily unavailable\n"))
+
+    def test_as_many_threads_are_taken_as_processors_are_allowed(self):
+        path = self.folder.write("sweep.toml", SHORT)
+        allowed = os.sched_getaffinity(0)
+        for some in ({min(allowed)}, allowed):
+            os.sched_setaffinity(0, some)
+            try:
+                said = run("sweep", path, "--estimate").out
+            finally:
+                os.sched_setaffinity(0, allowed)
+            self.assertRegex(said, rf"(?m)^time .* on {len(some)} threads?$")
 
     def test_solve_and_reproduce_give_the_same_with_any_number(self):
         path = self.folder.write("scene.toml", scene(speed={"from": 1e-4, "to": 3, "count": 9000}))

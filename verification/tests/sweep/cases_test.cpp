@@ -289,6 +289,8 @@ TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
       CaseSolver(sweep).solve(alone, row);
       EXPECT_EQ(bits_of_row(row, 0), expected) << kind << ", case " << i;
     }
+    CaseSolver stopped(sweep, [] { return true; });
+    EXPECT_THROW(stopped.solve(values, together), Stopped) << kind;
   }
 }
 
