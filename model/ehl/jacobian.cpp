@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ehl/jacobian.hpp"
 
-#include <algorithm>
-
 namespace tribo::ehl {
 
 Jacobian::Jacobian(const FilmKernel& kernel, std::span<const BalanceSlopes> slopes,

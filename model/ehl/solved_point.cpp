@@ -202,7 +202,7 @@ SolvedPoint solve_from_coarsest(const PointContact& contact, int cells, const Po
     const double times = share_beside * (1 << (grids.size() - 1));
     const PointFilm beside =
         solve_on(contact, coarsest.finer(static_cast<int>(times)), film, watch);
-    if (beside.outcome == Outcome::stopped && failed(beside)) return solved;
+    if (beside.outcome == Outcome::stopped) failed(beside);
     if (beside.outcome == Outcome::solved) {
       const FilmFeatures features = features_of(beside, options.integrand);
       estimate_all(solved, contact, grids, larger, &features);
@@ -314,7 +314,7 @@ SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& op
   for (int i = 0; i < most_coarsest_grids && cells > 0;
        ++i, cells = more_cells(contact, cells, options)) {
     solved = solve_from_coarsest(contact, cells, options, watch);
-    if (solved.outcome == Outcome::stopped) return solved;
+    if (solved.outcome == Outcome::stopped) return best.outcome == Outcome::solved ? best : solved;
     tried += text(i == 0 ? "%d" : ", %d", cells);
     if (solved.outcome != Outcome::solved) continue;
     const bool is_last = is_met(solved, options) || !is_short_of_nodes(solved, options);

@@ -57,8 +57,9 @@ inline constexpr int most_coarsest_grids = 3;
 int more_cells(const PointContact& contact, int cells, const PointOptions& options);
 
 // Error of each film: its Estimate, from three grids or more and from a larger one. Where the
-// tolerance was not met, the outcome is `solved` all the same, the films hold with their errors,
-// and `reason` says which error was reached.
+// tolerance was not met, or a grid after the third one failed or was stopped, the outcome is
+// `solved` all the same, the films hold with their errors, and `reason` says which error was
+// reached.
 SolvedPoint solve_point_film(const PointContact& contact, const PointOptions& options = {},
                              const Watch& watch = {});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages of the solvers, in printf()'s formats. A longer message is cut to 299 bytes.
+// Messages of the solvers, in printf()'s formats.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 
@@ -10,9 +10,9 @@ namespace tribo::ehl {
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
-  std::array<char, 300> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
+  std::string line(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
+  std::snprintf(line.data(), line.size() + 1, format, values...);
+  return line;
 }
 
 }  // namespace tribo::ehl

@@ -15,6 +15,7 @@
 #include "ehl/films.hpp"
 #include "ehl/reynolds.hpp"
 #include "ehl/sampled_contact.hpp"
+#include "ehl/text.hpp"
 #include "support/judge.hpp"
 #include "support/threshold.hpp"
 
@@ -328,6 +329,7 @@ TEST(SolveLineFilm, SaysOfTheContactItselfWhyThereIsNoFilm) {
       film.reason.starts_with("no film was found at M = 10 and L = 25, αp₀ = 1e+07, from "
                               "coarsest grids of 64 cells; on the grid of "))
       << film.reason;
+  EXPECT_EQ(ehl::text("%s", std::string(400, 'x').c_str()), std::string(400, 'x'));  // is not cut
   // Too few grids are told with their reason, too.
   EXPECT_TRUE(says(ehl::solve_line_film(ehl::barus_contact(10, 5), {.greatest_cells = 128}),
                    ehl::Outcome::not_converged,

@@ -3,10 +3,12 @@
 // second computation, and whole films are compared with finer grids and limits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "ehl/far_inlet.hpp"
 #include "ehl/film_features.hpp"
@@ -407,6 +409,22 @@ TEST(SolvePointFilm, SaysThatTheToleranceWasNotMet) {
   EXPECT_EQ(film.grids, 3);
   EXPECT_NE(film.reason.find("the tolerance of 1e-06 was not met"), std::string::npos);
   EXPECT_TRUE(solved_point(ehl::barus_point(20, 10), 1e-2).reason.empty());
+  // A film of three grids is kept where the grid beside them, the first that is coarser than the
+  // one before it and not the longer one, is stopped.
+  int finest = 0;
+  const ehl::SolvedPoint stopped = ehl::solve_point_film(
+      ehl::barus_point(20, 0), {.tolerance = 1e-3, .greatest_nodes = 20'000},
+      [&, first = 0, is_stopped = false](const ehl::Step& step) mutable {
+        if (first == 0) first = step.cells;
+        finest = std::max(finest, step.cells);
+        is_stopped = is_stopped || (finest > 3 * first && step.cells < finest);
+        return !is_stopped;
+      });
+  EXPECT_EQ(stopped.outcome, ehl::Outcome::solved);
+  EXPECT_EQ(stopped.grids, 3);
+  EXPECT_EQ(stopped.film.grid.count_x() - 1, finest);
+  EXPECT_NE(stopped.reason.find("was not met"), std::string::npos) << stopped.reason;
+  EXPECT_NE(stopped.reason.find("; stopped on the grid of"), std::string::npos) << stopped.reason;
 }
 
 }  // namespace
