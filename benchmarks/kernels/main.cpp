@@ -86,7 +86,8 @@ class Benchmark {
   std::unique_ptr<Known> known_;
 };
 
-// The names "job/family/name" of all registered contenders.
+// The names of all registered contenders, as the library has them: "job/family/name", and
+// "job/family/name/manual_time" where another process is timed.
 std::vector<std::string>& registered_names() {
   static std::vector<std::string> all;
   return all;
@@ -94,8 +95,8 @@ std::vector<std::string>& registered_names() {
 
 void register_benchmark(Measured measured) {
   const std::string name = measured.job + "/" + measured.family + "/" + measured.name;
-  registered_names().push_back(name);
   const bool elsewhere = static_cast<bool>(measured.own_seconds);
+  registered_names().push_back(elsewhere ? name + "/manual_time" : name);
   const auto shared = std::make_shared<Benchmark>(std::move(measured));
   auto* const registered = benchmark::RegisterBenchmark(
       name.c_str(), [shared](benchmark::State& state) { (*shared)(state); });
@@ -129,9 +130,9 @@ bool asks_for_another_format(int count, char** arguments) {
 
 // Google Benchmark reads the filter as an extended regular expression, which a leading '-' negates.
 bool matches_any(std::string filter, std::span<const std::string> names) {
+  if (filter.empty() || filter == "all") return !names.empty();
   const bool is_negative = filter.starts_with('-');
   if (is_negative) filter.erase(0, 1);
-  if (filter.empty() || filter == "all") return !names.empty();
   const std::regex expression(filter, std::regex::extended);
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
     return std::regex_search(name, expression) != is_negative;
@@ -213,11 +214,13 @@ int main(int count, char** arguments) {
   const int output = is_json ? tribo::conformance::take_stdout() : -1;
   try {
     if (plugin) register_plugin(*plugin);
+    if (!matches_any(benchmark::GetBenchmarkFilter(), registered_names()))
+      return refuse(2, "no contender matches the filter", output);
   } catch (const tribo::conformance::PluginRefused& refusal) {
     return refuse(exit_plugin_refused, std::string("refused: ") + refusal.what(), output);
+  } catch (const std::regex_error&) {
+    return refuse(2, "the filter is no regular expression", output);
   }
-  if (!matches_any(benchmark::GetBenchmarkFilter(), registered_names()))
-    return refuse(2, "no contender matches the filter", output);
   Console console;
   if (is_json)
     run_as_json(output);

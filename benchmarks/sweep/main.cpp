@@ -33,6 +33,7 @@ class Table : public benchmark::BenchmarkReporter {
       const std::string& name = run.run_name.function_name;
       if (run.error_occurred) {
         std::fputs(fmt::format("{}: {}\n", name, run.error_message).c_str(), stderr);
+        has_failed_ = true;
         continue;
       }
       if (!rows_.contains(name)) names_.push_back(name);
@@ -42,6 +43,8 @@ class Table : public benchmark::BenchmarkReporter {
       row.ns.push_back(time / run.counters.at("points").value);
     }
   }
+
+  bool has_failed() const { return has_failed_; }
 
   void Finalize() override {
     std::string text;
@@ -70,6 +73,7 @@ class Table : public benchmark::BenchmarkReporter {
   };
   std::vector<std::string> names_;
   std::map<std::string, Row> rows_;
+  bool has_failed_ = false;
 };
 
 }  // namespace
@@ -93,5 +97,5 @@ int main(int count, char** arguments) {
   Table table;
   benchmark::RunSpecifiedBenchmarks(is_table ? &table : nullptr);
   benchmark::Shutdown();
-  return 0;
+  return table.has_failed() ? 1 : 0;
 }

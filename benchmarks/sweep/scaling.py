@@ -153,6 +153,8 @@ def bench(sweeps, chosen, repetitions):
                                       f"--benchmark_filter={chosen}"]))["benchmarks"]:
         if run["run_type"] != "iteration":
             continue
+        if run.get("error_occurred"):
+            raise SystemExit(f"{run['name']}: {run['error_message']}")
         workload, contender = run["name"].split("/iterations:")[0].split("/", 1)
         nanoseconds = run["real_time" if "threads" in run else "cpu_time"] / run["points"]
         found.setdefault(workload, {}).setdefault(contender, []).append(nanoseconds)

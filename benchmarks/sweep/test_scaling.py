@@ -99,6 +99,9 @@ class Times(Folder):
                          {"w": {"alone": 20, "chunks with points, threads: 2": 2}, "v": {"stage: draw": 5}})
         self.assertEqual(self.asked, [[str(self.folder.resolve() / "build/tribocheck_bench_sweep"), "--benchmark_format=json", "--benchmark_repetitions=7",
                                        "--benchmark_min_time=0.02", "--benchmark_filter=/alone$"]])
+        rows.append({"name": "w/points/iterations:3", "run_type": "iteration", "error_occurred": True, "error_message": "other results"})
+        with self.assertRaisesRegex(SystemExit, "w/points/iterations:3: other results"):
+            scaling.bench(sweeps, "/alone$", 7)
 
 
 class Parts(Folder):
