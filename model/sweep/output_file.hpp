@@ -99,6 +99,7 @@ class PartFile {
   int file() const { return file_; }
   // A path by which a library or a child process opens this file, even if its name leads elsewhere.
   std::string open_path() const { return open_path_of(file_); }
+  const std::string& path() const { return place_.path(); }
   void write(std::string_view content) const;
   void keep(const Replaceable& replaceable);
   // Gives the open file away. To be called after keep().
