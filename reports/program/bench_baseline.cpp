@@ -33,7 +33,7 @@ std::optional<double> control_of(const BenchResults& results) {
 json optional_json(const std::optional<double>& x) { return x ? json(*x) : json(nullptr); }
 std::optional<double> optional_number(const json& row, const char* field) {
   const json& value = row.at(field);
-  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
 constexpr auto time_fields =

@@ -280,8 +280,8 @@ class Gate(unittest.TestCase):
         for broken in (1, {}, {**baseline["rows"][MINE], "max_ulp": "x", "judged": []}):
             self.path.write_text(json.dumps({**baseline, "rows": {**baseline["rows"], MINE: broken}}))
             done = self.gate(self.rows)
-            if done.code != 0:  # a text in place of a number
-                self.assertEqual((done.code, len(done.error_lines)), (2, 1), done.err)
+            self.assertEqual((done.code, done.out, len(done.error_lines)), (2, "", 1), done.err)
+            self.assertIn("it is no baseline of `tribocheck bench`", done.err)
 
     def test_a_run_that_ends_without_results_is_one_line(self):
         for end, words in (("sys.exit(0)", "exit code 0"), ("sys.exit(2)", "exit code 2"),
