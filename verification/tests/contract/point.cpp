@@ -669,8 +669,9 @@ double allowed_ulp(const Contract& contract, double condition) {
 }
 
 bool is_at_the_ends(double got, long double expected) {
-  return (std::abs(expected) < 1e-290L && std::abs(got) < 2e-290) ||
-         (std::isinf(got) && expected > 1e280L);
+  const bool is_of_its_sign = got == 0 || std::signbit(got) == std::signbit(expected);
+  return is_of_its_sign && ((std::abs(expected) < 1e-290L && std::abs(got) < 2e-290) ||
+                            (std::isinf(got) && expected > 1e280L));
 }
 
 }  // namespace tribo::verification

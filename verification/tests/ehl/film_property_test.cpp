@@ -187,9 +187,12 @@ std::map<int, int> steps_by_cells(const ehl::LineContact& contact,
 }
 
 TEST(SolveLineFilm, FactorsItsEquationsOnceOnAGridWhereTheFilmHasNoSpike) {
-  for (const auto& [m, l] : {std::array<double, 2>{1, 0}, {10, 5}})
-    for (const auto& [cells, steps] : steps_by_cells(ehl::barus_contact(m, l), {}))
+  for (const auto& [m, l] : {std::array<double, 2>{1, 0}, {10, 5}}) {
+    const std::map<int, int> by_cells = steps_by_cells(ehl::barus_contact(m, l), {});
+    EXPECT_FALSE(by_cells.empty());
+    for (const auto& [cells, steps] : by_cells)
       EXPECT_EQ(steps, 1) << "M = " << m << ", L = " << l << ", " << cells << " cells";
+  }
 }
 
 TEST(SolveLineFilm, SolvesTheGridBesideTheFinestAloneWhereTheErrorsOfOthersAreTooGreatWithoutIt) {
