@@ -74,8 +74,7 @@ TEST(Chunk, OfDamagedBytesIsRefusedOrReadWithoutHarm) {
     Bytes damaged = bytes;
     const std::size_t first = random() % damaged.size();
     const std::size_t end = std::min(first + 1 + random() % 8, damaged.size());
-    for (std::size_t k = first; k < end; ++k)
-      damaged[k] = static_cast<std::byte>(random());
+    for (std::size_t k = first; k < end; ++k) damaged[k] = static_cast<std::byte>(random());
     refused += error_with(damaged) == "none" ? 0 : 1;
   }
   EXPECT_GT(refused, 100);
