@@ -216,7 +216,8 @@ double MixedContact<double>::flooded_film_parameter(double speed) const {
 }
 
 double MixedContact<double>::speed_at(double flooded_film_parameter) const {
-  if (!is_within_engine(1)) return narrow(in<Wide>().speed_at(Wide(flooded_film_parameter)));
+  if (!film().has_fixed_exponents() || !is_within_engine(1))
+    return narrow(in<Wide>().speed_at(Wide(flooded_film_parameter)));
   return detail::engine().power(flooded_film_parameter / numbers_.surface.film_at_unit_speed,
                                 inverse(film().speed_exponent));
 }

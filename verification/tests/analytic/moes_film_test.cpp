@@ -190,6 +190,9 @@ TEST(MoesFilm, LoadSharingHasTheRootOfABisection) {
         EXPECT_TRUE(is_within(in_double.shares.fluid, double(film.shares.fluid),
                               3e-13 * double(film.shares.fluid)));
         const Long free = contact.flooded_film_parameter(speed);
+        const double speed_of_free =
+            MixedContact<double>(scene).speed_at(static_cast<double>(free));
+        EXPECT_TRUE(is_within(speed_of_free / speed, 1, 1e-11));
         if (free < contact.sharing().floor()) ++below_floor;
         if (film.shares.asperity > 0.01L && film.shares.fluid > 0.01L) ++shared;
         if (!(film.shares.fluid > 0)) continue;
