@@ -9,11 +9,11 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <thread>
 
 #include "contenders/textbook_point_film.hpp"
 #include "ehl/film_features.hpp"
 #include "support/judge.hpp"
+#include "sweep/on_threads.hpp"
 #include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
@@ -98,7 +98,7 @@ TEST(PointFilmGrowth, IsMeasuredOnEverFinerGridsOfBothSolvers) {
 
 TEST(PointFilmGrowth, IsMeasuredOnEachNumberOfThreadsThatHaveACore) {
   const Rows rows = point_films_on_threads(1);
-  ASSERT_EQ(rows.size(), std::bit_width(std::thread::hardware_concurrency()));
+  ASSERT_EQ(rows.size(), std::bit_width(static_cast<unsigned>(thread_count(0))));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].at("threads"), 1 << i);
     EXPECT_GT(rows[i].at("ns").get<double>(), 0);

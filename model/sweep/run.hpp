@@ -32,7 +32,7 @@ struct RunProgress {
 
 struct RunSettings {
   std::string result;  // path of the HDF5 file, or of the shard
-  int threads = 0;     // of each rank; 0: as many as the machine has, 1 under mpirun
+  int threads = 0;     // of each rank; 0: as many as it may run on, 1 under mpirun
   std::optional<Shard> shard;
   bool resume = false;     // go on with parts that are there
   bool join = false;       // as resume, but also help a process that owns the output already

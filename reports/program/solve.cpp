@@ -308,9 +308,10 @@ Command add_solve(CLI::App& program) {
   app->footer(footer_with_scenes(footer()));
   const auto arguments = std::make_shared<SolveArguments>();
   add_scene_arguments(*app, *arguments);
-  app->add_option("--threads", arguments->threads,
-                  "threads for scenes of many speeds (default: all the machine has); the results "
-                  "are the same bits for any number")
+  app->add_option(
+         "--threads", arguments->threads,
+         "threads for scenes of many speeds (default: all that it may run on); the results "
+         "are the same bits for any number")
       ->check(CLI::Range(1, 1024));
   app->add_flag("--about", arguments->is_about_scenes,
                 "in place of its points, all inputs of a scene, its dry contact, and the work that "

@@ -518,7 +518,7 @@ Command add_sweep(CLI::App& program) {
                   "the result, an HDF5 file (with --shard a shard)");
   add_output_options(*app, *arguments);
   app->add_option("--threads", arguments->run.threads,
-                  "threads of each process (default: all the machine has; under mpirun 1)")
+                  "threads of each process (default: all that it may run on; under mpirun 1)")
       ->check(CLI::Range(1, 4096));
   add_strict_option(*app, arguments->is_strict);
   app->add_flag("--estimate", arguments->estimate,

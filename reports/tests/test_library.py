@@ -30,7 +30,8 @@ def decimal_comma():
     with tempfile.TemporaryDirectory() as folder:
         source = pathlib.Path(folder) / "comma.def"
         source.write_text('comment_char %\nescape_char /\nLC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n')
-        subprocess.run(["localedef", "-c", "-i", source, f"{folder}/comma"], capture_output=True)  # it warns of all that is left out
+        made = subprocess.run(["localedef", "-c", "-i", source, f"{folder}/comma"], capture_output=True, text=True)
+        assert os.path.isdir(f"{folder}/comma"), made.stderr  # otherwise it warns of all that is left out
         with mock.patch.dict(os.environ, LOCPATH=folder):
             locale.setlocale(locale.LC_NUMERIC, "comma")
         try:

@@ -91,11 +91,12 @@ class Diagnoser {
     return named;
   }
 
- private:
   static bool has_left(const AnsweredCase& one) {
     return std::any_of(one.numbers.begin(), one.numbers.end(),
                        [](const AnsweredNumber& number) { return number.is_left(); });
   }
+
+ private:
   void find_causes() {
     for (int i = 0; i < most_causes && any_left(); ++i) {
       Cause cause = find_cause(cases_, mistakes_, {});
@@ -320,6 +321,10 @@ class Diagnoser {
     const double given = followed.numbers[number.place];
     if (number.is_explained || !std::isfinite(given)) return;
     number.is_wrong = !is_met(number, followed);
+    expect(number, given);
+  }
+
+  void expect(AnsweredNumber& number, double given) {
     shifted_.push_back(*number.expected);
     shifted_.back().high = given;
     shifted_.back().low = 0;
@@ -443,8 +448,13 @@ class Diagnoser {
       Question question = one.question;
       for (const Mistake* const mistake : mistakes) mistake->before(question);
       const Followed misread{&one, question, right_numbers(question), closeness_of_misread, {}};
-      for (AnsweredNumber& number : one.numbers)
-        if (number.is_left()) shift(number, misread);
+      for (AnsweredNumber& number : one.numbers) {
+        const double given = misread.numbers[number.place];
+        if (number.is_left())
+          shift(number, misread);
+        else if (number.is_explained && std::isfinite(given))
+          expect(number, given);  // a further mistake does not change it by what these do
+      }
       one.question = std::move(question);
     }
   }
@@ -693,8 +703,9 @@ std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
         if (one.name() == other) below.push_back(&one);
     std::vector<AnsweredCase> answered = answered_cases(function, cases, conversation, tolerance);
     std::vector<Mistake> solved = solved_mistakes(answered);
-    for (Mistake& one : kept_parts(answered, questions_in_order(function, cases)))
-      solved.push_back(std::move(one));
+    if (std::any_of(answered.begin(), answered.end(), Diagnoser::has_left))
+      for (Mistake& one : kept_parts(answered, questions_in_order(function, cases)))
+        solved.push_back(std::move(one));
     for (Mistake& one : solved)
       if (std::none_of(mistakes.begin(), mistakes.end(),
                        [&](const Mistake& known) { return known.name == one.name; }))

@@ -101,11 +101,17 @@ std::vector<KeptPart> parts_of(const catalogue::Function& function) {
   return all;
 }
 
-// Whether these numbers are all that was answered, some of it wrong.
+// Whether the finite ones of these numbers are what was answered.
 bool are_answers(const AnsweredCase& one, const Numbers& given) {
   return std::all_of(one.numbers.begin(), one.numbers.end(), [&](const AnsweredNumber& number) {
     const double value = given[number.place];
     return !std::isfinite(value) || std::abs(number.got - value) <= number.allowed_of(value);
+  });
+}
+
+bool tells_a_wrong_answer(const AnsweredCase& one, const Numbers& given) {
+  return std::any_of(one.numbers.begin(), one.numbers.end(), [&](const AnsweredNumber& number) {
+    return number.is_wrong && std::isfinite(given[number.place]);
   });
 }
 
@@ -179,7 +185,9 @@ std::optional<Mistake> kept(const KeptPart& part, const std::vector<Probe>& prob
     if (!std::isfinite(own)) continue;
     const auto donor = std::find_if(before.begin(), before.end(), [&](const Question* one) {
       const double value = part.get(*one);
-      return std::isfinite(value) && value != own && are_answers(*of, part.with(of->asked, value));
+      if (!std::isfinite(value) || value == own) return false;
+      const Numbers given = part.with(of->asked, value);
+      return tells_a_wrong_answer(*of, given) && are_answers(*of, given);
     });
     if (++looked_at >= fewest_kept_probes && donor == before.end() && met == 0) return {};
     if (donor == before.end()) continue;
@@ -189,7 +197,7 @@ std::optional<Mistake> kept(const KeptPart& part, const std::vector<Probe>& prob
     for (std::size_t i = 0; i < inputs_of(of->asked).size(); ++i)
       if (depends(part, of->asked, i)) needed.insert(i);
   }
-  if (met < fewest_kept_probes || 2 * met < looked_at) return {};
+  if (met < fewest_kept_probes || 2 * met < looked_at || lacking.empty()) return {};
   std::vector<std::size_t> key;
   std::set_difference(needed.begin(), needed.end(), lacking.begin(), lacking.end(),
                       std::back_inserter(key));
