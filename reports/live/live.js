@@ -170,10 +170,9 @@ function tomlOf(state) {
   return Object.entries(told).map(([section, lines]) => (section ? `\n[${section}]\n` : "") + lines.join("\n") + "\n").join("");
 }
 
-const FRICTION = ["lubricant.eyring_stress", "friction.boundary_coefficient"];  // the fields without which it is undefined
 function pythonOf(state) {
   return `import tribocheck\n\nscene = tribocheck.Scene("""\n${tomlOf(state).replaceAll("\\", "\\\\")}""")\n` +
-    `print(scene.solve([${Number(state.values.at)}], outputs=["film", "asperity_load_share"${FRICTION.every((path) => (state.values[path] ?? "").trim() !== "") ? ', "friction"' : ""}]))\n` +
+    `print(scene.solve([${Number(state.values.at)}], outputs=["film", "asperity_load_share"${["lubricant.eyring_stress", "friction.boundary_coefficient"].every((path) => (state.values[path] ?? "").trim() !== "") ? ', "friction"' : ""}]))\n` +
     "print(scene.onset())\n";
 }
 
@@ -612,11 +611,10 @@ class Page {
     find("faults").textContent = (names.length ? `Mend below: ${[...new Set(names)].join("; ")}. ` : "") + rest.join(" ");
     const isStale = this.isStale = errors.length > 0;
     for (const name of ["charts", "numbers", "onsets", "films", "limits"]) find(name).classList.toggle("stale", isStale);
-    if (isStale) find("said").textContent = `${this.hasNumbers ? "The numbers below are of the last contact that could be read" : "This contact cannot be read yet"}; mend ${names.join("; ") || "it"}.`;
+    if (isStale) find("said").textContent = `${this.quantities ? "The numbers below are of the last contact that could be read" : "This contact cannot be read yet"}; mend ${names.join("; ") || "it"}.`;
   }
 
   draw(low, high, at, warnings) {
-    this.hasNumbers = true;
     const {model} = this, curve = model.points(low, high, POINTS), here = model.points(at, at, 1);
     const onsets = model.lines("live_onsets").map(([name, meaning, speed, film, parameter, why]) =>
       ({name, meaning, x: speed === "" ? NaN : Number(speed), film: Number(film), parameter, why}));
@@ -721,31 +719,27 @@ class Page {
   listQuantities(at) {
     this.quantities = quantitiesOf(this.model, at, this.state);
     const names = this.quantities.map(({name, result, state, isFilm}) => (state ? `${result} of this contact` : isFilm ? `film of smooth faces by ${name}` : `${result} by ${name}`));
-    const list = find("quantity");
+    const list = find("quantity"), chosen = list.selectedIndex;
     find("cause").textContent = "";
     if (names.join() === [...list.options].map((one) => one.text).join()) return;
-    const chosen = list.selectedIndex;
     list.innerHTML = names.map((one) => `<option>${escaped(one)}</option>`).join("");
     list.selectedIndex = chosen >= 0 && chosen < names.length ? chosen : names.indexOf("film of this contact");
   }
 
   test() {
-    if (this.isStale) {
-      find("cause").textContent = "This contact cannot be read, so that there is no right number; mend its fields first.";
-      return;
-    }
+    find("cause").textContent = this.isStale ? "This contact cannot be read, so that there is no right number; mend its fields first." : this.verdict();
+  }
+
+  verdict() {
     const quantity = this.quantities[find("quantity").selectedIndex], {unit} = quantity, own = typedNumber(find("own").value, unit);
-    if (!own) {
-      find("cause").textContent = `"${find("own").value}" is not allowed; allowed: a number above 0${unit ? ` with its unit, as ${unit === "m" ? "152 nm" : "1.08 GPa"}` : ""}`;
-      return;
-    }
+    if (!own) return `"${find("own").value}" is not allowed; allowed: a number above 0${unit ? ` with its unit, as ${unit === "m" ? "152 nm" : "1.08 GPa"}` : ""}`;
     const off = (one) => {
       const ratio = one / own.number;
       return ratio > 0.5 && ratio < 2 ? `${rounded(100 * Math.abs(1 / ratio - 1), 3)} % ${ratio < 1 ? "more" : "less"} than that` : `${rounded(1 / ratio, 4)} times that`;
     };
     const {right, texts, factor, nearest} = causesOf(this.model, this.mistakes, quantity, own.number, own.doubt, Number(this.state.values.at));
     const here = `${quantity.state ? `${quantity.result} is` : `${quantity.name} gives`} ${usual(right, unit)}`;
-    find("cause").textContent = !(Number.isFinite(right)) ? `There is no right number: ${quantity.result} is undefined here.`
+    return !(Number.isFinite(right)) ? `There is no right number: ${quantity.result} is undefined here.`
       : texts[0] === "" ? `Right, to all digits that you typed: ${here}.`
       : texts.length > 0 ? `Not right: ${here}, and your number is ${off(right)}. It is the number of ${texts.length > 1 ? "each of these: " : ""}${texts.join("; ")}.`
       : factor ? `Not right: ${here}, and your number is ${factor}.`

@@ -213,7 +213,8 @@ class Init(ProgramTest):
         self.assert_all_functions(pathlib.Path(path).read_text())
 
     def test_places_that_cannot_be_written(self):
-        self.assert_refused(init("python", "--out", self.folder.path("no/such/solver.py")), "no/such", code=1)
+        in_the_way = self.folder.write("file", "")
+        self.assert_refused(init("python", "--out", f"{in_the_way}/solver.py"), in_the_way, code=1)
         self.assert_refused(init("python", "--out", self.folder.name), "is there already")
         self.assert_refused(init("python", "--force", "--out", self.folder.name), "irectory", code=1)
         self.assert_refused(init("python", "--force", "--out", "/dev/full"), "/dev/full", "no regular file", code=1)
