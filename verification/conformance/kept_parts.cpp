@@ -285,11 +285,15 @@ std::vector<Mistake> kept_parts(const std::vector<AnsweredCase>& answered,
   std::vector<Mistake> found;
   if (probes.size() < fewest_kept_probes) return found;
   const AnsweredCase& first = *probes.front().of;
-  const auto is_whole_answer_of = [&](const AnsweredCase& other) {
-    return &other != &first &&
-           std::equal(first.numbers.begin(), first.numbers.end(), other.numbers.begin(),
+  const auto has_same = [&](const AnsweredCase& other, const auto& of) {
+    return std::equal(first.numbers.begin(), first.numbers.end(), other.numbers.begin(),
                       other.numbers.end(),
-                      [](const auto& a, const auto& b) { return a.got == b.got; });
+                      [&](const auto& a, const auto& b) { return of(a) == of(b); });
+  };
+  // A point may be asked again without its defaults: then the right answers are the same, too.
+  const auto is_whole_answer_of = [&](const AnsweredCase& other) {
+    return has_same(other, [](const AnsweredNumber& number) { return number.got; }) &&
+           !has_same(other, [](const AnsweredNumber& number) { return number.expected->high; });
   };
   if (std::any_of(answered.begin(), answered.end(), is_whole_answer_of)) return found;
   const catalogue::Function* const function = order.front().function;

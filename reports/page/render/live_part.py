@@ -33,7 +33,9 @@ def parts(out):
     # Base 85 takes a sixteenth less room than base 64. None of its signs ends a script.
     model = base64.b85encode(gzip.compress((HERE / "tribocheck.wasm").read_bytes(), 9, mtime=0)).decode()
     told = json.dumps({"scenes": scenes(out), "mistakes": mistakes(), "form": json.loads((HERE / "form.json").read_text(encoding="utf-8"))}, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/").replace("<!--", "<\\!--")
-    script = (HERE / "live.js").read_text(encoding="utf-8")
+    # The page has a limit of bytes: the comments of the script stay in its source.
+    script = "".join(line for line in (HERE / "live.js").read_text(encoding="utf-8").splitlines(keepends=True)
+                     if "SPDX" in line or not line.lstrip().startswith("//"))
     return ((HERE / "live.css").read_text(encoding="utf-8"),
             f'<script type="text/plain" id="live-wasm">{model}</script>\n'
             f'<script type="application/json" id="live-data">{told}</script>\n<script>\n{script}</script>\n')
