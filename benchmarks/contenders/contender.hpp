@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all contenders share: the choice of their tolerances and numbers of points or knots, and the
+// All contenders share the choice of their tolerances and numbers of points or knots, and the
 // counting of evaluations of an integrand or a moment.
 #pragma once
 

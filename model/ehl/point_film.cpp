@@ -77,7 +77,7 @@ class PointEquations {
     return result;
   }
 
-  // What a change adds to the balances (0 where the pressure is held) and, last, to the load.
+  // A change adds these to the balances (0 where the pressure is held) and, last, to the load.
   VectorXd residual_change(const FilmChange& change) const {
     const PlaneGrid& grid = parts_.grid;
     const Index last = grid.size();

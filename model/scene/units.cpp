@@ -213,8 +213,8 @@ std::string meters_per_second(const Parts& kilometers_per_hour) {
   return text.data();
 }
 
-// What to say of a number with a unit of another quantity, which people give in place of the
-// field's; empty if the unit is not known here.
+// The advice on a number with the unit of another quantity, which people give in place of the
+// field's. Empty: the unit is not known here.
 std::string_view other_quantity(std::string_view text, std::string_view unit) {
   if (unit == "Pa·s" && si_decimal(text, "m²/s"))
     return "a kinematic viscosity: write it as kinematic_viscosity, with density";

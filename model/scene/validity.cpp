@@ -360,7 +360,7 @@ double part_of_ellipticity(const FilmLaw& law, double k) {
   return 1 - ratio<double>(law.side_leakage) * std::exp(-ratio<double>(law.side_decay) * k);
 }
 
-// What to do where the film law was not fitted to the contact's ellipticity.
+// The advice where the film law was not fitted to the contact's ellipticity.
 std::string advice_on_ellipticity(const State& state) {
   const FilmLaw& law = film_law(state.scene);
   const double k = state.hertz.semi_axis_y / state.hertz.semi_axis_x;
@@ -392,7 +392,7 @@ struct Row {
   // NaN: the scene does not make this assumption.
   double (*value)(const State&);
   std::string_view touches = "everything";  // of a solved film "pressure", not "friction"
-  // What passing the limit means, and what to do.
+  // The meaning of a limit that is passed, and the advice.
   std::string (*advice)(const State&) = nullptr;
   bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
   bool is_of_steel = false;     // for softer bodies no bounds are known

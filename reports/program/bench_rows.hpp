@@ -116,7 +116,7 @@ nlohmann::json new_bench_baseline(const BenchResults& results, const nlohmann::j
 // `content` has an environment, it stays, because the times of an earlier run stay.
 void write_bench_baseline(const std::string& file, const nlohmann::json& content);
 
-// What a run writes.
+// All that a run of `bench` writes.
 struct BenchReport {
   BenchResults results;
   std::optional<BenchChanges> changes = {};  // from the baseline, or from the second solver

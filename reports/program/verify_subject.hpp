@@ -50,7 +50,7 @@ struct SubjectVerdict {
   std::optional<conformance::BaselineChanges> changes;  // changes against that file
 };
 
-// What a subject is judged by.
+// The rules by which a subject is judged.
 struct JudgedBy {
   conformance::Tolerance tolerance;
   conformance::AskedWays ways;

@@ -9,8 +9,8 @@ import unittest
 from program import ENVIRONMENT, PROGRAM, scene
 from sweeps import NORMAL, UNIFORM, SweepTest, sweep
 
-# What GLIBC_TUNABLES switches off for each kind of processor. Kinds without fused multiply-add give other
-# bits, and are left out.
+# GLIBC_TUNABLES switches these instruction sets off for each kind of processor. Kinds without fused
+# multiply-add give other bits, and are left out.
 HWCAPS = "glibc.cpu.hwcaps="
 KINDS = {"all": "", "no AVX-512": "-AVX512F"}
 NUMBERS = ("film_flooded", "film", "separation", "film_parameter", "asperity_load_share",

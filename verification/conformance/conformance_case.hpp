@@ -15,7 +15,7 @@
 
 namespace tribo::conformance {
 
-// What is expected of one field of an answer: high + low, or a word for regime and inlet.
+// The right value of one field of an answer: high + low, or a word for regime and inlet.
 struct Expected {
   std::string field;
   double high = 0, low = 0;

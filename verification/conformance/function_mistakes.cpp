@@ -47,7 +47,7 @@ constexpr std::pair<std::string_view, int FilmLaw::*> law_moduli[] = {
     {"load_modulus", &FilmLaw::load_modulus},
     {"speed_multiple", &FilmLaw::speed_multiple}};
 
-// What an entry changes in a film law.
+// The changes that an entry makes to a film law.
 struct LawChange {
   std::vector<std::pair<Fraction FilmLaw::*, Fraction>> numbers;
   std::vector<std::pair<int FilmLaw::*, int>> moduli;

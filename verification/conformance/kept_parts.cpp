@@ -20,7 +20,9 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr std::size_t most_kept_probes = 12, most_alike = 12, fewest_kept_probes = 3;
+constexpr std::size_t most_kept_probes = 12;   // wrong answers that are looked at
+constexpr std::size_t most_alike = 12;         // questions before each, those most like it
+constexpr std::size_t fewest_kept_probes = 3;  // two may meet a kept part by chance
 
 // A part of an answer, and the answers with another value of it.
 struct KeptPart {
@@ -40,23 +42,23 @@ std::vector<double> inputs_of(const Question& question) {
   return all;
 }
 
-std::vector<std::size_t> different(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i] != b[i]) places.push_back(i);
-  return places;
+std::size_t count_of_different(const std::vector<double>& a, const std::vector<double>& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1 : 0;
+  return count;
 }
 
 // Whether the part depends on this input of the question.
 bool depends(const KeptPart& part, Question question, std::size_t input) {
-  const double own = part.get(question), given = inputs_of(question)[input];
+  const double given = inputs_of(question)[input];
+  if (std::isinf(given)) return false;
+  const double own = part.get(question);
   const std::size_t words = question.scene ? scene_fields()[input].choices.size()
                                            : question.function->parameters[input].words.size();
   const bool is_whole = given == std::floor(given) && std::abs(given) < 10;
   const double other = words > 0  ? std::fmod(given + 1, static_cast<double>(words))
                        : is_whole ? given + 1
                                   : given * 1.1;
-  if (std::isinf(given)) return false;
   if (!question.scene)
     question.arguments[input] = other;
   else if (const auto store = scene_detail::store_of(input); store != nullptr)
@@ -162,8 +164,9 @@ std::vector<Probe> probes_of(const std::vector<AnsweredCase>& answered,
   for (std::size_t i = 0; i < count; ++i) {
     Probe probe{wrong[i * wrong.size() / count], {}};
     std::vector<std::pair<std::size_t, const Question*>> alike;
-    for (std::size_t k = 0; order[k].asked != probe.of->asked.asked; ++k)
-      alike.emplace_back(different(inputs_of(probe.of->asked), inputs[k]).size(), &order[k]);
+    const std::vector<double> own = inputs_of(probe.of->asked);
+    for (std::size_t k = 0; k < order.size() && order[k].asked != probe.of->asked.asked; ++k)
+      alike.emplace_back(count_of_different(own, inputs[k]), &order[k]);
     std::sort(alike.begin(), alike.end());
     alike.resize(std::min(most_alike, alike.size()));
     for (const auto& [apart, one] : alike) probe.before.push_back(one);
@@ -192,10 +195,12 @@ std::optional<Mistake> kept(const KeptPart& part, const std::vector<Probe>& prob
     if (++looked_at >= fewest_kept_probes && donor == before.end() && met == 0) return {};
     if (donor == before.end()) continue;
     ++met;
-    for (const std::size_t place : different(inputs_of(of->asked), inputs_of(**donor)))
-      if (depends(part, of->asked, place)) lacking.insert(place);
-    for (std::size_t i = 0; i < inputs_of(of->asked).size(); ++i)
-      if (depends(part, of->asked, i)) needed.insert(i);
+    const std::vector<double> asked = inputs_of(of->asked), given = inputs_of(**donor);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      if (!depends(part, of->asked, i)) continue;
+      needed.insert(i);
+      if (asked[i] != given[i]) lacking.insert(i);
+    }
   }
   if (met < fewest_kept_probes || 2 * met < looked_at || lacking.empty()) return {};
   std::vector<std::size_t> key;

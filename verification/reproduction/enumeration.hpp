@@ -22,8 +22,9 @@ struct Enumeration {
   std::size_t films;             // the numbers of curves computed in the three stages
   std::size_t inlets;
   std::size_t friction_curves;
-  // Of every reading. Refined items were left open by the grid of speeds and were computed between
-  // its speeds as well. The margin of undecided items is below the numerical error even then.
+  // Both lists have every reading. The grid of speeds left refined items open: they were computed
+  // between its speeds as well. The margin of undecided items is below the numerical error even
+  // then.
   std::vector<ItemMask> refined;
   std::vector<ItemMask> undecided;
 };
