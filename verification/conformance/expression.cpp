@@ -124,33 +124,6 @@ class Evaluation {
   std::array<bool, most_nodes> known_;
 };
 
-std::string number_in_words(double number) {
-  struct Known {
-    double value;
-    const char* name;
-  };
-  constexpr std::array known{Known{std::numbers::pi, "π"},
-                             Known{0.75, "3/4"},
-                             Known{1.5, "3/2"},
-                             Known{1.0 / 3, "1/3"},
-                             Known{2.0 / 3, "2/3"},
-                             Known{4.0 / 3, "4/3"},
-                             Known{std::numbers::sqrt2, "√2"},
-                             Known{7.0 / 3, "7/3"},
-                             Known{2 * std::numbers::pi, "2π"},
-                             Known{1 / std::numbers::pi, "1/π"},
-                             Known{3 * std::numbers::pi, "3π"},
-                             Known{4 / std::numbers::pi, "4/π"},
-                             Known{6 * std::numbers::pi, "6π"}};
-  for (const auto& [value, name] : known)
-    if (std::abs(number / value - 1) < 1e-10) return name;
-  const double of_pi = std::abs(number) / std::numbers::pi;
-  const bool is_of_pi =
-      std::abs(of_digits(of_pi, 4) / of_pi - 1) < 1e-10 && !is_of_few_digits(number);
-  return fmt::format("{}{:.6g}{}", number < 0 ? "−" : "", is_of_pi ? of_pi : std::abs(number),
-                     is_of_pi ? " π" : "");
-}
-
 // --- Edits
 
 // One change of a node: of its number, of the number or the node of a part, or of its function.
@@ -468,6 +441,34 @@ class Edits {
 };
 
 }  // namespace
+
+std::string number_in_words(double number) {
+  struct Known {
+    double value;
+    const char* name;
+  };
+  constexpr std::array known{Known{std::numbers::pi, "π"},
+                             Known{0.75, "3/4"},
+                             Known{1.5, "3/2"},
+                             Known{1.0 / 3, "1/3"},
+                             Known{2.0 / 3, "2/3"},
+                             Known{4.0 / 3, "4/3"},
+                             Known{std::numbers::sqrt2, "√2"},
+                             Known{std::numbers::ln10, "ln 10"},
+                             Known{7.0 / 3, "7/3"},
+                             Known{2 * std::numbers::pi, "2π"},
+                             Known{1 / std::numbers::pi, "1/π"},
+                             Known{3 * std::numbers::pi, "3π"},
+                             Known{4 / std::numbers::pi, "4/π"},
+                             Known{6 * std::numbers::pi, "6π"}};
+  for (const auto& [value, name] : known)
+    if (std::abs(number / value - 1) < 1e-10) return name;
+  const double of_pi = std::abs(number) / std::numbers::pi;
+  const bool is_of_pi =
+      std::abs(of_digits(of_pi, 4) / of_pi - 1) < 1e-10 && !is_of_few_digits(number);
+  return fmt::format("{}{:.6g}{}", number < 0 ? "−" : "", is_of_pi ? of_pi : std::abs(number),
+                     is_of_pi ? " π" : "");
+}
 
 std::vector<Expression::Place> Expression::places_of_numbers() const {
   std::vector<Place> places;

@@ -80,6 +80,9 @@ class Expression {
   std::vector<std::size_t> dependent_on(std::size_t place) const;
 };
 
+// A number of a law as text: "0.61", "3/4", "√2", "2π".
+std::string number_in_words(double number);
+
 // The law of a function as terms and factors. Empty: the law has another form, for example an
 // integral or the root of an equation.
 std::optional<Expression> law_expression(const catalogue::Function& function);

@@ -191,6 +191,8 @@ void add_results(const Function& function, const MistakeEntry& entry, Mistake& m
   };
   for (const auto& [name, change] : entry.result) {
     ResultChange one{place_of(function.results, name), change, {}, {}};
+    if (change.is && !change.is->is_number())
+      throw std::runtime_error("result." + name + ": is takes a number");
     if (!change.by.empty()) one.by = factor(change.by);
     if (!change.over.empty()) one.over = factor(change.over);
     if (one.change.is || one.change.is_inverted) mistake.touches.push_back("result " + name);

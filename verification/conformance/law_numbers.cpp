@@ -35,10 +35,11 @@ std::string fraction_in_words(double number, bool is_exponent) {
   const double size = std::abs(number);
   int denominator = 2;
   while (denominator < 100 && std::abs(std::remainder(size * denominator, 1)) > 1e-9) ++denominator;
-  const bool is_fraction = denominator < 100 || !is_of_few_digits(1 / size);
-  const std::string text = (number < 0 ? "−" : "") +
-                           (is_fraction ? fmt::format("{:.0f}/{}", size * denominator, denominator)
-                                        : fmt::format("1/{:.6g}", 1 / size));
+  const std::string text =
+      (number < 0 ? "−" : "") + (denominator < 100
+                                     ? fmt::format("{:.0f}/{}", size * denominator, denominator)
+                                 : is_of_few_digits(1 / size) ? fmt::format("1/{:.6g}", 1 / size)
+                                                              : number_in_words(size));
   return is_exponent ? '(' + text + ')' : text;
 }
 

@@ -505,7 +505,7 @@ bool vary(const Part& part) {
     least = std::min(least, ratio);
     greatest = std::max(greatest, ratio);
   }
-  return greatest - least > 1e-5;
+  return greatest - least > 1e-5 * std::max(std::abs(least), std::abs(greatest));
 }
 
 bool is_same(double a, double b) { return std::abs(a - b) <= one_value * std::abs(b); }

@@ -92,6 +92,8 @@ NumberChange change_of(const json& written) {
   members.take("by", change.by);
   members.take("over", change.over);
   if (const json is = members.take_any("is"); !is.is_null()) change.is = is;
+  if (change.is && (change.times != 1 || change.is_inverted))
+    throw std::runtime_error("a number that is another one (is) has no times and is not inverted");
   members.finish();
   return change;
 }
@@ -146,7 +148,9 @@ void check_kinds(const MistakeEntry& entry) {
         "scene, area, stiffness, friction and left_out are for operating_point");
   if (kinds == 0) throw std::runtime_error("nothing is changed");
   if (kinds > 1 || (!entry.swapped.empty() && !entry.where.empty()) ||
-      (!entry.law.is_null() && !entry.formula.empty()))
+      (!entry.law.is_null() && !entry.formula.empty()) ||
+      (entry.law == "another" &&
+       !(entry.where.empty() && entry.input.empty() && entry.result.empty())))
     throw std::runtime_error("these changes cannot stand together");
 }
 

@@ -21,8 +21,8 @@ std::string branch_of(const Question& question) {
   const auto& parameters = question.function->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double value = question.arguments[i];
-    if (!parameters[i].words.empty())
-      return std::string(parameters[i].words[static_cast<std::size_t>(value)]);
+    const auto word = static_cast<std::size_t>(value);
+    if (word < parameters[i].words.size()) return std::string(parameters[i].words[word]);
     if (parameters[i].range == catalogue::Range::half_order)
       return fmt::format("{} {}", parameters[i].name, value);
   }
