@@ -202,23 +202,33 @@ void add_inlet(std::vector<Inside>& all) {
     const Supply& supply = asked.scene->supply;
     return supply.kind == SupplyKind::inlet_flow ? supply.value : unsaid;
   };
+  const auto ratio_times = [](Get film) -> Get {
+    return [film = std::move(film)](const Question& asked) {
+      const Supply& supply = asked.scene->supply;
+      return supply.kind == SupplyKind::inlet_film_ratio ? supply.value * film(asked) : unsaid;
+    };
+  };
   const auto for_smooth_film = [](const Question& asked) {
     const MixedContact<double> contact(*asked.scene);
     const double speed = asked.scene->speeds[0];
     return film_of_oil(asked) * contact.flooded(speed).shares.film_parameter /
            contact.flooded_film_parameter(speed);
   };
-  all.push_back({"h_oil in the inlet",
-                 Inner::factor,
-                 Output::film,
-                 film_of_oil,
-                 [](Question& asked, double value) {
-                   asked.scene->supply.value *= value / film_of_oil(asked);
-                 },
-                 {},
-                 {{"inlet-of-flow", "`supply.inlet_flow`", flow},
-                  {"inlet-ratio-of-smooth-film", "h_oil h_ff/h₀, as h₀/h_oil for r makes it,",
-                   for_smooth_film}}});
+  all.push_back(
+      {"h_oil in the inlet",
+       Inner::factor,
+       Output::film,
+       film_of_oil,
+       [](Question& asked, double value) {
+         asked.scene->supply.value *= value / film_of_oil(asked);
+       },
+       {},
+       {{"inlet-of-flow", "`supply.inlet_flow`", flow},
+        {"inlet-ratio-of-flooded-film", "`supply.inlet_film_ratio` h_ff",
+         ratio_times(result_as({}, Output::film_flooded).get)},
+        {"inlet-ratio-of-unshared-film", "`supply.inlet_film_ratio` h₀", ratio_times(smooth_film)},
+        {"inlet-ratio-of-smooth-film", "h_oil h_ff/h₀, as h₀/h_oil for r makes it,",
+         for_smooth_film}}});
   all.push_back({"the film over the flooded one in the inlet", Inner::cut_off, Output::film,
                  film_ratio, supply_for, "closures.starvation"});
 }
@@ -346,14 +356,15 @@ Mistake power_of_roughness(const std::string& name, std::string text, double Que
   return mistake;
 }
 
-// Another value where a scene gives 0, as by a program that takes 0 for a field that is left out.
-Mistake other_for_zero(const char* path, double value) {
+// Another value where a scene gives this one, as by a program that takes 0 for a field that is left
+// out, or a number of 2 for a yes.
+Mistake other_for(double given, const char* path, double value) {
   const auto field = *scene_detail::find_field(path);
   Mistake mistake =
-      of_points(fmt::format("{} = {:g} for 0", path, value),
-                fmt::format("`{}` = {:g} where it is given as 0", path, value), {path});
-  mistake.before = [field, value](Question& asked) {
-    if (asked.scene && scene_detail::value_in(*asked.scene, field) == 0.0)
+      of_points(fmt::format("{} = {:g} for {:g}", path, value, given),
+                fmt::format("`{}` = {:g} where it is given as {:g}", path, value, given), {path});
+  mistake.before = [given, field, value](Question& asked) {
+    if (asked.scene && scene_detail::value_in(*asked.scene, field) == given)
       scene_detail::store_of(field)(*asked.scene, value);
   };
   return mistake;
@@ -457,9 +468,10 @@ std::vector<Mistake> mistakes_of_insides() {
           of_contact(&HertzContact<double>::mean_pressure)(asked) / asked.scene->load;
   };
   all.push_back(std::move(whole_area));
-  all.push_back(other_for_zero("surface.offset_planes", 1));
-  all.push_back(other_for_zero("surface.offset_planes", 2));
-  all.push_back(other_for_zero("friction.slide_roll_ratio", 1));
+  for (const double given : {0.0, 1.0, 2.0})
+    for (const double taken : {0.0, 1.0, 2.0})
+      if (given != taken) all.push_back(other_for(given, "surface.offset_planes", taken));
+  all.push_back(other_for(0, "friction.slide_roll_ratio", 1));
   const auto models = scene_fields()[*scene_detail::find_field("closures.asperity")].choices;
   for (const Counted& counted :
        {Counted{"real area", &Question::real_area_times, area_order},

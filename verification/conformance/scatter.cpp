@@ -17,6 +17,7 @@
 #include "conformance/expression.hpp"
 #include "conformance/misread.hpp"
 #include "conformance/variable.hpp"
+#include "tribo/load_sharing.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -327,11 +328,11 @@ std::string grid_of(const Part& part) {
   std::vector<const Part::Number*> wrong;
   for (const Part::Number& one : part.all)
     if (one.answered->is_left()) wrong.push_back(&one);
-  if (part.function() == nullptr || wrong.size() < fewest_on_grid) return {};
+  if (wrong.size() < fewest_on_grid) return {};
   // The answer itself, the answer less an input, or the answer over an input.
   std::vector<Variable> bases{{{}, false, [](const Question&) { return 0.0; }}};
   for (Variable& one : variables_of(part.function()))
-    if (one.is_input) bases.push_back(std::move(one));
+    if (one.is_input && part.function() != nullptr) bases.push_back(std::move(one));
   for (const bool is_ratio : {false, true})
     for (const Variable& base : bases) {
       if (is_ratio && base.symbol.empty()) continue;
@@ -360,7 +361,7 @@ std::string grid_of(const Part& part) {
           base.symbol.empty() ? std::string() : (is_ratio ? " over " : " less ") + base.symbol,
           step, text.empty() ? ": they are rounded" : text);
     }
-  return halved_bracket(part, wrong);
+  return part.function() == nullptr ? std::string() : halved_bracket(part, wrong);
 }
 
 Growth growth_of(const Part& part) {
@@ -442,12 +443,43 @@ double greatest_in_no_order(const Part& part, bool is_of_one) {
   return greatest;
 }
 
+// A sentence if nearly all wrong answers of load sharing are next to a fixed point of
+// λ = λ₀/(1 − A)^e, and some of them far from its root; else empty. Substitution stops at such
+// answers where it converges slowly.
+std::string next_to_fixed_point(const Part& part) {
+  constexpr double far = 0.05, much_nearer = 0.02;  // relative
+  constexpr std::size_t fewest_far = 3;
+  if (part.function()->name != "load_sharing") return {};
+  const double exponent = ratio<double>(hamrock_dowson_central_law.sharing_exponent);
+  std::size_t near = 0, are_far = 0;
+  double greatest = 0;
+  for (const Part::Number& one : wrong_of(part)) {
+    const LoadSharing<double> sharing(static_cast<AsperityModel>(one.input(0)), one.input(2),
+                                      one.input(3));
+    const double got = one.answered->got, fluid = 1 - sharing.asperity_share(got);
+    const double off = std::abs(one.input(1) * std::pow(fluid, -exponent) / got - 1);
+    const double error = std::abs(one.answered->error() / one.answered->expected->high);
+    if (!(off < small_error)) continue;
+    ++near;
+    greatest = std::max(greatest, off);
+    are_far += error > far && off < much_nearer * error ? 1 : 0;
+  }
+  if (are_far < fewest_far || 5 * near < 4 * part.wrong.size()) return {};
+  return fmt::format(
+      "{} of {} wrong answers λ are within {:.2g} of λ₀/(1 − A)^e, by the share A at λ, and {} of "
+      "these "
+      "are far from the root: as of an iteration that puts one into the other, and stops where λ "
+      "changes by no more.",
+      near, part.wrong.size(), greatest, are_far);
+}
+
 }  // namespace
 
 std::string ended_early(const Part& part) {
   if (part.function() == nullptr || part.wrong.size() < fewest_scattered ||
       !numerics_of(*part.function()).ends_with("iteration"))
     return {};
+  if (std::string fixed = next_to_fixed_point(part); !fixed.empty()) return fixed;
   const bool has_unit = !results_of(part.function())[part.place].unit.empty();
   for (const bool is_of_one : {false, true}) {
     if (is_of_one && (has_unit || !fixed_width(part).empty())) continue;
