@@ -82,7 +82,7 @@ std::vector<MomentContender> scipy_moments();
 double bessel_moment(double d);
 
 // A fit from the literature, with the range of d that it claims. A fit that is a power of 4 − d is
-// 0 beyond d = 4, as in programs. The other fits are also evaluated outside their range.
+// 0 beyond d = 4, as programs use it. The other fits are also evaluated outside their range.
 struct PublishedFit {
   std::string_view name;
   Order order;

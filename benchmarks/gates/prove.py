@@ -3,12 +3,12 @@
 """Proves that the gates are red when they should be. A program compared with itself has to pass each gate. If more
 work is planted in a kernel (planted_work.toml), the gates that the plant names have to be red.
 
-The change is made in a scratch copy of the tree, where only tribocheck_gate_kernels is built. The base is a
+The work is planted in a scratch copy of the tree, where only tribocheck_gate_kernels is built. The base is a
 build of the unchanged tree. The text that a patch replaces has to stand exactly once in its file.
 
   benchmarks/gates/prove.py build/release/tribocheck_gate_kernels --out reference/baselines/gates.json
 
-Exit code 0: proved; 1: a gate passed what it should not, or failed the same program; 2: not measured.
+Exit code 0: proved; 1: a gate's verdict is not the expected one; 2: not measured.
 """
 import argparse
 import json

@@ -7,7 +7,7 @@ import statistics
 import typing
 
 INSTRUCTION_TOLERANCE = 0.01  # relative change of callgrind's counts, which repeat to 0.004 %
-TIME_RATIO = 1.10             # a median may be red if it is more than this many times the base's
+TIME_RATIO = 1.10             # a time is red only if its median is more than this many times the base's
 REPETITIONS = 9               # the least number of quiet repetitions for a time
 QUIET = 1.15                  # a repetition is quiet if the control kernel takes at most this many times its best time
 # Workload → (other workload, limit). Both solve the same points with different film laws, and the first may take at most `limit` times

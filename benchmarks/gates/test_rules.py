@@ -72,7 +72,8 @@ class Limits(unittest.TestCase):
             with self.subTest(name=name):
                 self.assertFalse(is_red(limit))
                 self.assertTrue(is_red(math.nextafter(limit, 2 * limit)))
-        for now in ({"points_solved_film AVX2": 9.0}, {"curve no FMA": 9.0}):  # without the other workload, or none of MOST_TIMES
+        # The first one lacks its other workload, and the second one is not in MOST_TIMES.
+        for now in ({"points_solved_film AVX2": 9.0}, {"curve no FMA": 9.0}):
             self.assertEqual(list(rules.dearer(now)), [])
         self.assertFalse(rules.fewer_instructions(100000, 99000))
         self.assertTrue(rules.fewer_instructions(100000, math.nextafter(99000, 0)))

@@ -20,7 +20,7 @@
 namespace tribo::gates {
 namespace {
 
-// Seeded points. No function of the C library rounds them, so they have the same bits everywhere.
+// Seeded points. They have the same bits everywhere, because std::ldexp is exact here.
 class Samples {
  public:
   explicit Samples(std::uint64_t seed) : generator_(seed) {}

@@ -32,8 +32,8 @@ PointNeeds needs_of(const PointContact& contact, const PointOptions& options) {
     while (4 * grid.size() <= options.greatest_nodes) grid = grid.finer();
     needs.most_nodes = std::max(needs.most_nodes, grid.size());
   }
-  // If only three grids fit, the solver may begin again with more cells, where the three grids
-  // leave too great an error.
+  // The solver may begin again with more cells if only three grids fit and their error is too
+  // great.
   if (needs.most_grids > 3) return needs;
   for (int i = 1; i < most_coarsest_grids; ++i) {
     cells = more_cells(contact, cells, options);
@@ -51,7 +51,7 @@ double point_memory(Eigen::Index nodes) {
 
 double point_seconds(const PointContact& contact, Eigen::Index nodes) {
   const double l = contact.material_number / 9;
-  // For a starved contact the flooded film is solved, too, and takes as long on as many nodes.
+  // A starved contact's flooded film is solved, too, and takes as long on the same number of nodes.
   const double films = contact.is_starved() ? 2 : 1;
   return films * 10e-6 * static_cast<double>(nodes) * std::pow(contact.load_number, 0.2) *
          (1 + l * l);

@@ -42,8 +42,8 @@ inline Ball carlson_rd(const Ball& y, const Ball& z) {
   return result;
 }
 
-// k, and two complete integrals by Carlson's R_D: B of cos²/√(1 − q sin²) and D of
-// sin²/√(1 − q sin²), with q = 1 − 1/k². Nothing cancels in α = k²B/D.
+// k, and two complete integrals by Carlson's R_D. The integrand of B is cos²/√(1 − q sin²), and
+// that of D is sin²/√(1 − q sin²), with q = 1 − 1/k². Nothing cancels in α = k²B/D.
 struct Associated {
   Ball k, b, d;
 };
@@ -71,8 +71,8 @@ inline EllipseShape shape_by_bisection(const Ball& alpha) {
   return {k, first_integral(parameter(k)), second_integral(parameter(k))};
 }
 
-// Solves ln(k²B/D) = ln α by Newton's method in t = ln k. The certain signs at the two ends of the
-// result are opposite, which proves it. Throws std::runtime_error where there is no such proof.
+// Solves ln(k²B/D) = ln α by Newton's method in t = ln k. The function certainly has opposite
+// signs at the two ends of the result, which proves it. Throws std::runtime_error otherwise.
 inline Associated shape_by_newton(const Ball& alpha) {
   const Ball target = log(alpha);
   const std::optional<Ball> t = zero_by_newton(

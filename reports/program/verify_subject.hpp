@@ -46,7 +46,7 @@ struct SubjectVerdict {
   std::vector<conformance::Diagnosis> diagnoses;
   std::vector<conformance::QuantityNote> missing;  // named by --require, not held
   std::string baseline;                            // the file of --baseline
-  std::string same_question;  // the start of a line that asks the same subject, for messages
+  std::string same_question;  // the start of a command line that asks this subject again
   std::optional<conformance::BaselineChanges> changes;  // changes against that file
 };
 
@@ -62,9 +62,9 @@ struct JudgedBy {
 SubjectVerdict verdict_on(const std::string& subject, std::vector<conformance::TestCase>& cases,
                           conformance::Conversation conversation, const JudgedBy& by);
 
-// The reasons for exit code 1. With a baseline: all that is worse than the baseline. Without one:
-// all that failed, or that nothing is offered. In both cases also all required quantities that are
-// missing. All formats report the same reasons.
+// The reasons for exit code 1, which all formats report: all that is worse than the baseline (or,
+// if there is none, all that failed, or that nothing is offered), and all required quantities that
+// are missing.
 std::vector<conformance::QuantityNote> failures(const SubjectVerdict& verdict);
 
 // format: "table", "json" or "markdown".
@@ -72,7 +72,7 @@ void append_verdict(Text& to, const SubjectVerdict& verdict, const std::string& 
 std::string subject_junit(const SubjectVerdict& verdict);
 
 // One case of --show: the line that asks, what is expected, the answer, and how far off it is.
-// append_request() alone is for a case that no subject is asked.
+// append_request() writes the line and what is expected, if there is no subject.
 void append_request(Text& to, const conformance::TestCase& asked,
                     const conformance::Tolerance& tolerance);
 void append_shown_case(Text& to, const conformance::TestCase& asked,

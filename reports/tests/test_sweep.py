@@ -341,7 +341,7 @@ class Estimates(SweepTest):
         return [float(number) * units[unit] for _, number, unit in found], own * 2**20
 
     def test_memory_and_files_are_what_a_sweep_takes_within_a_factor_of_one_and_a_half(self):
-        # Sanitizers take memory of their own. With them, only the files of the first and the last shape are compared: each is written in another way.
+        # Sanitizers take memory of their own. A run with them compares only files, of two shapes that are written in different ways.
         for i, text in enumerate(self.SHAPES[::4] if SANITIZED else self.SHAPES):
             with self.subTest(shape=i):
                 (memory, file, parts), _ = self.estimate(text)

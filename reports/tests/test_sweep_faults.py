@@ -237,7 +237,7 @@ class Damage(SweepTest):
                 if result.code == 0:
                     self.assertIn("is computed anew", result.err)
                     self.assert_whole(result)
-                else:  # the cut is before the end of the mark of a part
+                else:  # the file that is left lacks the mark of a part
                     self.assertEqual(result.code, 2, result.err)
                     self.assertLess(cut, 3000)
                     self.assertEqual(self.bytes_of("out.h5.part-0-9"), self.part[:cut])

@@ -3,7 +3,7 @@
 """Judges the errors that the film solver states, on random contacts.
 
 The program film_survey solves 300 line contacts to four tolerances. It writes a row for each contact and tolerance, with
-each film, its stated error and its distance from the film to a tolerance of 1e-6. With --points it solves 200 point
+each film, its stated error, and how far it is from the film that is solved to 1e-6. With --points it solves 200 point
 contacts to the tolerance that the solver promises. It compares the films of 60 of them, 20 beyond M = 500, with films on
 cells of half the size and a grid of twice the length. This script runs the program in parts on all processors. Finished
 parts stay in build/film_survey/<the program's digest>, so that a stopped run goes on where it was. Then the script writes
@@ -29,7 +29,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "verification/gates/faults"))
 import plant  # noqa: E402
 FILMS = ("central", "minimum", "at_greatest_pressure")
-PART = 10  # line contacts in a run; a run for points has one contact, so that the memory of the run is that of the contact
+PART = 10  # line contacts in a run; a run has only one point contact, because memory is measured for the whole run
 HELD, HELD_BEYOND_500 = 60, 20
 # The groups of point contacts, each with a function that tells whether a row belongs to it.
 GROUPS = {"circles": lambda row: row["radius_ratio"] == "1" and row["supply"] == "0",
@@ -136,7 +136,7 @@ def main():
     if arguments.points:
         drawn = rows_of_part(arguments.program, arguments.seed, "drawn", 0, count, folder)
         chosen = to_be_held(drawn)
-        # Cheap contacts come first. The others keep their order, which is random, so that those that are not run are no special ones.
+        # Cheap contacts come first. The others keep their random order, so that a random part of them is left out.
         contacts = [(what, int(row["contact"])) for is_dear in (False, True) for what in ("solved", "held") for row in drawn
                     if (float(row["load_number"]) > 200) == is_dear and (what == "solved" or row["contact"] in chosen)]
         parts = [(what, one, one + 1) for what, one in contacts]

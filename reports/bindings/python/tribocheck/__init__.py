@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Computes films, pressures and friction of lubricated contacts, and checks your own code for them. SI units.
+"""Computes films, pressures and friction of lubricated contacts, and checks code of yours that computes them. SI units.
 
     >>> import tribocheck
     >>> scene = tribocheck.Scene("scene.toml")
