@@ -30,7 +30,7 @@ constexpr double most_numbers = 1 << 21;  // in a part: a process holds two or t
 // A rough estimate of the cost of one or more chunks, or the most that a part may cost.
 struct Cost {
   double seconds = 0;  // of one processor
-  double numbers = 0;  // of 8 bytes, about the most
+  double numbers = 0;  // of 8 bytes each; estimated high
 
   void add(const Cost& other, double times = 1) {
     seconds += times * other.seconds;
@@ -68,7 +68,8 @@ std::size_t chunks_asked_for() {
 
 // --- Files.
 
-// The ends of file names beside the output, after BEGINNING and the output's name; sorted.
+// Looks for file names in the output's folder that start with `beginning` and the output's name.
+// Returns what follows this start in each name; sorted.
 std::vector<std::string> endings_beside(const std::string& output, const std::string& beginning) {
   const std::string start = beginning + fs::path(output).filename().string();
   std::vector<std::string> endings;
@@ -289,7 +290,7 @@ void PartsInHand::keep(std::uint64_t chunk, Bytes bytes) {
   write(std::move(done.front()));
 }
 
-// Writes a part. Its claim ends with `done`, after the part has its name.
+// Writes a part. The claim is kept until this function ends, when the file has its final name.
 void PartsInHand::write(InHand done) {
   const std::string path = path_of_part(settings_.output, parts_[done.part]);
   if (FilePlace(path).status()) {

@@ -24,10 +24,11 @@ constexpr const char* plugin_host_footer =
     R"(The library is one made for tribocheck_plugin.h. Lines and answers are those of `tribocheck stream`;
 what the library does not offer is answered with "skip". What it prints to stdout comes out on stderr.
 `tribocheck verify --plugin` starts this, with --places: each answer then has the place of its case in the
-array that the library got. With --time each block of lines, all of one function and ended by an
-empty line, is asked in one call, again and again for some milliseconds, and answered by one line: how many of
-the questions have an answer, CPU seconds for a question, the same by the clock, and those of the control
-(std::exp). `tribocheck bench --plugin` starts this. Exit code 2: the library cannot be used.
+array that the library got. With --time an empty line ends a block of lines, which are all of one function. The
+library computes the block again and again for some milliseconds. One line then answers it: the number of
+questions with an answer, the CPU time and the wall time of a question, the CPU time of a std::exp for comparison
+(all in s), and the time of new questions over that of questions asked again.
+`tribocheck bench --plugin` starts this. Exit code 2: the library cannot be used.
 
 Example:
   echo '{"id": "f1", "function": "gaussian_moment", "order": 2.5, "argument": 0}' |

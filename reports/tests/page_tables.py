@@ -417,7 +417,7 @@ def contacts(report):
     told = whole(report["contacts"]["told_speed"])
     fields = [("modulus E, GPa", 4, 1e-9, "effective_modulus"), ("radius Rx along the entrainment, mm", 4, 1e3, "radius_x"),
               ("radius Ry across it, mm", 4, 1e3, "radius_y"), ("length L, mm", 3, 1e3, "length"),
-              ("semi-axis ax, of a line half the width b, µm", 4, 1e6, "semi_axis_x"), ("semi-axis ay, µm", 4, 1e6, "semi_axis_y"),
+              ("semi-axis ax, or half-width b of a line, µm", 4, 1e6, "semi_axis_x"), ("semi-axis ay, µm", 4, 1e6, "semi_axis_y"),
               ("ellipticity k = ay/ax", 3, 1, "ellipticity"), ("mean pressure, GPa", 3, 1e-9, "mean_pressure"),
               ("peak pressure, GPa", 3, 1e-9, "peak_pressure"), ("approach of the bodies, µm", 3, 1e6, "approach"),
               ("standard deviation of summit heights σs, nm", 3, 1e9, "summit_height_sd"),

@@ -341,7 +341,7 @@ class Estimates(SweepTest):
         return [float(number) * units[unit] for _, number, unit in found], own * 2**20
 
     def test_memory_and_files_are_what_a_sweep_takes_within_a_factor_of_one_and_a_half(self):
-        # Sanitizers take memory of their own. A run with them compares only files, of two shapes that are written in different ways.
+        # Sanitizers take memory of their own. With them only the files of the first and the last shape are compared.
         for i, text in enumerate(self.SHAPES[::4] if SANITIZED else self.SHAPES):
             with self.subTest(shape=i):
                 (memory, file, parts), _ = self.estimate(text)
@@ -394,7 +394,7 @@ class Progress(SweepTest):
         os.close(writer)
         said = read_terminal(reader)
         self.assertRegex(said, rb"\rcomputed [0-9.]+ %, .* points, .* a second, .* left")
-        for line in re.findall(rb"\r(computed [^\r\x1b]+)", said):  # no time left is told before the first points are done
+        for line in re.findall(rb"\r(computed [^\r\x1b]+)", said):  # the time left is told once the first points are done
             self.assertRegex(line, rb"^computed [0-9.]+ %, (0 of [^,]+, 0 a second|[1-9][^,]*, [^,]+, [0-9.]+ (s|min|h) left)$")
         self.assertNotIn(b"\n", said)
         self.assertTrue(said.endswith(b"\r\x1b[K"))

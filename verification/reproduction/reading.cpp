@@ -37,16 +37,15 @@ constexpr std::array<SwitchInfo, switch_count> infos{{
      "16√2/15 or 8√2/15 in Greenwood and Tripp's load, with E*"},
     {"nominal_area", "E4", areas, 0, 1, "A_nom is πa², or a² as printed"},
     {"offset_planes", "E9", plane_counts, 0, 1,
-     "the offset of the summits over D_d, with GT, m = 1 or 2; or √2 of two equal faces, D_d/σ_s "
-     "of "
-     "one of them and σ_s of their sum"},
+     "m in GT's offset δ = m D_d/σ_s: 1; 2; or √2, for two equal faces with D_d/σ_s of one face "
+     "and σ_s of their sum"},
     {"inlet", "E10, E11", inlets, 0, 3,
-     "ψ at the flooded film; at the starved one; with the printed exponents; or 1.10 to 1.14 as "
-     "they stand"},
+     "ψ at the flooded film; at the starved film; the same with the printed exponents; or "
+     "equations 1.10 to 1.14 as printed"},
     {"gap", "E13", gaps, 0, 0,
      "Crook's constant 4√2/3 of a line contact, or 16√2/(3π) of a circular one"},
     {"summit_radius", "E17", radii, 0, 1, "β"},
-    {"shear", "E19", shears, 0, 1, "the fluid's shear law, 1.30 or 1.31"},
+    {"shear", "E19", shears, 0, 1, "the fluid's shear law, equation 1.30 or 1.31"},
     {"viscosity", "E20", viscosities, 0, 1, "viscosity under the fluid's pressure"},
     {"lambda_scale", "E8", scales, 0, 0, "what λ divides the film by: σ_s, or σ = 1.4σ_s"},
     {"speed_modulus", "E23", moduli, 0, 0, "modulus in the speed number U"},

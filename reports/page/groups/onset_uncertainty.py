@@ -23,7 +23,7 @@ def as_printed(table, path=""):
         elif not path and isinstance(one, dict):
             made[name] = as_printed(one, f"{field}.")
         else:
-            raise Missing(f"a sweep of onsets varies {field} beyond its last printed digit")
+            raise Missing(f"a sweep of onsets has to vary {field} by `printed` alone")
     return made
 
 

@@ -31,7 +31,7 @@ class Files(unittest.TestCase):
         (self.root / "README.md").write_text("Laws: one\n")
 
     def kinds(self, *changes):
-        """The kinds of TEXT, in which these (old, new) replacements are made first."""
+        """The kinds of additions that TEXT describes, after these (old, new) replacements."""
         text = TEXT
         for old, new in changes:
             self.assertIn(old, text)

@@ -35,12 +35,12 @@ enum class Kind : std::uint8_t {
   scene,          // of steel, as built
   extreme_scene,  // decades beyond what can be built
   load_sharing,   // K and λ₀ from 1e-300 to 1e300, and K about its critical value
-  load_shares,    // at films about a floor; floors of all heights
+  load_shares,    // λ₀ within 30 % of a floor, which may be of any height
   film_ratio,     // r from 1e-300 to 1e300, and about 1
   moment,         // d from −45 to 45, all orders, and the neighbours of every branch
   // The kinds below are drawn by the contract test alone.
   scaled_moment,  // and its logarithm
-  deficit,        // of the starved film; the ratio at a departure; the slope
+  deficit,        // 1 − y of the starved film; r at a given 1 − y; slope
   hertz,
   film,
   rough_contact,
@@ -66,8 +66,8 @@ inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);
 struct KindInfo {
   Kind kind;
   std::string_view name;
-  // `points`: how many the contract test draws, beside the hard points. `certain`: of how many
-  // points, with the hard ones, the truth has to be certain at least.
+  // The contract test draws `points` points and adds the hard ones. The truth has to be certain for
+  // at least `certain` of all these.
   int points, certain;
 };
 inline constexpr std::array<KindInfo, kind_count> kinds{{
@@ -110,7 +110,7 @@ constexpr std::string_view name(Kind kind) { return kinds[static_cast<std::size_
 
 struct Point {
   Kind kind = Kind::scene;
-  Scene scene;                                        // of a scene; other kinds use only its words
+  Scene scene;  // other kinds than scenes use only its choices of laws
   const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing, load_shares and film_law
   std::array<double, 9> x{};                          // K, δ, λ₀ | r, γ, departure | d | …
 };

@@ -21,8 +21,9 @@ using ehl::SolvedFilm;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The outlet's film over the least one, 1 + tan²γ_c, for H = H₀(1 + tan²γ) of a plane and a rigid
-// parabola. At γ_c pressure and slope are 0: ∫ [cos²γ − cos⁴γ/cos²γ_c] dγ from −π/2 is 0.
+// The film at the outlet over the least film, between a plane and a rigid parabola. This film is
+// H = H₀(1 + tan²γ), so that the ratio is 1 + tan²γ_c. At the outlet γ_c the pressure and its slope
+// are 0: the integral of cos²γ − cos⁴γ/cos²γ_c from −π/2 to γ_c is 0.
 double rigid_film_ratio() {
   const auto pressure = [](double g) {
     const double square = std::cos(g) * std::cos(g);
@@ -38,8 +39,9 @@ double rigid_film_ratio() {
   return 1 + std::tan(low) * std::tan(low);
 }
 
-// On a rigid parabola the balance of the load gives the film number 3/M at the greatest pressure,
-// and so the least film number 3/M over that ratio. The change by elastic bodies falls with M².
+// With rigid bodies the load gives the film number 3/M at the greatest pressure. The outlet has the
+// same film, so that the least film number is 3/M over rigid_film_ratio(). Elastic bodies change
+// both by a part that is proportional to M².
 TEST(FilmLimits, RigidBodiesAndConstantViscosity) {
   const double ratio = rigid_film_ratio();
   EXPECT_TRUE(is_within(3 / ratio, 2.44748, 0.000005));
@@ -74,9 +76,9 @@ ehl::Estimate fitted_constant(const MatrixXd& columns, const VectorXd& values,
   return {fit[0], weights.cwiseAbs().dot(errors) + std::sqrt(variance * inverse(0, 0))};
 }
 
-// The limit of the film number at the greatest pressure divided by M^{of_load} L^{of_material},
-// from a fit to the columns of columns_of(contact, H). The first column is 1; the others go to 0 in
-// the limit.
+// The limit of H_p / (M^{of_load} L^{of_material}), where H_p is the film number at the greatest
+// pressure. It comes from a fit to the columns of columns_of(contact, H). The first column is 1;
+// the others go to 0 in the limit.
 template <class Columns>
 ehl::Estimate fitted_limit(const std::vector<std::array<double, 2>>& contacts, double of_load,
                            double of_material, double tolerance, const Columns& columns_of) {
@@ -114,7 +116,7 @@ TEST(FilmLimits, ElasticAndPiezoviscous) {
 }
 
 // The limit is 1.28667 L^{2/3} as two numbers go to 0: ML^{−2/3}, the effect of elastic bodies, and
-// 1/(ML^{2/3}), that of a liquid that is not viscous enough.
+// 1/(ML^{2/3}), the effect of a liquid whose viscosity rises too little.
 TEST(FilmLimits, RigidAndPiezoviscous) {
   const ehl::Estimate limit = fitted_limit(
       {{0.25, 200},

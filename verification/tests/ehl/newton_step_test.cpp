@@ -45,8 +45,9 @@ MatrixXd full_jacobian(const ehl::FilmKernel& kernel, const std::vector<ehl::Bal
   return j;
 }
 
-// A leaf of n nodes keeps n² numbers. Two leaves of n nodes, joined by r products of the upper
-// block and s of the lower one, keep 2n² numbers, 2n for each product, and (r + s)².
+// A leaf of n nodes keeps n² numbers. Two leaves that are joined keep 2n² numbers. The two blocks
+// between them are products left · rightᵀ of r and s columns. Each of these columns adds 2n
+// numbers, and the system that joins the leaves has (r + s)².
 TEST(Jacobian, CountsTheBytesOfAllItsBlocks) {
   Sampler sampler(12);
   const auto numbers = [&](int count) {
