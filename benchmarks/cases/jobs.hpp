@@ -77,8 +77,8 @@ std::vector<Measured> jobs_of(const std::vector<RootContender>& contenders, Root
 const Scene& curve_scene();
 // Speeds that are log-spaced over the scene's range, ascending.
 std::vector<double> curve_speeds(std::size_t count);
-// The errors of the films at `count` speeds, compared with the same model in long double at the
-// speeds that the contender has written into its points. Collapsed films are not judged.
+// The errors of the films at `count` speeds. The true films are those of the same model in long
+// double, at the speeds in the contender's own points. Collapsed films are not judged.
 Errors judge(const CurveContender& contender, std::size_t count = 200);
 // Each contender at both jobs.
 std::vector<Measured> jobs_of(const std::vector<CurveContender>& contenders);

@@ -19,8 +19,9 @@ using Eigen::VectorXd;
 constexpr std::array<std::array<int, 2>, 6> stencil{
     {{-2, 0}, {-1, 0}, {0, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-// For relaxation: the part of a line's change that is made, the decrease of H₀ per relative missing
-// load, and the number of diagonals on each side of the main diagonal in a line's matrix.
+// Relaxation makes `change_part` of each change that a line's equations give, and lowers H₀ by
+// `load_part` times the relative missing load. A line's matrix has `band` diagonals on each side of
+// the main one.
 constexpr double change_part = 0.4, load_part = 0.05;
 constexpr int band = 3;
 

@@ -102,7 +102,8 @@ def times_of(programs, control=None):
     found = measure.times(programs)
     if control and not 1 / rules.QUIET <= found.control / control <= rules.QUIET:
         raise NotComparable(f"the control kernel takes {1e6 * found.control:.1f} µs, {1e6 * control:.1f} when the "
-                            "baseline was made: another processor under the same name, or a neighbour on it")
+                            "baseline was made: the processor is another one of the same name, or other programs "
+                            "share it")
     if found.fewest < rules.REPETITIONS:
         raise NotComparable(f"the machine is busy: {found.fewest} quiet repetitions, {rules.REPETITIONS} are needed")
     return found.intervals()

@@ -190,8 +190,8 @@ class Holds(OnAProgram):
     def test_a_control_kernel_of_another_speed_is_not_compared(self):
         code, lines, _ = self.held("--gates", "time", control=1.5, seconds={"root": 3e-5, "curve": 0.75e-5})
         self.assertEqual((code, lines), (0, [
-            "time", "  not held: not comparable: the control kernel takes 15.0 µs, 10.0 when the baseline was made: another processor "
-            "under the same name, or a neighbour on it", "Ran 0 cases"]))
+            "time", "  not held: not comparable: the control kernel takes 15.0 µs, 10.0 when the baseline was made: the processor is another one "
+            "of the same name, or other programs share it", "Ran 0 cases"]))
 
     def test_a_machine_without_the_instruction_set_or_a_baseline_says_so(self):
         self.assertEqual(self.held("--gates", "instructions", sets=["AVX9"])[:2],

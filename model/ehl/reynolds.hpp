@@ -28,8 +28,8 @@ struct Balance {
 
 // Second order on grids whose spacing changes slowly. The film that is dragged between two nodes is
 // extrapolated from the two nodes before, so that films do not waver where the liquid is so viscous
-// that pressure drives none of it. 1/η̄ is its mean for linear ln η̄. `slopes` stay empty if they are
-// not asked for.
+// that pressure drives none of it. The mean of 1/η̄ between nodes is that of a linear ln η̄. `slopes`
+// stay empty if they are not asked for.
 Balance balance_of(const LineContact& contact, std::span<const double> x,
                    const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
                    bool with_slopes = true);

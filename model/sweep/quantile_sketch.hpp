@@ -55,9 +55,9 @@ class QuantileSketch {
   static QuantileSketch read(Receiver& from);
 
  private:
-  // Counts are kept in pages, each a sixteenth of a power of two. Empty pages take no memory, as
-  // between values near 1e-300 and near 1. Longer pages cost time where each column of a chunk has
-  // few values.
+  // Counts are kept in pages, each a sixteenth of a power of two. Empty pages are not allocated,
+  // for example those between 1e-300 and 1 if no values lie there. Longer pages cost time where
+  // each column of a chunk has few values.
   static constexpr std::size_t page_bins = 64;
   using Page = std::array<std::uint64_t, page_bins>;
 

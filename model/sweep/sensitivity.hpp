@@ -24,7 +24,7 @@
 
 namespace tribo::sweep {
 
-// Groups in a row make this many blocks. The jackknife leaves out one block after the other.
+// Consecutive groups form this many blocks. The jackknife leaves out one block after the other.
 inline constexpr std::size_t jackknife_blocks = 32;
 std::size_t block_of(std::uint64_t group, std::uint64_t groups);
 
@@ -45,7 +45,7 @@ struct SensitivitySums {
 // The sums of one column in each block.
 using SensitivityBlocks = std::array<SensitivitySums, jackknife_blocks>;
 
-// Are `groups` groups without undefined values, of `all` groups, enough for indices?
+// Indices are given if this is true. `groups` of `all` groups have no undefined value.
 inline bool has_enough_groups(std::uint64_t groups, std::uint64_t all) {
   constexpr double least_part = 0.99;
   return groups > 0 && static_cast<double>(groups) >= least_part * static_cast<double>(all);

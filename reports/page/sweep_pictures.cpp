@@ -28,8 +28,8 @@ bool is_grid(const sweep::SceneResult& scene) {
          std::ranges::all_of(scene.inputs, is_number);
 }
 
-// The places of the speeds that are drawn. With one field these are all speeds; with two fields,
-// which need a map for each speed, the first, the middle and the last one.
+// The places of the speeds that are drawn. One field is drawn at all speeds. Two fields need a map
+// for each speed, so that at most three are drawn: the first, the middle and the last one.
 std::vector<std::size_t> drawn_speeds(const sweep::SceneResult& scene) {
   const std::size_t count = scene.speeds.size();
   if (scene.inputs.size() == 2 && count > 3) return {0, count / 2, count - 1};
@@ -51,7 +51,8 @@ ordered_json grid_json(const sweep::SceneResult& scene, const sweep::ResultFile&
     if (column == nullptr || column->values.size() != scene.speeds.size()) continue;
     const auto values = result.column(scene.id, std::string(name));
     if (values.size() != scene.cases * scene.speeds.size())
-      throw std::runtime_error(result.path() + " has a torn film");
+      throw std::runtime_error(result.path() + " does not have a value of " + std::string(name) +
+                               " for each case and speed");
     ordered_json rows = ordered_json::array();
     for (std::size_t first = 0; first < values.size(); first += scene.speeds.size()) {
       ordered_json row = ordered_json::array();

@@ -85,7 +85,7 @@ class RowWriter {
   RowWriter(std::string_view format, OutputStream& output, std::vector<Column> columns,
             Document document, Reasons reasons = Reasons::below);
 
-  // The next rows are about this scene, and have these of the columns.
+  // The next rows are about this scene, which has only these columns.
   void begin(std::string_view id, std::string_view title, std::vector<Column> columns);
   // Says below the table of this scene why it has no such column.
   void note(std::string_view name, std::string_view reason) {

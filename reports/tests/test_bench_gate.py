@@ -17,7 +17,7 @@ MINE = "moment_5_2/plugin/mine"
 OTHER = "moment_2/plugin/mine"
 OURS = "moment_5_2/tribocheck/scalar"
 
-# Prints the rows that the file `rows.json` has for the first run and for the second, as Google Benchmark does. It
+# This program prints the rows that `rows.json` has for the first or the second run, in Google Benchmark's format. It
 # writes the filters that it gets into the file `asked`.
 STAND_IN = r"""#!/usr/bin/env python3
 import json, os, pathlib, re, sys, time

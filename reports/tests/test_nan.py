@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""NaN where a number is wanted fails in every language; a case that is said not to be offered is skipped."""
+"""A NaN instead of a number fails in every language; a case that the solver says it does not offer is skipped."""
 import json
 import pathlib
 import shutil

@@ -11,8 +11,8 @@
 namespace tribo::conformance {
 
 struct Diagnosis {
-  std::string quantity;                     // that with most of these wrong answers
-  std::vector<std::string> functions = {};  // that have this cause; that of `quantity` first
+  std::string quantity;                     // has the most wrong answers of this cause
+  std::vector<std::string> functions = {};  // with this cause; the function of `quantity` is first
   std::vector<std::string> mistakes;  // names; each gives the same numbers. "a + b": both at once.
                                       // Empty: the text only says how the numbers are off
   std::size_t explained;              // wrong answers that the mistakes give
@@ -25,8 +25,8 @@ struct Diagnosis {
 
 // Diagnoses each function that failed. Names the mistakes that give its numbers, alone or together
 // (mistake_search.hpp), in the whole function and then in its branches. Describes wrong answers
-// that no known mistakes give: where and how they are off, and by which powers of the inputs. These
-// are left out if they are at most 3 for each 100 wrong answers that named mistakes give.
+// that no known mistakes give: where and how they are off, and by which powers of the inputs. Up
+// to 3 such answers are left out for each 100 wrong answers of the branch that named mistakes give.
 std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
                                 const Conversation& conversation, const Tolerance& tolerance,
                                 const std::vector<Mistake>& mistakes);

@@ -57,7 +57,7 @@ struct Item {
   std::string printed;  // as the paper prints it
   double reported;      // of rule number
   double last_digit;    // of rule number: the unit of the last printed digit
-  double tolerance;     // of equal (the factor less 1) and at_least
+  double tolerance;     // of equal: the allowed factor less 1; of at_least: the threshold
   std::string unit, place, statement, computed_as;
   std::string label;  // what is computed, in few words
   // The item is decided by arithmetic with a printed formula alone, without any part of the model.
@@ -68,12 +68,12 @@ struct Item {
 struct Observed {
   std::optional<double> value;  // the deciding number: the worst of a comparison over speeds
   double other_end = 0;         // the best of a comparison over speeds; else the value
-  double part = 1;              // share of the compared ln u, or surfaces, where the item holds
+  double part = 1;              // the part of the speeds (ln u) or surfaces at which the item holds
   std::string_view none{};      // why there is no value
   // Absolute numerical errors: the exact number lies within them.
   double error = 0;                    // of value, other_end and middle
   std::optional<double> part_error{};  // of part; none where speeds are not compared
-  // Where few numbers are compared: the greatest that at least half of them reach.
+  // The median where only a few numbers are compared: at least half of them reach it.
   std::optional<double> middle{};
   // Contacts whose numbers lie beyond the collapse of their film; bit i: contact i (ContactName).
   std::uint8_t beyond_collapse = 0;
@@ -117,8 +117,8 @@ struct Margin {
 };
 inline constexpr std::string_view undecided_words = "the margin is below the numerical error";
 
-// The distance to the nearest threshold beyond which the verdict would change. A threshold within
-// the numerical error is chosen before all others. Empty where there is no number.
+// The distance to the nearest threshold beyond which the verdict would change. If thresholds
+// lie within the numerical error, it is the nearest of these. Empty without a number.
 std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observed);
 
 // Is it sure, whatever the numerical error, whether the item is reproduced?

@@ -61,7 +61,7 @@ double calls_of_onset(OnsetCriterion criterion, StarvationClosure closure, Sampl
   return calls_of([&] { onset(contact, scene, criterion, Dual(0.05)); });
 }
 
-// Calls of a walk to a speed: from the walk's own start near it, or up from 1e-4 m/s.
+// The number of calls in a walk to a speed, from walk.near() of this speed or of 1e-4 m/s.
 double calls_of_walk(StarvationClosure closure, bool from_below, Sampler& sampler) {
   const MixedContact<Dual> contact(
       random_starved_scene(closure, SupplyKind::inlet_film_ratio, sampler));

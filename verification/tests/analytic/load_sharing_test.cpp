@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load-sharing root under the default film law and under others, h = h₀ γ^{a−b}: from λ₀ to λ
-// and back, the floor, films near the floor, the signs of the residual, and the exponent. The tests
-// in certified and contract check the root's value.
+// The load-sharing root under the default film law and under others, h = h₀ (1 − A)^{b−a}: from λ₀
+// to λ and back, the floor, films near the floor, the signs of the residual, and the exponent. The
+// tests in certified and contract check the root's value.
 #include "tribo/load_sharing.hpp"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST(LoadSharing, FluidShareAboveTheFloorKeepsItsDigits) {
       const LoadSharing<Reference> exact(model, Reference(stiffness), Reference(1.146));
       for (double distance = 1e-300; distance < 3; distance *= distance < 1e-6 ? 1e5 : 1.07) {
         const LoadShares<double> got = sharing.shares_above_floor(distance);
-        // Beyond the series 1 − A(λ) is taken at the rounded λ = λ_b + distance.
+        // Beyond the series, the share is 1 − A(λ) at the rounded λ = λ_b + distance.
         const double slope = -sharing.asperity_share_slope(got.film_parameter);
         const double condition = got.asperity < 0.75 ? 1 + slope * got.asperity / got.fluid : 1;
         EXPECT_TRUE(is_close(got.fluid, exact.shares_above_floor(Reference(distance)).fluid,
@@ -158,7 +158,7 @@ TEST(FilmLaw, ResidualChangesSignAtTheRootAlone) {
   }
 }
 
-// The exponent is d ln λ₀/d ln(1−A) at one film of two surfaces; λ₀ gives that film back.
+// Two surfaces with the same film give the exponent, d ln λ₀/d ln(1−A). λ₀ gives that film.
 TEST(FilmLaw, ExponentOfTheFluidShareIsTheLaws) {
   Sampler sampler(75);
   int compared = 0;

@@ -49,8 +49,8 @@ TEST(BrokenToml, NonAsciiInStringsAndCommentsIsFine) {
     EXPECT_TRUE(accepted(Format::toml, start + rest));
 }
 
-// toml++ reads such a value on into the string that follows. There the é reached code that toml++
-// takes to be unreachable.
+// toml++ reads beyond such a value, into the string that follows it. The é in this string led to
+// code that toml++ takes to be unreachable.
 TEST(BrokenToml, ValueRunningIntoAStringIsRefused) {
   for (const char* text : {"a=+\"é\"\n", "a=[1,1e400[\"é\"]]\n", "a=1979-05-27 0\"é\"\n",
                            "a=1:\"\u2003\"\n", "a=1e400\"\u3000\"\n"})
@@ -218,7 +218,7 @@ TEST(WideNumbers, AreFoundAfterALongStringThatEndsInQuotes) {
 }
 
 // Up to two quotes after the three that begin a long string, or before the three that end it,
-// belong to the string. A third one before the end begins another string.
+// belong to the string. A sixth quote at the end begins another string.
 TEST(BrokenToml, LongStringsBeginAndEndWithAtMostFiveQuotes) {
   for (const char quote : {'"', '\''})
     for (const std::size_t opening : {3U, 4U, 5U})

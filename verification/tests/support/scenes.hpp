@@ -21,8 +21,8 @@ inline constexpr std::array starvation_closures{
     StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
     StarvationClosure::printed_exponents, StarvationClosure::damiens};
 
-// The film laws of lines, or those of points, that scenes can name and whose film load sharing
-// changes by a power of 1 − A. The test analytic.MoesFilm has the other laws.
+// The film laws of lines, or of points, that scenes can name, if load sharing multiplies the film
+// by a power of 1 − A. The test analytic.MoesFilm has the other laws.
 inline std::vector<FilmFormula> film_formulas(bool of_lines) {
   std::vector<FilmFormula> formulas;
   for (std::size_t i = 0; i < named_film_laws.size(); ++i)
@@ -125,8 +125,8 @@ inline Scene random_scene(Sampler& sampler) {
   return scene;
 }
 
-// The numbers of a scene with their names, its first speed among them. A condition number has these
-// as its inputs.
+// The numbers of a scene with their names, its first speed among them. Condition numbers are sums
+// over these inputs.
 inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene) {
   return {{"load", &scene.load},
           {"speed", scene.speeds.list.data()},
