@@ -15,6 +15,7 @@
 #include <tuple>
 #include <vector>
 
+#include "conformance/answers.hpp"
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/question.hpp"
 #include "conformance/readings.hpp"
@@ -169,17 +170,10 @@ TEST(JudgedQuantity, CountsEachOfItsCases) {
   EXPECT_EQ(judged(cases, {right, right, right, right}).quantities[0].status, Verdict::held);
 }
 
-const std::vector<TestCase>& all_cases() {
-  const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
-  static const std::vector<TestCase> cases =
-      read_cases({reference + "/exact", reference + "/published"});
-  return cases;
-}
-
 // A solver keeps its answers, but ignores `input` when it looks for one: it repeats an old answer
 // if the other inputs are the same. With `forgets_soon` it keeps only the answer to the case
 // before. Returns whether an ordinary case shows that.
-bool is_missed(std::string_view function, const std::string& input, bool forgets_soon) {
+bool is_shown(std::string_view function, const std::string& input, bool forgets_soon) {
   std::map<std::string, const TestCase*> kept;
   for (const TestCase& one : all_cases()) {
     if (one.function != function || one.is_extreme) continue;
@@ -209,7 +203,7 @@ TEST(Cases, ShowASolverThatForgetsOneInput) {
     for (const std::string& input : names)
       for (const bool forgets_soon : {false, true})
         // Cases of moments are sorted by order. Neighbours do not differ in the order alone.
-        EXPECT_EQ(is_missed(function, input, forgets_soon), !forgets_soon || input != "/order")
+        EXPECT_EQ(is_shown(function, input, forgets_soon), !forgets_soon || input != "/order")
             << function << " without " << input << (forgets_soon ? ", from the case before" : "");
 }
 
@@ -290,12 +284,6 @@ Conversation answered_by(const std::vector<TestCase>& cases, double (*value)(con
     conversation.answers.push_back(with({{one.expected.at(0).field, value(question_of(one))}}));
   return conversation;
 }
-std::vector<TestCase> cases_of(std::string_view function) {
-  std::vector<TestCase> cases;
-  for (const TestCase& one : all_cases())
-    if (one.function == function) cases.push_back(one);
-  return cases;
-}
 double roelands(const Question& asked, double pole) {
   const auto [viscosity, alpha, pressure] =
       std::array{asked.arguments[0], asked.arguments[1], asked.arguments[2]};
@@ -368,7 +356,7 @@ TEST(Readings, OfOneLawAreEachHeldWhereAllAnswersFollowThem) {
         {"viscosity_index", [](const Question& x) { return index_of_table(x, true); }, "", true,
          false}}) {
     for (const Tolerance& tolerance : {engineering_tolerance(), strict_tolerance()}) {
-      std::vector<TestCase> cases = cases_for(cases_of(function), tolerance);
+      std::vector<TestCase> cases = cases_for(cases_of(function, all_cases()), tolerance);
       Conversation conversation = answered_by(cases, value);
       const std::vector<std::string> notes = take_readings(cases, conversation, tolerance, {});
       const bool has_note = *note != '\0' && (is_seen || tolerance.is_strict);

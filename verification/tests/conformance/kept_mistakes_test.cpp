@@ -18,15 +18,13 @@
 #include <utility>
 #include <vector>
 
-#include "conformance/conformance_case.hpp"
-#include "conformance/mistake.hpp"
+#include "conformance/answers.hpp"
 #include "support/judge.hpp"
 
 namespace tribo::conformance {
 namespace {
 
-const std::string reference_folder = TRIBOCHECK_SOURCE_DIR "/reference";
-const std::string kept_file = reference_folder + "/baselines/mistakes.tsv";
+const std::string kept_file = reference + "/baselines/mistakes.tsv";
 constexpr std::size_t most_changed = 48;  // cases whose answers a mistake changes, at most
 
 // The cases of each function, sorted by a hash of their ids (FNV-1a) and so without a pattern.
@@ -37,10 +35,10 @@ std::map<std::string, std::vector<TestCase>> mixed_cases() {
     return value;
   };
   std::map<std::string, std::vector<TestCase>> by_function;
-  for (TestCase& one : read_cases({reference_folder + "/exact", reference_folder + "/published"}))
+  for (const TestCase& one : all_cases())
     if (!one.is_extreme)
       by_function[is_operating_point(one.function) ? "operating_point" : one.function].push_back(
-          std::move(one));
+          one);
   for (auto& [function, cases] : by_function)
     std::sort(cases.begin(), cases.end(), [&](const TestCase& a, const TestCase& b) {
       return std::pair(hash(a.id), a.id) < std::pair(hash(b.id), b.id);
@@ -78,7 +76,7 @@ Told told_of(const Mistake& mistake, const std::vector<TestCase>& cases) {
 TEST(Mistakes, AnswerWhatIsKept) {
   const auto cases = mixed_cases();
   std::vector<std::pair<std::string, double>> rows;
-  for (const Mistake& mistake : read_mistakes(reference_folder + "/mistakes.toml")) {
+  for (const Mistake& mistake : all_mistakes()) {
     const Told told = told_of(mistake, cases.at(mistake.function));
     rows.emplace_back(
         fmt::format("{}\t{}\t{}\t{}\t{}\t{}", mistake.function, mistake.name, mistake.follows,

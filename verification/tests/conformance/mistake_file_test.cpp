@@ -11,25 +11,21 @@
 #include <stdexcept>
 #include <string>
 
-#include "conformance/conformance_case.hpp"
-#include "conformance/mistake.hpp"
+#include "conformance/answers.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tribo::conformance {
 namespace {
 
-const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
-
 TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
-  const std::vector<TestCase> cases = read_cases({reference + "/exact", reference + "/published"});
   std::set<std::pair<std::string, std::string>> names;
-  for (const Mistake& mistake : read_mistakes(reference + "/mistakes.toml")) {
+  for (const Mistake& mistake : all_mistakes()) {
     EXPECT_TRUE(names.emplace(mistake.function, mistake.name).second) << mistake.name;
     std::size_t changed = 0;
-    for (const TestCase& asked : cases) {
+    for (const TestCase& asked : usual_cases()) {
       const bool is_of_points =
           is_operating_point(asked.function) && mistake.function == "operating_point";
-      if ((asked.function != mistake.function && !is_of_points) || asked.is_extreme) continue;
+      if (asked.function != mistake.function && !is_of_points) continue;
       const Question question = question_of(asked);
       const Mistake* const one = &mistake;
       const std::optional<Numbers> given = numbers_with({&one, 1}, question);
@@ -50,13 +46,11 @@ TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
 void for_each_answer(const std::function<bool(const Mistake&)>& is_asked,
                      const std::function<void(const TestCase&, const Question&,
                                               const std::optional<Numbers>&)>& look) {
-  const std::vector<TestCase> cases = read_cases({reference + "/exact", reference + "/published"});
-  const std::vector<Mistake> mistakes = read_mistakes(reference + "/mistakes.toml");
-  for (const Mistake& mistake : mistakes) {
+  for (const Mistake& mistake : all_mistakes()) {
     if (mistake.function != "operating_point" || !is_asked(mistake)) continue;
     const Mistake* const one = &mistake;
-    for (const TestCase& asked : cases) {
-      if (!is_operating_point(asked.function) || asked.is_extreme) continue;
+    for (const TestCase& asked : usual_cases()) {
+      if (!is_operating_point(asked.function)) continue;
       const Question question = question_of(asked);
       look(asked, question, numbers_with({&one, 1}, question));
     }
@@ -82,7 +76,7 @@ TEST(Mistakes, InFrictionAreSaidOfEveryShape) {
 // The function load_sharing has the exponent of the default film law.
 TEST(Mistakes, InLoadSharingAreSaidOfFilmsOfItsExponentAlone) {
   std::set<std::string> names;
-  for (const Mistake& mistake : read_mistakes(reference + "/mistakes.toml"))
+  for (const Mistake& mistake : all_mistakes())
     if (mistake.function == "load_sharing") names.insert(mistake.name);
   std::size_t said = 0, unsaid_of = 0;
   for_each_answer(

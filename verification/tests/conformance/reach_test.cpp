@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.hpp"
-#include "conformance/conformance.hpp"
+#include "conformance/answers.hpp"
 #include "conformance/question.hpp"
 #include "support/case_count.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -24,13 +24,6 @@ using catalogue::Combination;
 using catalogue::Function;
 using catalogue::Parameter;
 using catalogue::Results;
-
-const std::vector<TestCase>& all_cases() {
-  const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
-  static const std::vector<TestCase> cases =
-      read_cases({reference + "/exact", reference + "/published"});
-  return cases;
-}
 
 // An end of the reach of a number or of a combination, and how a solver cuts it off there.
 struct End {

@@ -20,7 +20,7 @@
 #include <set>
 #include <vector>
 
-#include "conformance/conformance.hpp"
+#include "conformance/answers.hpp"
 #include "conformance/question.hpp"
 #include "conformance/readings.hpp"
 #include "support/judge.hpp"
@@ -35,7 +35,6 @@ using Answers = std::vector<double>;  // in the order of the function's results
 using Formula = std::function<Answers(const Arguments&)>;
 
 constexpr double pi = std::numbers::pi;
-const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
 
 // The choices that are drawn anew for each way of writing.
 struct Draw {
@@ -492,18 +491,11 @@ constexpr Kind kinds[] = {
     {"viscosity_index", viscosity_index},     {"kogut_etsion_load", kogut_etsion},
     {"persson_contact_area", persson},        {"load_sharing", load_sharing}};
 
-const std::vector<TestCase>& all_cases() {
-  static const std::vector<TestCase> cases = cases_for(
-      read_cases({reference + "/exact", reference + "/published"}), engineering_tolerance());
-  return cases;
-}
-
 // The verdicts on a solver that offers this function alone, by the formula.
 ConformanceResult verdict_on(const catalogue::Function& function, const Formula& formula) {
   std::vector<TestCase> cases;
   Conversation conversation;
-  for (const TestCase& one : all_cases()) {
-    if (one.function != function.name) continue;
+  for (const TestCase& one : cases_of(function.name)) {
     const Answers answers = formula(question_of(one).arguments);
     nlohmann::json fields;
     for (std::size_t i = 0; i < function.results.size(); ++i)
