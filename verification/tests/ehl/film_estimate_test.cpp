@@ -224,15 +224,9 @@ TEST(SolvedFilm, ErrorsHoldOnEachGridOfContactsWithSharpSpikes) {
 TEST(SolvedFilm, AgreesWithTheSecondMethodWithinBothErrors) {
   Sampler sampler(24);
   std::vector<ehl::LineContact> contacts;
-  for (const auto& [m, l] : {std::array<double, 2>{1, 0},
-                             {200, 0},
-                             {1, 7.5},
-                             {10, 5},
-                             {200, 2.5},
-                             {50, 5},
-                             {0.1, 0},
-                             {5, 7.5}})
-    contacts.push_back(ehl::barus_contact(m, l));
+  constexpr std::pair<double, double> numbers[]{{1, 0},     {200, 0}, {1, 7.5}, {10, 5},
+                                                {200, 2.5}, {50, 5},  {0.1, 0}, {5, 7.5}};
+  for (const auto& [m, l] : numbers) contacts.push_back(ehl::barus_contact(m, l));
   for (int i = 0; i < 6; ++i)
     contacts.push_back(three_liquids(sampler.log_uniform(1, 100),
                                      sampler.uniform(0, 5))[static_cast<std::size_t>(i % 3)]);

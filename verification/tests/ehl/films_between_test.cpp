@@ -94,13 +94,9 @@ TEST(FilmsBetween, AreWithinTheirErrorOfFilmsSolvedBetweenTheRows) {
 
 // Lines are solved fast: some are solved here, also at smaller L than in the test above.
 TEST(FilmsBetween, AreWithinTheirErrorOfLinesThatAreSolvedHere) {
-  for (const auto& [m, l] : {std::pair{7., 0.4},
-                             {30., 0.5},
-                             {120., 0.3},
-                             {16., 6.},
-                             {60., 18.},
-                             {150., 12.},
-                             {3., 3.}}) {
+  constexpr std::pair<double, double> numbers[]{{7., 0.4},  {30., 0.5},  {120., 0.3}, {16., 6.},
+                                                {60., 18.}, {150., 12.}, {3., 3.}};
+  for (const auto& [m, l] : numbers) {
     const ehl::LineContact contact = ehl::barus_contact(m, l);
     const ehl::SolvedFilm film = solved(contact);
     const double unit = contact.film_number(1);

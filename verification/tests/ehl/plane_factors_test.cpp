@@ -51,16 +51,9 @@ VectorXd product(const Entries& entries, const VectorXd& with) {
 
 TEST(PlaneFactors, UndoTheMatrixToSinglePrecisionOnGridsOfAllShapes) {
   Sampler sampler(1);
-  for (const auto& [across, along] : {std::pair{1, 1},
-                                      {1, 40},
-                                      {40, 1},
-                                      {2, 9},
-                                      {3, 3},
-                                      {5, 2},
-                                      {17, 5},
-                                      {64, 33},
-                                      {33, 64},
-                                      {90, 41}}) {
+  constexpr std::pair<int, int> shapes[]{{1, 1}, {1, 40}, {40, 1},  {2, 9},   {3, 3},
+                                         {5, 2}, {17, 5}, {64, 33}, {33, 64}, {90, 41}};
+  for (const auto& [across, along] : shapes) {
     SCOPED_TRACE(testing::Message() << across << " by " << along << " nodes");
     const ehl::PlaneGrid grid = grid_of(across, along);
     ehl::PlaneFactors factors(grid);

@@ -23,82 +23,38 @@ using scene_detail::ValueKind;
 using verification::Sampler;
 
 struct Unit {
-  const char* written;
-  const char* si;
+  std::string written, si;
   int power;
 };
-constexpr Unit units[] = {{"nm", "m", -9},
-                          {"um", "m", -6},
-                          {"µm", "m", -6},
-                          {"μm", "m", -6},
-                          {"mm", "m", -3},
-                          {"cm", "m", -2},
-                          {"m", "m", 0},
-                          {"pm", "m", -12},
-                          {"km", "m", 3},
-                          {"nm²", "m²", -18},
-                          {"um^2", "m²", -12},
-                          {"mm2", "m²", -6},
-                          {"1/mm2", "1/m²", 6},
-                          {"1/mm^2", "1/m²", 6},
-                          {"mm^-2", "1/m²", 6},
-                          {"mm⁻²", "1/m²", 6},
-                          {"1/µm²", "1/m²", 12},
-                          {"1/m²", "1/m²", 0},
-                          {"1 / cm²", "1/m²", 4},
-                          {"mN", "N", -3},
-                          {"N", "N", 0},
-                          {"kN", "N", 3},
-                          {"MN", "N", 6},
-                          {"Pa", "Pa", 0},
-                          {"kPa", "Pa", 3},
-                          {"MPa", "Pa", 6},
-                          {"GPa", "Pa", 9},
-                          {"N/mm²", "Pa", 6},
-                          {"N/mm^2", "Pa", 6},
-                          {"1/Pa", "1/Pa", 0},
-                          {"1/MPa", "1/Pa", -6},
-                          {"1/GPa", "1/Pa", -9},
-                          {"GPa^-1", "1/Pa", -9},
-                          {"GPa⁻¹", "1/Pa", -9},
-                          {"mm²/N", "1/Pa", -6},
-                          {"Pa s", "Pa·s", 0},
-                          {"mPa s", "Pa·s", -3},
-                          {"mPa·s", "Pa·s", -3},
-                          {"mPa.s", "Pa·s", -3},
-                          {"mPa*s", "Pa·s", -3},
-                          {"mPas", "Pa·s", -3},
-                          {"mPa\u00A0s", "Pa·s", -3},
-                          {"cP", "Pa·s", -3},
-                          {"P", "Pa·s", -1},
-                          {"m/s", "m/s", 0},
-                          {"mm/s", "m/s", -3},
-                          {"µm/s", "m/s", -6},
-                          {"m s^-1", "m/s", 0},
-                          {"m²/s", "m²/s", 0},
-                          {"mm²/s", "m²/s", -6},
-                          {"mm^2/s", "m²/s", -6},
-                          {"cSt", "m²/s", -6},
-                          {"St", "m²/s", -4},
-                          {"K", "K", 0},
-                          {"mK", "K", -3},
-                          {"1/K", "1/K", 0},
-                          {"K^-1", "1/K", 0},
-                          {"kg/m³", "kg/m³", 0},
-                          {"kg/m^3", "kg/m³", 0},
-                          {"g/cm³", "kg/m³", 3},
-                          {"g/ml", "kg/m³", 3},
-                          {"g/mL", "kg/m³", 3},
-                          {"kg/dm³", "kg/m³", 3},
-                          {"kg/l", "kg/m³", 3},
-                          {"kg/L", "kg/m³", 3},
-                          {"W/(m K)", "W/(m·K)", 0},
-                          {"mW/(m·K)", "W/(m·K)", -3},
-                          {"W/mK", "W/(m·K)", 0},
-                          {"W/(mK)", "W/(m·K)", 0},
-                          {"W/m·K", "W/(m·K)", 0},
-                          {"W/m/K", "W/(m·K)", 0},
-                          {"cm/s", "m/s", -2}};
+// For each unit of SI the units that are written in its place, with their powers of ten.
+std::vector<Unit> all_units() {
+  std::vector<Unit> all;
+  for (const auto& [si, units] : std::initializer_list<std::pair<const char*, std::string>>{
+           {"m", "nm: -9; um: -6; µm: -6; μm: -6; mm: -3; cm: -2; m: 0; pm: -12; km: 3"},
+           {"m²", "nm²: -18; um^2: -12; mm2: -6"},
+           {"1/m²", "1/mm2: 6; 1/mm^2: 6; mm^-2: 6; mm⁻²: 6; 1/µm²: 12; 1/m²: 0; 1 / cm²: 4"},
+           {"N", "mN: -3; N: 0; kN: 3; MN: 6"},
+           {"Pa", "Pa: 0; kPa: 3; MPa: 6; GPa: 9; N/mm²: 6; N/mm^2: 6"},
+           {"1/Pa", "1/Pa: 0; 1/MPa: -6; 1/GPa: -9; GPa^-1: -9; GPa⁻¹: -9; mm²/N: -6"},
+           {"Pa·s",
+            "Pa s: 0; mPa s: -3; mPa·s: -3; mPa.s: -3; mPa*s: -3; mPas: -3; "
+            "mPa\u00A0s: -3; cP: -3; P: -1"},
+           {"m/s", "m/s: 0; mm/s: -3; µm/s: -6; m s^-1: 0"},
+           {"m²/s", "m²/s: 0; mm²/s: -6; mm^2/s: -6; cSt: -6; St: -4"},
+           {"K", "K: 0; mK: -3"},
+           {"1/K", "1/K: 0; K^-1: 0"},
+           {"kg/m³",
+            "kg/m³: 0; kg/m^3: 0; g/cm³: 3; g/ml: 3; g/mL: 3; kg/dm³: 3; kg/l: 3; kg/L: 3"},
+           {"W/(m·K)", "W/(m K): 0; mW/(m·K): -3; W/mK: 0; W/(mK): 0; W/m·K: 0; W/m/K: 0"},
+           {"m/s", "cm/s: -2"}})
+    for (std::size_t at = 0; at < units.size();) {
+      const std::size_t colon = units.find(": ", at), end = units.find("; ", colon);
+      all.push_back({units.substr(at, colon - at), si, std::atoi(&units[colon + 2])});
+      at = end == std::string::npos ? end : end + 2;
+    }
+  return all;
+}
+const std::vector<Unit> units = all_units();
 
 // 1 to 17 digits.
 std::string random_digits(Sampler& sampler) {
@@ -195,8 +151,8 @@ TEST(Units, HalfALastDigitIsOneOfTheNumberAsItIsWritten) {
 TEST(Units, EachFitsItsOwnFieldsAlone) {
   for (const Unit& unit : units)
     for (const Unit& other : units) {
-      const bool fits = std::string_view(unit.si) == other.si;
-      EXPECT_EQ(si_decimal(std::string("2 ") + unit.written, other.si).has_value(), fits)
+      const bool fits = unit.si == other.si;
+      EXPECT_EQ(si_decimal("2 " + unit.written, other.si).has_value(), fits)
           << unit.written << " for " << other.si;
     }
   for (const char* text :

@@ -65,17 +65,13 @@ TEST(Needs, AreNeverMoreThanTheQuickBound) {
 
 TEST(NeedsText, HasNoExponents) {
   constexpr double minute = 60, hour = 3600, day = 86400;
-  for (const auto& [seconds, expected] :
-       std::vector<std::pair<double, const char*>>{{0.0123, "0.012 s"},
-                                                   {99.4, "99 s"},
-                                                   {99.7, "1.7 min"},
-                                                   {99.4 * minute, "99 min"},
-                                                   {99.6 * minute, "1.7 h"},
-                                                   {55 * hour, "55 h"},
-                                                   {60 * hour, "2.5 days"},
-                                                   {999.4 * day, "999 days"},
-                                                   {1234.5 * day, "1234 days"}})
-    EXPECT_EQ(sweep::time_text(seconds), expected);
+  constexpr std::pair<double, const char*> times[]{
+      {0.0123, "0.012 s"},        {99.4, "99 s"},
+      {99.7, "1.7 min"},          {99.4 * minute, "99 min"},
+      {99.6 * minute, "1.7 h"},   {55 * hour, "55 h"},
+      {60 * hour, "2.5 days"},    {999.4 * day, "999 days"},
+      {1234.5 * day, "1234 days"}};
+  for (const auto& [seconds, expected] : times) EXPECT_EQ(sweep::time_text(seconds), expected);
   for (const auto& [bytes, expected] : std::vector<std::pair<double, const char*>>{
            {1234, "1.23 kB"}, {999.7e3, "1000 kB"}, {1e6, "1 MB"}, {2.5e12, "2500 GB"}})
     EXPECT_EQ(sweep::bytes_text(bytes), expected);
