@@ -3,7 +3,7 @@
 
 A pair ("not", words) has words that the page must not have.
 """
-from page_tables import CHOICES, SURFACES, against, below, commit, computed, ends, many, percent, sig, whole
+from page_tables import CHOICES, SURFACES, against, below, commit, computed, ends, many, percent, sig, signed, whole
 
 
 def of_surfaces(texts):
@@ -250,9 +250,6 @@ def of_starved_films(report):
 def of_films(report):
     found, profile = report["line_films"], report["line_films"]["profile"]
     best = min(found["formulas"], key=lambda one: one["median_size"])
-
-    def signed(part):
-        return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
 
     def place(one):
         return f"(M = {whole(one['load_number'])}, L = {whole(one['material_number'])})"

@@ -446,10 +446,11 @@ def contacts(report):
             [("shape", None, 1, "shape"), ("load F, N", None, 1, "load"), *fields]])
 
 
-def film_solved(report):
-    def signed(part):
-        return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
+def signed(part):
+    return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
 
+
+def film_solved(report):
     def at(place):
         return f"M = {whole(place['load_number'])}, L = {whole(place['material_number'])}"
     words = {"central": "central, x = 0", "minimum": "minimum", "at_greatest_pressure": "where the pressure is greatest"}
@@ -463,9 +464,6 @@ def film_solved(report):
 
 def film_points(report):
     found = report["point_films"]
-
-    def signed(part):
-        return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
 
     def span(of, name):
         least, greatest = (whole(of[f"{end}_{name}"]) for end in ("least", "greatest"))
@@ -489,9 +487,6 @@ def film_points(report):
 
 def film_starved(report):
     closures = ("flooded_inlet", "starved_inlet", "printed_exponents", "damiens")
-
-    def signed(part):
-        return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
 
     def span(of, digits):
         return f"{sig(of['least'], digits)} to {sig(of['greatest'], digits)}"

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import pathlib
 import signal
 import subprocess
 import sys
@@ -110,6 +111,11 @@ class Result:
         self.warned = "".join(line for line in err.splitlines() if OF_LIMITS in line)
         self.error_lines = self.err.splitlines()
 
+    def ended(self, code, err=None):
+        """Itself. It has to have ended with this code, and with `err` on stderr if that is given."""
+        assert self.code == code and err in (None, self.err), f"exit code {self.code}: {self.said}{self.out[-2000:]}"
+        return self
+
     def json(self):
         return strict_json(self.out)
 
@@ -171,6 +177,13 @@ class Folder(tempfile.TemporaryDirectory):
         with open(self.path(name), "wb") as file:
             file.write(text if isinstance(text, bytes) else text.encode())
         return self.path(name)
+
+
+def folder_until(add_cleanup):
+    """The path of a temporary folder. `add_cleanup` is addCleanup of a test or addClassCleanup of a class, at whose end it is removed."""
+    folder = tempfile.TemporaryDirectory()
+    add_cleanup(folder.cleanup)
+    return pathlib.Path(folder.name)
 
 
 class ProgramTest(unittest.TestCase):

@@ -6,7 +6,6 @@ import typing
 import xml.etree.ElementTree as xml
 
 SVG = "{http://www.w3.org/2000/svg}"
-HREF = "{http://www.w3.org/1999/xlink}href"
 PAIR = re.compile(r"(-?[\d.]+),(-?[\d.]+)")
 PLOT = re.compile(r"_plot_\d+[a-z]?$")  # the id of a series
 NEAR = 0.08  # px: coordinates have two digits

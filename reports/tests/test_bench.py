@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from program import PROGRAM, TIMEOUT, ProgramTest, run
+from program import PROGRAM, TIMEOUT, ProgramTest, folder_until, run
 
 CLOSED_FORM = "^moment_2/(closed form|tribocheck)/"
 OF_SOLVERS = ["over_control", "over_control_low", "over_control_high", "over_base", "over_base_low", "over_base_high",
@@ -23,9 +23,7 @@ def bench(*arguments):
 
 class Rows(unittest.TestCase):
     def test_json_has_a_row_for_each_contender_with_all_columns(self):
-        done = bench("--filter", CLOSED_FORM, "--format", "json")
-        self.assertEqual((done.code, done.err), (0, ""))
-        rows = done.json()["rows"]
+        rows = bench("--filter", CLOSED_FORM, "--format", "json").ended(0, "").json()["rows"]
         self.assertEqual({row["family"] for row in rows}, {"closed form", "tribocheck"})
         for row in rows:
             self.assertEqual(list(row), COLUMNS)
@@ -39,8 +37,7 @@ class Rows(unittest.TestCase):
         self.assertTrue(all(row["max_ulp"] <= 2 for row in ours))
 
     def test_tsv_reads_back(self):
-        done = bench("--filter", CLOSED_FORM, "--format", "tsv")
-        self.assertEqual(done.code, 0, done.err)
+        done = bench("--filter", CLOSED_FORM, "--format", "tsv").ended(0)
         head, *rows = [line.split("\t") for line in done.out.splitlines()]
         self.assertEqual(head, COLUMNS)
         self.assertGreaterEqual(len(rows), 3)
@@ -49,8 +46,7 @@ class Rows(unittest.TestCase):
             self.assertGreater(float(row[head.index("ns")]), 0)
 
     def test_table_names_the_job_and_its_contenders(self):
-        done = bench("--filter", CLOSED_FORM)
-        self.assertEqual(done.code, 0, done.err)
+        done = bench("--filter", CLOSED_FORM).ended(0)
         lines = done.out.splitlines()
         self.assertEqual(lines[0], "F_2(d), d in (0, 6)")
         self.assertIn("closed form   erfc", done.out)
@@ -66,8 +62,7 @@ class Rows(unittest.TestCase):
         self.assertGreater(rows[0]["evaluations"], 15)
 
     def test_scipy_is_measured_or_said_to_be_left_out(self):
-        done = bench("--filter", "moment_5_2/(SciPy/|control)", "--format", "json")
-        self.assertEqual(done.code, 0, done.err)
+        done = bench("--filter", "moment_5_2/(SciPy/|control)", "--format", "json").ended(0)
         measured = any(row["family"] == "SciPy" for row in done.json()["rows"])
         self.assertEqual(measured, "left out: moment_5_2/SciPy/quad" not in done.err)
 
@@ -82,9 +77,7 @@ class Baselines(unittest.TestCase):
     FILTER = "^moment_5_2/tribocheck/scalar|^root_one_surface/tribocheck/scalar"
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = pathlib.Path(folder.name) / "bench.json"
+        self.path = folder_until(self.addCleanup) / "bench.json"
         done = self.gate("--update-baseline")
         self.assertEqual((done.code, done.err), (0, f"tribocheck: baseline written: {self.path}\n"))
         self.baseline = json.loads(self.path.read_text())
@@ -100,8 +93,7 @@ class Baselines(unittest.TestCase):
         row = "root_one_surface/tribocheck/scalar"
         evaluations = self.baseline["rows"][row]["evaluations"]
         self.change(row, evaluations=evaluations - 1, max_ulp=0.001)
-        done = self.gate()
-        self.assertEqual(done.code, 1)
+        done = self.gate().ended(1)
         self.assertIn(f"worse than the baseline: {row}: evaluations were", done.err)
         self.assertIn(f"worse than the baseline: {row}: the greatest error was 0.001 ulp", done.err)
 
@@ -110,26 +102,21 @@ class Baselines(unittest.TestCase):
         before = self.baseline["rows"][row]
         self.change(row, least_over_control=before["least_over_control"] / 3,
                     median_over_control=before["median_over_control"] / 3)
-        done = self.gate()
-        self.assertEqual(done.code, 1)
+        done = self.gate().ended(1)
         self.assertIn("measuring once more", done.err)
         self.assertIn(f"slower than the baseline: {row}: ", done.err)
 
     def test_times_of_another_processor_are_not_compared(self):
         self.baseline["environment"]["processor"] = "another"
         self.change("moment_5_2/tribocheck/scalar", least_over_control=1e-3, median_over_control=1e-3)
-        done = self.gate()
-        self.assertEqual(done.code, 0)
-        self.assertIn("times are not comparable", done.err)
+        self.assertIn("times are not comparable", self.gate().ended(0).err)
 
     def test_a_file_that_is_no_baseline(self):
         for text in ("{}", "no"):
             self.path.write_text(text)
             self.assertEqual(self.gate().code, 2)
         self.path.unlink()
-        done = self.gate()
-        self.assertEqual(done.code, 2)
-        self.assertIn("there is no such baseline", done.err)
+        self.assertIn("there is no such baseline", self.gate().ended(2).err)
 
 
 class Refusals(ProgramTest):

@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """bench as a gate: a stand-in for tribocheck_bench gives the rows, so that each limit can be tested exactly."""
 import json
-import pathlib
 import shlex
 import shutil
 import subprocess
-import tempfile
 import unittest
 import xml.etree.ElementTree
 
 from plugins import plugin
-from program import ENVIRONMENT, PROGRAM, TIMEOUT, Result, run
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, Result, folder_until, run
 
 CONTROL = "moment_5_2/control/std::exp"
 MINE = "moment_5_2/plugin/mine"
@@ -55,9 +53,7 @@ def row(median=100.0, least=None, **counters):
 class Gate(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        cls.folder = folder_until(cls.addClassCleanup)
         cls.program = cls.folder / "tribocheck"
         shutil.copy(PROGRAM, cls.program)
         (cls.folder / "tribocheck_bench").write_text(STAND_IN)
@@ -201,8 +197,7 @@ class Gate(unittest.TestCase):
         rows = {**self.with_row(evaluations=5.0, max_ulp=3.0, median=105.0),    # better, and a little worse
                 OTHER: row(evaluations=5.0, max_ulp=9.0),                       # better, and worse
                 OURS: row(median=50.0), "new/plugin/mine": row()}
-        done = self.gate(rows, "--update-baseline")
-        self.assertEqual(done.code, 1)
+        done = self.gate(rows, "--update-baseline").ended(1)
         self.assertEqual({line for line in done.error_lines if "tribocheck: baseline" in line}, {
             f"tribocheck: baseline improved: {MINE}: evaluations were 7.5, are 5",
             f"tribocheck: baseline kept: {OTHER}: it got worse",
@@ -219,8 +214,7 @@ class Gate(unittest.TestCase):
         before = self.baseline()["rows"]
         worse = self.with_row(max_ulp=100.0)
         worse.pop(OTHER)
-        done = self.gate(worse, "--filter", "moment_5_2", "--update-baseline", "--force")
-        self.assertEqual(done.code, 0, done.err)
+        self.gate(worse, "--filter", "moment_5_2", "--update-baseline", "--force").ended(0)
         after = self.baseline()["rows"]
         self.assertEqual(after[MINE]["max_ulp"], 100.0)
         self.assertEqual(after[OTHER], before[OTHER])
@@ -231,8 +225,7 @@ class Gate(unittest.TestCase):
         baseline = self.baseline()
         baseline["environment"]["processor"] = "another"
         self.path.write_text(json.dumps(baseline))
-        done = self.gate({**self.with_row(evaluations=5.0, median=1.0), "new/plugin/mine": row()}, "--update-baseline")
-        self.assertEqual(done.code, 0, done.err)
+        done = self.gate({**self.with_row(evaluations=5.0, median=1.0), "new/plugin/mine": row()}, "--update-baseline").ended(0)
         self.assertIn("PASSED", done.err)
         after = self.baseline()
         self.assertEqual(after["environment"], baseline["environment"])

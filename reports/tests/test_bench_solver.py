@@ -327,9 +327,7 @@ class Rates(unittest.TestCase):
 class PluginHost(ProgramTest):
     def test_a_block_of_questions_is_answered_by_its_time(self):
         asked = [moment(0.5), moment(1.5), "", hertz(), moment(0), "", "no question", "", ""]
-        done = run("plugin-host", "--time", plugin("c_plugin"), stdin=lines(asked))
-        self.assertEqual(done.code, 0, done.err)
-        times, mixed, broken, empty = done.json_lines()
+        times, mixed, broken, empty = run("plugin-host", "--time", plugin("c_plugin"), stdin=lines(asked)).ended(0).json_lines()
         self.assertEqual((times["answered"], empty), (2, {"answered": 0}))
         self.assertTrue(0 < times["seconds"] < 1e-3 and 0 < times["control"] < 1e-6 and times["wall"] > 0, times)
         self.assertEqual(mixed, {"error": "a block has questions of one function"})

@@ -22,9 +22,7 @@ class RightSolvers(unittest.TestCase):
         verdicts = []
         for way in (["--subject", f"{PROGRAM} stream"], ["--subject", str(BUILT / "own_model")],
                     ["--plugin", str(BUILT / "own_model_plugin.so")]):
-            result = verify(*way, "--tolerance", "strict")
-            self.assertEqual((result.code, result.err), (0, ""), way)
-            verdict = result.json()
+            verdict = verify(*way, "--tolerance", "strict").ended(0, "").json()
             # Plug-ins can only be asked about the usual circle: their header has no other contacts.
             left = {one["quantity"] for one in verdict["quantities"] if one["status"] != "held"}
             self.assertEqual(verdict["starts"], 1, way)
@@ -39,22 +37,18 @@ class RightSolvers(unittest.TestCase):
         self.assertEqual(usual, verdicts[2])
 
     def test_pythons_standard_library_is_enough_for_a_complete_one(self):
-        result = verify("--subject", subject("python_stdlib/subject.py"))
-        self.assertEqual((result.code, result.err), (0, ""))
+        result = verify("--subject", subject("python_stdlib/subject.py")).ended(0, "")
         self.assertEqual(result.json()["overall"], "complete")
         self.assertEqual(result.json()["diagnoses"], [])
 
     def test_what_is_skipped_makes_it_partial(self):
-        result = verify("--plugin", str(BUILT / "c_plugin.so"))
-        self.assertEqual(result.code, 0, result.out)
-        verdict = result.json()
+        verdict = verify("--plugin", str(BUILT / "c_plugin.so")).ended(0).json()
         self.assertEqual(verdict["overall"], "partial")
         status = {one["quantity"]: one["status"] for one in verdict["quantities"]}
         self.assertEqual(status["hertz_point.radius"], "held")
         self.assertEqual(status["operating_point.film"], "not offered")
         self.assertTrue(verdict["summary"].startswith("PARTIAL: "), verdict["summary"])
-        required = verify("--plugin", str(BUILT / "c_plugin.so"), "--require", "operating_point.film")
-        self.assertEqual(required.code, 1)
+        required = verify("--plugin", str(BUILT / "c_plugin.so"), "--require", "operating_point.film").ended(1)
         self.assertIn("required, but not offered: operating_point.film", required.err)
         self.assertEqual(required.json()["overall"], "failed")
         self.assertRegex(required.json()["summary"],
@@ -92,8 +86,7 @@ class Outputs(ProgramTest):
     def test_markdown_and_junit_tell_the_same(self):
         path = self.folder.path("junit.xml")
         result = run("verify", "--subject", subject("small_python/my_solver.py"), "--format", "markdown",
-                     "--junit", path)
-        self.assertEqual(result.code, 1)
+                     "--junit", path).ended(1)
         self.assertIn("| `hamrock_dowson_central` | **FAILED** |", result.out)
         self.assertIn("**Diagnosis.**", result.out)
         self.assertTrue(result.out.startswith("### tribocheck: FAILED: 4 of 99 quantities held"), result.out)
@@ -122,8 +115,7 @@ class Outputs(ProgramTest):
             with self.subTest(why=why):
                 path = pathlib.Path(self.folder.path("junit.xml"))
                 path.unlink(missing_ok=True)
-                result = run("verify", *way, "--format", "markdown", "--junit", path)
-                self.assertEqual(result.code, 2)
+                result = run("verify", *way, "--format", "markdown", "--junit", path).ended(2)
                 self.assertIn(why, result.error_lines[0])
                 suite = junit_suite(path)
                 self.assertEqual((suite.get("tests"), suite.get("errors"), suite.get("failures")), ("1", "1", "0"))
@@ -138,15 +130,12 @@ class Outputs(ProgramTest):
 
     def test_tolerance_of_ones_own(self):
         good = self.folder.write("tolerance.txt", "default 1e-3  # wide\nhamrock_dowson_central 0.5\n")
-        result = verify("--subject", subject("small_python/my_solver.py"), "--tolerance", good)
-        self.assertEqual(result.code, 0, result.out)
+        verify("--subject", subject("small_python/my_solver.py"), "--tolerance", good).ended(0)
         for text, words in (("film 1e-3\n", "tolerance.txt:1: film is no quantity"),
                             ("default\n", "default needs one number"),
                             ("default 2\n", "above 0 and below 1")):
             path = self.folder.write("tolerance.txt", text)
-            result = verify("--subject", subject("small_python/my_solver.py"), "--tolerance", path)
-            self.assertEqual(result.code, 2)
-            self.assertIn(words, result.err)
+            self.assertIn(words, verify("--subject", subject("small_python/my_solver.py"), "--tolerance", path).ended(2).err)
 
     def test_bad_usage(self):
         for arguments, words in (
@@ -159,9 +148,7 @@ class Outputs(ProgramTest):
                  "there is no such baseline"),
                 (["--subject", f"{PROGRAM} stream", "--sample", "0"], "--sample"),
                 (["--update-baseline", "--subject", "a"], "--update-baseline requires --baseline")):
-            result = run("verify", *arguments)
-            self.assertEqual(result.code, 2, arguments)
-            self.assertIn(words, result.err)
+            self.assertIn(words, run("verify", *arguments).ended(2).err)
 
 
 SAMPLE = "20"  # cases a function
@@ -179,12 +166,10 @@ class Baselines(ProgramTest):
         small = ("small_python/my_solver.py",)
         self.assertEqual(self.gate(small, "--update-baseline").code, 0)  # the new baseline allows what fails
         self.assertEqual(self.gate(small).code, 0)
-        worse = self.gate(("fakes/fake.py", "--mistake", "hertz_peak_without_3_2"))
-        self.assertEqual(worse.code, 1)
+        worse = self.gate(("fakes/fake.py", "--mistake", "hertz_peak_without_3_2")).ended(1)
         self.assertIn("hertz_point.peak_pressure: was held, is FAILED",
                       "\n".join(texts(worse, "worse")))
-        better = self.gate(("python_stdlib/subject.py",))
-        self.assertEqual(better.code, 0)
+        better = self.gate(("python_stdlib/subject.py",)).ended(0)
         self.assertTrue(texts(better, "better"))
 
     def told(self, script):
@@ -236,8 +221,7 @@ class Baselines(ProgramTest):
         for format in ("table", "markdown", "json"):
             junit = self.folder.path("junit.xml")
             result = run("verify", "--subject", subject("python_stdlib/subject.py"), "--sample", SAMPLE, "--baseline",
-                         self.path, "--format", format, "--junit", junit)
-            self.assertEqual(result.code, 0, result.out)
+                         self.path, "--format", format, "--junit", junit).ended(0)
             out = ElementTree.parse(junit).getroot().find("system-out").text
             for said in (result.out.replace("\\", ""), out):  # Markdown escapes signs
                 lists_each = format == "json" and said is not out
@@ -259,9 +243,7 @@ class Baselines(ProgramTest):
         right, wrong = ("python_stdlib/subject.py",), ("fakes/fake.py", "--mistake", "film_minimum")
         self.gate(right, "--update-baseline")
         before = pathlib.Path(self.path).read_text()
-        kept = self.gate(wrong, "--update-baseline")
-        self.assertEqual(kept.code, 1)
-        self.assertIn("baseline kept: hamrock_dowson_central: was held, is FAILED", kept.err)
+        self.assertIn("baseline kept: hamrock_dowson_central: was held, is FAILED", self.gate(wrong, "--update-baseline").ended(1).err)
         rows = json.loads(pathlib.Path(self.path).read_text())["quantities"]
         self.assertEqual(rows, json.loads(before)["quantities"])
         forced = self.gate(wrong, "--update-baseline", "--force")
@@ -419,8 +401,7 @@ class Baselines(ProgramTest):
                 self.assertEqual(texts(result, "gone"),
                                  [f"hertz_cone: is not asked yet by version {own}; the baseline is of {version}"])
         pathlib.Path(self.path).write_text(json.dumps(old | {"version": "0.9.0", "schema": "verify-baseline/4"}))
-        refused = self.gate(right)
-        self.assertEqual(refused.code, 2)
+        refused = self.gate(right).ended(2)
         self.assertIn(f"of schema 4, and this program has 3; tribocheck 0.9.0 wrote it, which is newer than this {own}; this makes",
                       refused.err)
 
@@ -434,9 +415,7 @@ class Baselines(ProgramTest):
             self.assertEqual(self.gate(right, "--tolerance", same).code, 0, same)
         self.folder.write("t.txt", text.replace("1e-3", "2e-3"))
         for changed in (["--tolerance", spelt], ["--tolerance", "strict"], []):
-            result = self.gate(right, *changed)
-            self.assertEqual(result.code, 2)
-            self.assertIn("it was made with the tolerance ", result.err)
+            self.assertIn("it was made with the tolerance ", self.gate(right, *changed).ended(2).err)
         result = verify("--subject", subject(*right), "--tolerance", other, "--sample", "19", "--baseline", self.path)
         self.assertIn(f"it was made with the sample {SAMPLE}, and this is 19", result.err)
 
@@ -468,9 +447,7 @@ class Baselines(ProgramTest):
                                f"the first is {failed[3]}, which was off by 0.01, is off by 1"),
                               ("1.01", "1 case failed that did not before; the first is f0000"),
                               (f"1.01 if case != '{failed[3]}' else 1", "1 case failed that did not")):
-            result = self.hold(self.film_times(change))
-            self.assertEqual(result.code, 1, result.out)
-            self.assertIn(words, result.out)
+            self.assertIn(words, self.hold(self.film_times(change)).ended(1).out)
 
     def test_a_case_without_an_answer_stays_one_and_others_do_not_become_one(self):
         ways = {"off": 'answer["value"] *= 1.01', "wrong": 'answer["value"] = None',
@@ -494,8 +471,7 @@ class Baselines(ProgramTest):
     def test_a_baseline_is_looked_at_before_anybody_is_asked(self):
         for text, more in (("{}", []), ('{"schema": 1, "quantities": {}}', ["--update-baseline"])):
             pathlib.Path(self.path).write_text(text)
-            result = self.hold(f"touch '{self.folder.path('asked')}'", *more)
-            self.assertEqual(result.code, 2)
+            self.hold(f"touch '{self.folder.path('asked')}'", *more).ended(2)
             self.assertFalse(pathlib.Path(self.folder.path("asked")).exists())
 
 
@@ -508,8 +484,7 @@ class Ends(ProgramTest):
                            ("os.kill(os.getpid(), signal.SIGKILL)", "137|signal 9")):
             command = altered(self.folder, "pass", end)
             for more in ([], ["--show", "h0000"]):
-                result = run("verify", "--subject", command, *(more or ["--sample", "3"]))
-                self.assertEqual(result.code, 1, (end, result.out))
+                result = run("verify", "--subject", command, *(more or ["--sample", "3"])).ended(1)
                 self.assertRegex(result.out, f"the protocol was broken: it .*({words}).* after its last answer")
 
     def test_one_that_ends_well_or_late_has_not(self):
@@ -524,8 +499,7 @@ class Ends(ProgramTest):
     def test_a_baseline_does_not_allow_it(self):
         command, path = altered(self.folder, "pass", "sys.exit(77)"), self.folder.path("baseline.json")
         for more in (["--update-baseline"], []):
-            result = verify("--subject", command, "--sample", "3", "--baseline", path, *more)
-            self.assertEqual(result.code, 1)
+            result = verify("--subject", command, "--sample", "3", "--baseline", path, *more).ended(1)
         self.assertIn("exits with code 77 after its last answer", "".join(texts(result, "worse")))
 
 

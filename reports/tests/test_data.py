@@ -9,13 +9,12 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 import zipfile
 
 import jsonschema
 
-from program import PROGRAM, run
+from program import PROGRAM, folder_until, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 PACKAGES = ROOT / "reports/bindings/packages"
@@ -32,9 +31,7 @@ for line in sys.stdin:
 class Data(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        cls.folder = folder_until(cls.addClassCleanup)
         made = subprocess.run([sys.executable, "-B", PACKAGES / "data.py", PROGRAM, cls.folder], stdout=subprocess.PIPE, text=True, check=True)
         cls.archive = pathlib.Path(made.stdout.strip())
         with zipfile.ZipFile(cls.archive) as archive:

@@ -9,7 +9,7 @@ import subprocess
 import unittest
 
 from plugins import plugin
-from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, TIMEOUT, Folder, ProgramTest, run
+from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, TIMEOUT, ProgramTest, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 
@@ -172,12 +172,11 @@ def page(path):
 FIRST, COMMANDS, SWEEPS = map(page, ["README.md", "reports/program/README.md", "model/sweep/README.md"])
 
 
-class OfTheReadmes(unittest.TestCase):
+class OfTheReadmes(ProgramTest):
     """Commands that the READMEs show with what they print, to the last digit. A first or last line "…" stands for all other lines."""
 
     def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
+        super().setUp()
         scene, = re.findall(r"(?s)## A scene\n.*?```toml\n(.*?)```", FIRST)
         self.scene = self.folder.write("scene.toml", scene)
 
@@ -202,9 +201,7 @@ class OfTheReadmes(unittest.TestCase):
         self.assertEqual([line.split()[0] for line, _ in shown], ["solve", "onset", "contact", "solve", "curve", "reproduce"])
         for line, answer in shown:
             with self.subTest(line=line):
-                done = run(*line.replace("scene.toml", self.scene).split())
-                self.assertEqual((done.code, done.err), (0, ""))
-                self.assert_shown(done.out, answer)
+                self.assert_shown(run(*line.replace("scene.toml", self.scene).split()).ended(0, "").out, answer)
 
     def answered(self, text):
         """A line after "$", run by a shell in the folder, and what the page shows below it."""
@@ -238,8 +235,7 @@ class OfTheReadmes(unittest.TestCase):
                 for name, path in {"reference/": f"{ROOT}/reference/", " scene.toml": f" {self.scene}",
                                    "onset.h5": self.folder.path("onset.h5")}.items():
                     line = line.replace(name, path)
-                done = run(*line.split())
-                self.assertEqual(done.code, 0, done.err)
+                done = run(*line.split()).ended(0)
                 if self.scene in line:
                     self.assertEqual(done.err, "")
 

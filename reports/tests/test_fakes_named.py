@@ -213,13 +213,11 @@ class Fakes(unittest.TestCase):
             with self.subTest(fake):
                 done = run("verify", "--subject", subject("fakes/fake.py", "--mistake", fake))
                 self.assertEqual((done.code, done.out.splitlines()[-1]), (code, line))
-        strict = run("verify", "--tolerance", "strict",
-                     "--subject", subject("fakes/fake.py", "--mistake", "moment_zero_beyond_10"))
-        self.assertEqual(strict.code, 1)
+        run("verify", "--tolerance", "strict",
+            "--subject", subject("fakes/fake.py", "--mistake", "moment_zero_beyond_10")).ended(1)
 
     def test_the_newcomers_film_is_told_in_a_sentence(self):
-        result = run("verify", "--subject", subject("small_python/my_solver.py"))
-        self.assertEqual(result.code, 1)
+        result = run("verify", "--subject", subject("small_python/my_solver.py")).ended(1)
         self.assertIn("hamrock_dowson_central is 27.5 % low everywhere. These are the numbers that this gives: "
                       "R/2 in place of R", result.out)
 

@@ -280,9 +280,7 @@ class Formats(FilmTest):
 
 class Scenes(FilmTest):
     def test_from_stdin(self):
-        result = run("film", "-", stdin=toml(line(10, 5, id=None)))
-        self.assertEqual((result.code, result.err), (0, ""))
-        self.assertTrue(result.out.startswith("stdin: line contact"))
+        self.assertTrue(run("film", "-", stdin=toml(line(10, 5, id=None))).ended(0, "").out.startswith("stdin: line contact"))
 
     def test_what_is_needed_and_missing(self):
         for section, field in [("", "load"), ("", "speed"), ("lubricant", "viscosity"),
@@ -311,8 +309,7 @@ class Scenes(FilmTest):
         self.assertEqual(tree["lubricant"]["pressure_viscosity"], 0)
         found = self.film(tree)
         for more in [(), ("--viscosity", "roelands")]:  # at α = 0 Roelands' law has no z, so that there is no warning
-            result = run("film", self.write(tree), *more, "--format", "json")
-            self.assertEqual((result.code, result.err), (0, ""))
+            result = run("film", self.write(tree), *more, "--format", "json").ended(0, "")
             self.assertEqual(result.json()["films"][0]["central_film"], found["central_film"])
         formulas = {one["name"]: one["film"] for one in found["formulas"]}
         self.assertIsNotNone(formulas.pop("moes_line"))
@@ -323,8 +320,7 @@ class Scenes(FilmTest):
     def test_an_implausible_z_is_warned_of(self):
         for viscosity, alpha, z in [(0.01, 4e-8, "1.55"), (0.9, 5e-9, "0.102"), (0.01, 2e-8, None)]:
             tree = line(10, 5, lubricant={"viscosity": viscosity, "pressure_viscosity": alpha})
-            result = run("film", self.write(tree), "--viscosity", "roelands", "--tolerance", "1e-2")
-            self.assertEqual((result.code, result.err), (0, ""))
+            result = run("film", self.write(tree), "--viscosity", "roelands", "--tolerance", "1e-2").ended(0, "")
             if z:
                 self.assertIn(f"roelands_index {z} (0.2 to 1.2)", result.warned)
             else:
@@ -382,8 +378,7 @@ class Failures(FilmTest):
         # M ∝ u^(−1/2) and L ∝ u^(1/4). The first film is too thin for the grids, and the last contact is nearly rigid.
         tree = line(10, 5, speed=[1e-20, 1, 1e10])
         path = self.write(tree)
-        result = run("film", path, "--format", "json")
-        self.assertEqual(result.code, 1)
+        result = run("film", path, "--format", "json").ended(1)
         said_low, said_high = [line for line in result.error_lines if "warning: " not in line]
         self.assertRegex(said_low, r"^tribocheck: line at 1e-20 m/s: the film is about \S+ of b²/R")
         self.assertRegex(said_high, r"^tribocheck: line at 1e\+10 m/s: M = 0.0001 is below 0.001")

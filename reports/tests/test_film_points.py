@@ -75,9 +75,7 @@ class Points(FilmTest):
 
     def test_the_shipped_ball_is_as_the_readme_says(self):
         ball = ROOT / "reference/scenes/ball_on_flat.toml"
-        done = run("film", str(ball), "--speed", "1", "--tolerance", "1e-2", "--format", "json")
-        self.assertEqual((done.code, done.err), (0, ""))
-        found, = done.json()["films"]
+        found, = run("film", str(ball), "--speed", "1", "--tolerance", "1e-2", "--format", "json").ended(0, "").json()["films"]
         readme = (ROOT / "reports/program/README.md").read_text(encoding="utf-8")
         self.assertIn(f"a least film beside the middle of {1e9*found['minimum_film']['value']:.1f} nm", readme)
         formula, = (one["film"] for one in found["formulas"] if one["name"] == "hamrock_dowson_minimum")
@@ -119,8 +117,7 @@ class Points(FilmTest):
         self.assert_film_refused("supply.inlet_film_ratio: it is a ratio to σ_s", refused)
 
     def test_a_layer_that_floods_the_contact_is_not_solved(self):
-        result = run("film", self.write(self.starved(50)), "--tolerance", "1e-2")
-        self.assertEqual(result.code, 1)
+        result = run("film", self.write(self.starved(50)), "--tolerance", "1e-2").ended(1)
         self.assertIn("a thicker one all but floods the contact", result.err)
         self.assertIn("not solved", result.out)
 
@@ -138,8 +135,7 @@ class Points(FilmTest):
 
     def test_the_picture_shows_both_fields_the_middle_and_the_nearest_laws(self):
         path, picture = self.write(self.point(20, 8)), self.folder.path("ball.svg")
-        result = run("film", path, "--tolerance", "1e-2", "--picture", picture)
-        self.assertEqual(result.code, 0, result.err)
+        run("film", path, "--tolerance", "1e-2", "--picture", picture).ended(0)
         with open(picture, encoding="utf-8") as file:
             text = file.read()
         self.assertEqual(list(svg_plots.looks(picture)), [])
@@ -215,9 +211,7 @@ class Points(FilmTest):
 
     def test_an_estimate_holds_the_grid_that_is_solved_and_solves_nothing(self):
         path = self.write(self.point(20, 5))
-        told = run("film", path, "--tolerance", "1e-2", "--estimate")
-        self.assertEqual((told.code, told.err), (0, ""))
-        head, *lines = told.out.splitlines()
+        head, *lines = run("film", path, "--tolerance", "1e-2", "--estimate").ended(0, "").out.splitlines()
         grids = re.fullmatch(r"line at 1 m/s: M = 20, L = 5, barus, incompressible, to 0\.01: (\d) to (\d) grids, the finest of (\d+) to (\d+) nodes", head)
         self.assertRegex("\n".join(lines), r"^contacts 1\ntime   \S+ s to \S+ s on 1 thread, roughly\nmemory \S+ MB to \S+ [MG]B$")
         found = self.film(self.point(20, 5), "--tolerance", "1e-2")

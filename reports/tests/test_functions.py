@@ -71,9 +71,7 @@ def call(function, arguments, identity="f1"):
 
 
 def ask(*lines):
-    result = run("stream", stdin="".join(line + "\n" for line in lines))
-    assert (result.code, result.err) == (0, ""), result.err
-    return result.json_lines()
+    return run("stream", stdin="".join(line + "\n" for line in lines)).ended(0, "").json_lines()
 
 
 def value(function, **arguments):
@@ -86,8 +84,7 @@ class Listed(unittest.TestCase):
     """`tribocheck functions` lists the functions that `stream` answers."""
 
     def test_each_function_has_a_line(self):
-        listed = run("functions")
-        self.assertEqual((listed.code, listed.err), (0, ""))
+        listed = run("functions").ended(0, "")
         self.assertEqual([line.split()[0] for line in listed.out.splitlines()], list(GOOD))
 
     def test_json_has_the_arguments_that_stream_takes(self):
@@ -111,8 +108,7 @@ class Listed(unittest.TestCase):
 
     def test_one_is_told_with_its_source_and_an_example_that_is_answered(self):
         for name in GOOD:
-            told = run("functions", name)
-            self.assertEqual((told.code, told.err), (0, ""))
+            told = run("functions", name).ended(0, "")
             for part in (*GOOD[name], "Source: ", "allowed: ", "Error of this model: at most "):
                 self.assertIn(part, told.out)
             question, shown = told.out.splitlines()[-2:]

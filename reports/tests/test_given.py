@@ -8,7 +8,7 @@ import json
 import math
 import unittest
 
-from program import ProgramTest, quiet_scene, run, scene, split, toml, with_field, without_field
+from program import ProgramTest, quiet_scene, run, scene, toml, with_field, without_field
 
 # Values of quiet_scene("smooth"), in SI and with units.
 WITH_UNITS = {
@@ -45,20 +45,15 @@ def walther(first, second, temperature):
 
 class GivenTest(ProgramTest):
     def answer(self, command, tree, *options):
-        done = run(command, self.folder.write("scene.toml", tree), *options)
-        self.assertEqual((done.code, done.err), (0, ""))
-        return done.out
+        return run(command, self.folder.write("scene.toml", tree), *options).ended(0, "").out
 
     def points(self, tree, command="solve"):
         return json.loads(self.answer(command, tree, "--format", "json"))["points"]
 
     def swept(self, text):
         self.folder.write("sweep.toml", text)
-        done = run("sweep", self.folder.path("sweep.toml"), "-o", self.folder.path("out.h5"), "--force")
-        self.assertEqual(done.code, 0, done.err)
-        shown = run("sweep", "show", self.folder.path("out.h5"), "--cases", "--format", "csv")
-        self.assertEqual(shown.code, 0, shown.err)
-        return shown
+        run("sweep", self.folder.path("sweep.toml"), "-o", self.folder.path("out.h5"), "--force").ended(0)
+        return run("sweep", "show", self.folder.path("out.h5"), "--cases", "--format", "csv").ended(0)
 
     def assert_scene_refused(self, tree, *words):
         for name in ["scene.toml", "scene.json"]:
@@ -314,8 +309,7 @@ class HeatedInlets(GivenTest):
         self.assertEqual([fact["value"] for fact in told if fact["name"] == "slide_roll_ratio"], [1])
         ways = toml(silent).replace('thermal = "gupta"', 'thermal = ["none", "gupta"]')
         self.folder.write("sweep.toml", ways)
-        done = run("sweep", self.folder.path("sweep.toml"), "-o", self.folder.path("out.h5"), "--force", "--strict")
-        self.assertEqual(done.code, 1)
+        done = run("sweep", self.folder.path("sweep.toml"), "-o", self.folder.path("out.h5"), "--force", "--strict").ended(1)
         self.assertRegex(done.err, words)
 
     def test_beyond_its_law_it_is_refused(self):

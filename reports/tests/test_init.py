@@ -42,9 +42,7 @@ class Init(ProgramTest):
         self.assertGreaterEqual({row[0] for row in LANGUAGES}, {"python", "octave", "javascript", "c", "fortran", "cpp", "rust"})
         for language, name, *_ in LANGUAGES:
             with self.subTest(language=language):
-                result = init(language, cwd=self.folder.name)
-                self.assertEqual(result.code, 0)
-                self.assertEqual(result.out.splitlines()[:2], [f"{name}: written", "next:"])
+                self.assertEqual(init(language, cwd=self.folder.name).ended(0).out.splitlines()[:2], [f"{name}: written", "next:"])
                 written = pathlib.Path(self.folder.path(name)).read_text()
                 template = (TEMPLATES / (name + ".mustache")).read_text()
                 self.assertEqual(written.splitlines()[0], template.splitlines()[0])
@@ -66,8 +64,7 @@ class Init(ProgramTest):
         for language, name, program, package, _ in LANGUAGES:
             with self.subTest(language=language):
                 result = run_on_path(self.folder.name, "init", "subject", "--language", language,
-                                     cwd=self.folder.name)
-                self.assertEqual(result.code, 0)
+                                     cwd=self.folder.name).ended(0)
                 self.assertEqual(result.error_lines, [
                     f"tribocheck: no program {program} is on PATH, and the line above needs it; "
                     f"on Debian: apt-get install {package}"])
@@ -107,9 +104,7 @@ class Init(ProgramTest):
         path.write_text(path.read_text().replace(
             "return None  # h₀", "print('film'); os.system('echo film'); return 1 / (load - load)  # h₀", 1).replace(
             "a²/R, of the two bodies, in m\n    return None", 'a²/R, of the two bodies, in m\n    return {"radius": load}'))
-        result = run("verify", "--subject", f"python3 {path}", "--sample", "5", "--format", "json")
-        self.assertEqual((result.code, result.err), (1, ""))
-        verdict = result.json()
+        verdict = run("verify", "--subject", f"python3 {path}", "--sample", "5", "--format", "json").ended(1, "").json()
         self.assertEqual((verdict["notes"], verdict["violations"], verdict["starts"]), ([], [], 1))
         reasons = {one["quantity"]: one["reason"] for one in verdict["quantities"]}
         self.assertEqual(reasons["hamrock_dowson_central"], "f0000: ZeroDivisionError: float division by zero")

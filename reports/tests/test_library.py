@@ -305,8 +305,7 @@ class Scenes(unittest.TestCase):
 
     def test_a_film_that_is_refused_says_why_as_the_program_does(self):
         text = scene_text("scenes/ball_on_flat.toml")
-        whole = run("film", "-", "--format", "json", "--speed", "1e-7", stdin=text.decode())
-        self.assertEqual(whole.code, 1)
+        whole = run("film", "-", "--format", "json", "--speed", "1e-7", stdin=text.decode()).ended(1)
         self.assertEqual(text_of(LIBRARY.tribocheck_film, text, b'{"speed": 1e-7}', None, None), (1, whole.out))
 
     def test_a_scene_tells_its_outputs_warnings_and_what_has_no_effect(self):

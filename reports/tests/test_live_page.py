@@ -132,18 +132,15 @@ class Use(LivePage):
         self.show()
         self.begin("rough")
         for shape, fields in (("ellipse", {"bodies.radius_x": "9.5", "bodies.radius_y": "30"}), ("line", {"bodies.length": "10"})):
-            self.script("const one = document.querySelector('[data-path=shape]'); one.value = arguments[0];"
-                        "one.dispatchEvent(new Event('input', {bubbles: true}));", shape)
+            self.choose("shape", shape)
             self.assertFalse(self.field("bodies.reduced_radius").is_displayed())
             for path, text in fields.items():
                 self.type(path, text)
             if shape == "line":
-                self.script("const one = document.querySelector('[data-path=\"closures.film\"]'); one.value = 'moes_line';"
-                            "one.dispatchEvent(new Event('input', {bubbles: true}));")
+                self.choose("closures.film", "moes_line")
             self.assert_programs_numbers()
         for kind, text in (("inlet_film", "300"), ("inlet_flow", "0.1"), ("inlet_film_ratio", "2"), ("flooded", None)):
-            self.script("const one = document.querySelector('[data-path=kind]'); one.value = arguments[0];"
-                        "one.dispatchEvent(new Event('input', {bubbles: true}));", kind)
+            self.choose("kind", kind)
             self.assertEqual(self.field("supply").is_displayed(), text is not None)
             if text:
                 self.type("supply", text)

@@ -4,14 +4,12 @@
 import gzip
 import json
 import os
-import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
-from program import PROGRAM, run
+from program import PROGRAM, folder_until, run
 from test_usage import COMMANDS, ROOT
 
 FORMS = [[], *[[command] for command in COMMANDS], ["plugin-host"], ["sweep", "merge"], ["sweep", "show"], ["sweep", "diff"]]
@@ -24,9 +22,7 @@ def options_of(command):
 class ManPages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        cls.folder = folder_until(cls.addClassCleanup)
         subprocess.run([sys.executable, "-B", ROOT / "reports/bindings/packages/man_pages.py", PROGRAM, cls.folder], check=True,
                        env={**os.environ, "SOURCE_DATE_EPOCH": "86400"})
         cls.pages = {path.name.removesuffix(".gz"): gzip.decompress(path.read_bytes()).decode() for path in cls.folder.glob("man/man?/*")}

@@ -201,8 +201,7 @@ class Answers(Trips):
         each = "answer = {'error': 'no root'} if name == 'load_sharing' else answer"
         before = "print('Traceback', file=sys.stderr)\nprint('ValueError: no root', file=sys.stderr)"
         junit = self.folder.path("junit.xml")
-        result = self.verify(self.command(before, each), "--format", "markdown", "--junit", junit)
-        self.assertEqual(result.code, 1)
+        result = self.verify(self.command(before, each), "--format", "markdown", "--junit", junit).ended(1)
         self.assertIn("  Traceback\n  ValueError: no root\n", result.out)
         said = ElementTree.parse(junit).find(".//system-err").text
         self.assertEqual(said, "Traceback\nValueError: no root")
@@ -212,8 +211,7 @@ class Evidence(Trips):
     SMALL = subject("small_python/my_solver.py")
 
     def asked(self):
-        result = run("verify", "--save-cases", "-")
-        self.assertEqual((result.code, result.err), (0, ""))
+        result = run("verify", "--save-cases", "-").ended(0, "")
         return {line["id"]: line for line in result.json_lines()}
 
     def test_the_worst_case_of_each_failed_quantity_is_shown_in_every_format(self):
@@ -238,8 +236,7 @@ class Evidence(Trips):
 
     def test_a_case_is_shown_with_what_was_asked_expected_and_answered(self):
         film, = [one for one in self.asked().values() if one["id"] == "f0003"]
-        result = self.verify(self.SMALL, "--show", "f0003", "--show", "h0000")
-        self.assertEqual((result.code, result.err), (1, ""))
+        result = self.verify(self.SMALL, "--show", "f0003", "--show", "h0000").ended(1, "")
         lines = result.out.splitlines()
         self.assertEqual(json.loads(lines[0].removeprefix("asked:")), film)
         self.assertEqual(list(json.loads(lines[1].removeprefix("answered:"))), ["id", "value"])
@@ -253,15 +250,13 @@ class Evidence(Trips):
         self.assertEqual(skipped.err, "")  # what is skipped holds nothing
 
     def test_a_case_that_has_no_answer_is_shown_with_the_reason(self):
-        result = self.verify(self.command(each="raise ValueError('no root')"), "--show", "r0000")
-        self.assertEqual(result.code, 1)
+        result = self.verify(self.command(each="raise ValueError('no root')"), "--show", "r0000").ended(1)
         self.assertIn("answered: it exits with code 1", result.out)
         self.assertIn("got nothing (it exits with code 1), expected", result.out)
         self.assertEqual(result.error_lines[-1], "  ValueError: no root")
 
     def test_a_case_is_shown_without_a_subject_too(self):
-        result = run("verify", "--show", "h0000")
-        self.assertEqual(result.code, 0)
+        result = run("verify", "--show", "h0000").ended(0)
         self.assertEqual(json.loads(result.out.splitlines()[0]), self.asked()["h0000"])
         self.assertRegex(result.out, "hertz_point.radius: expected .* m, give or take ")
 
@@ -274,8 +269,7 @@ class Evidence(Trips):
         path = self.folder.path("cases.jsonl")
         self.assertEqual(run("verify", "--save-cases", path, "--sample", "5").code, 0)
         text = pathlib.Path(path).read_text()
-        answers = run("stream", stdin=text)
-        self.assertEqual(answers.code, 0)
+        answers = run("stream", stdin=text).ended(0)
         self.assertEqual([json.loads(line)["id"] for line in text.splitlines()],
                          [one["id"] for one in answers.json_lines()])
         self.assertEqual(len(text.splitlines()), questions(5))
@@ -288,8 +282,7 @@ class Evidence(Trips):
     def test_a_function_that_is_required_is_all_of_its_quantities(self):
         result = self.verify(self.SMALL, "--require", "hertz_point")
         self.assertEqual(result.err, "")
-        missing = self.verify(self.command(), "--require", "hertz_point")
-        self.assertEqual(missing.code, 1)
+        missing = self.verify(self.command(), "--require", "hertz_point").ended(1)
         self.assertEqual(missing.error_lines, [
             f"tribocheck: required, but not offered: hertz_point.{name}"
             for name in ("mean_pressure", "peak_pressure", "approach")])

@@ -12,8 +12,7 @@ VALUES = ["speed", "film", "film_parameter"]
 
 class OnsetTest(ProgramTest):
     def found(self, tree, *arguments):
-        result = run("onset", self.folder.write("scene.toml", tree), *arguments, "--format", "json")
-        self.assertEqual((result.code, result.err), (0, ""))
+        result = run("onset", self.folder.write("scene.toml", tree), *arguments, "--format", "json").ended(0, "")
         return {onset["criterion"]: onset for onset in result.json()["onsets"]}
 
     def test_film_maximum_of_table_1(self):
@@ -64,8 +63,7 @@ class OnsetTest(ProgramTest):
 
     def test_a_scene_may_follow_a_criterion(self):
         path = self.folder.write("scene.toml", scene())
-        result = run("onset", "--criterion", "film_maximum", path)
-        self.assertEqual((result.code, result.err), (0, ""))
+        run("onset", "--criterion", "film_maximum", path).ended(0, "")
 
     def test_where_there_is_none_it_says_why(self):
         for name, onset in self.found(scene(supply=None)).items():

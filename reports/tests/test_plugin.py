@@ -42,8 +42,7 @@ class OwnModel(unittest.TestCase):
     """Through the C header and through registration the model gives the answers of `stream`, byte for byte."""
 
     def same(self, asked):
-        expected = run("stream", stdin=lines(asked))
-        self.assertEqual(expected.code, 0, expected.err)
+        expected = run("stream", stdin=lines(asked)).ended(0)
         self.assertGreater(len(expected.out.splitlines()), 2)
         for done in [ask_plugin("own_model_plugin", *asked), ask_program("own_model", *asked)]:
             self.assertEqual((done.code, done.err), (0, ""))
@@ -105,9 +104,7 @@ class Examples(unittest.TestCase):
 
 class Statuses(unittest.TestCase):
     def ask(self, *asked):
-        done = ask_plugin("every_status", *asked)
-        self.assertEqual((done.code, done.err), (0, ""))
-        return done.json_lines()
+        return ask_plugin("every_status", *asked).ended(0, "").json_lines()
 
     def test_each_status_is_an_answer(self):
         answers = self.ask(*(moment(status) for status in [0, 1, 2, 3, 7, 100, -1]))
@@ -144,8 +141,7 @@ class Statuses(unittest.TestCase):
 
 class Process(unittest.TestCase):
     def test_what_a_plugin_prints_is_no_answer(self):
-        done = ask_plugin("talkative", moment(0), hertz(), moment(1))
-        self.assertEqual(done.code, 0)
+        done = ask_plugin("talkative", moment(0), hertz(), moment(1)).ended(0)
         self.assertEqual([one.get("value") for one in done.json_lines()], [1, None, 1])
         for word in ["greeting", "2.5 at 0", "past the library", "2.5 at 1"]:
             self.assertIn(word, done.err)
@@ -164,8 +160,7 @@ class Process(unittest.TestCase):
         self.assertEqual(answers[0], {"id": "h", "radius": 1})
 
     def test_an_exception_is_of_its_own_case(self):
-        done = ask_plugin("throwing", hertz(1), hertz(13), hertz(2))
-        self.assertEqual((done.code, done.err), (0, ""))
+        done = ask_plugin("throwing", hertz(1), hertz(13), hertz(2)).ended(0, "")
         self.assertEqual([list(one)[1] for one in done.json_lines()], ["radius", "error", "radius"])
         self.assertEqual(done.json_lines()[1]["error"]["message"], "bad luck")
 

@@ -12,9 +12,7 @@ def bench(library, pattern, *arguments):
 
 class Rows(unittest.TestCase):
     def rows(self, name, pattern):
-        done = bench(plugin(name), pattern, "--format", "json")
-        self.assertEqual((done.code, done.err), (0, ""))
-        return done.json()["rows"]
+        return bench(plugin(name), pattern, "--format", "json").ended(0, "").json()["rows"]
 
     def test_every_job_that_is_offered(self):
         rows = self.rows("own_model_plugin", "/plugin/")
@@ -38,8 +36,7 @@ class Rows(unittest.TestCase):
         self.assertEqual([row["job"] for row in self.rows("c_plugin", "/plugin/")], ["moment_5_2", "moment_2"])
 
     def test_what_it_prints_is_not_in_the_table(self):
-        done = bench(plugin("talkative"), "moment_2/plugin", "--format", "json")
-        self.assertEqual(done.code, 0)
+        done = bench(plugin("talkative"), "moment_2/plugin", "--format", "json").ended(0)
         row, = done.json()["rows"]
         self.assertEqual((row["name"], row["failures"]), ("talkative plug-in", row["judged"]))
         self.assertIn("greeting", done.err)

@@ -10,8 +10,7 @@ class Fortran(unittest.TestCase):
     def test_it_agrees_in_what_it_offers(self):
         asked = [hertz(), film(), moment(-1.146), moment(3, 2), shared("greenwood_tripp"),
                  shared("greenwood_williamson", 0.01, 1)]
-        done = ask_plugin("fortran_plugin", *asked)
-        self.assertEqual((done.code, done.err), (0, ""))
+        done = ask_plugin("fortran_plugin", *asked).ended(0, "")
         expected = run("stream", stdin=lines(asked)).json_lines()
         for found, exact in zip(done.json_lines(), expected, strict=True):
             self.assertEqual(list(found), list(exact))
@@ -19,8 +18,7 @@ class Fortran(unittest.TestCase):
                 self.assertAlmostEqual(found[field] / exact[field], 1, delta=1e-12)
 
     def test_the_rest_is_skipped(self):
-        done = ask_plugin("fortran_plugin", starved("damiens", 1), point(), moment(-11), shared("greenwood_tripp", offset=20))
-        self.assertEqual(done.code, 0, done.err)
+        done = ask_plugin("fortran_plugin", starved("damiens", 1), point(), moment(-11), shared("greenwood_tripp", offset=20)).ended(0)
         for answer in done.json_lines():
             self.assertEqual(answer.keys() - {"id"}, {"skip"})
 

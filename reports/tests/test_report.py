@@ -14,12 +14,11 @@ import pathlib
 import re
 import shutil
 import struct
-import tempfile
 import tomllib
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, run
+from program import PROGRAM, folder_until, run
 from report_files import (DATA, FIGURES, JOBS, NOT_RUN, PAGES, PAPER_FIGURES, PICTURES, PUBLISHED, RESULTS,
                           ROOT, SCENES, WORK_FIGURES, PageReader, WrittenReport, files_below,
                           project_copy, report, table, told_page)
@@ -387,9 +386,7 @@ class Numbers(WrittenReport):
 
 class Failures(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.path = pathlib.Path(self.folder.name)
+        self.path = folder_until(self.addCleanup)
 
     def assert_refused(self, done, *words, code=2):
         self.assertEqual(done.code, code, done.err)
@@ -408,8 +405,7 @@ class Failures(unittest.TestCase):
         (out / "figures").mkdir(parents=True)
         (out / "figures/figure_07.svg").write_text("an old one")
         (self.path / "empty").mkdir()
-        done = report("--out", out, environment={"PATH": str(self.path / "empty")})
-        self.assertEqual(done.code, 1)
+        done = report("--out", out, environment={"PATH": str(self.path / "empty")}).ended(1)
         self.assertEqual(len(done.error_lines), 1, done.err)
         self.assertIn("gnuplot was not found", done.err)
         self.assertIn("onset speed, smooth", done.out)
@@ -438,8 +434,7 @@ class Failures(unittest.TestCase):
         fake.chmod(0o755)
         out = self.path / "out"
         done = report("--out", out, "--section", "figures",
-                      environment={"PATH": f"{self.path}:{os.environ.get('PATH', '')}"})
-        self.assertEqual(done.code, 1)
+                      environment={"PATH": f"{self.path}:{os.environ.get('PATH', '')}"}).ended(1)
         self.assertEqual(len(done.error_lines), len(PAPER_FIGURES))
         self.assertIn("no such terminal", done.err)
         self.assertEqual([name for name in files_below(out) if name.startswith("figures/")], [])
@@ -487,8 +482,7 @@ class Failures(unittest.TestCase):
                     text = re.sub(r"(?m)^reduced_radius = .*", "\n".join(f"{k} = {v}" for k, v in fields.items()),
                                   path.read_text())
                     path.write_text(text.replace("[closures]", f'[closures]\nfilm = "{film}"'))
-                done = report("--scenes", scenes, "--out", out, "--section", "comparison", "--section", "claims")
-                self.assertEqual(done.code, 0, done.err)
+                report("--scenes", scenes, "--out", out, "--section", "comparison", "--section", "claims").ended(0)
                 told = json.loads((out / "report.json").read_text())
                 inputs = {one["field"]: one["values"]["smooth"] for one in told["paper"]["inputs"]}
                 self.assertEqual({name: inputs.get(f"bodies.{name}") for name in
@@ -531,8 +525,7 @@ class Failures(unittest.TestCase):
             path.write_text(re.sub(r"inlet_film_ratio = 4", "inlet_film_ratio = 1e4",
                                    path.read_text()))
         out = self.path / "out"
-        done = report("--scenes", scenes, "--out", out, "--section", "figures", "--section", "comparison")
-        self.assertEqual((done.code, done.err), (0, ""))
+        report("--scenes", scenes, "--out", out, "--section", "figures", "--section", "comparison").ended(0, "")
         self.assertNotIn("onset\trough", (out / "data/marks.tsv").read_text())
 
     def test_folder_outside_the_project(self):
@@ -551,8 +544,7 @@ class Failures(unittest.TestCase):
     def test_default_folders_are_the_projects(self):
         project = project_copy(self.path, "published")
         (project / "deep/below").mkdir(parents=True)
-        done = report("--section", "comparison", cwd=project / "deep/below")
-        self.assertEqual(done.code, 0, done.err)
+        report("--section", "comparison", cwd=project / "deep/below").ended(0)
         self.assertTrue((project / "reports/out/index.html").is_file())
         self.assertIn("reference/published/rough.toml",
                       (project / "reports/out/data/curve_rough.tsv").read_text())
@@ -568,8 +560,7 @@ class Failures(unittest.TestCase):
                     value if name == column else cell for name, cell in zip(rows[0], rows[1]))))
                 if column is None:
                     path.unlink()
-                done = report("--section", "claims", cwd=project)
-                self.assertEqual((done.code, done.err), (0, ""))
+                done = report("--section", "claims", cwd=project).ended(0, "")
                 page = json.loads((project / "reports/out/report.json").read_text())
                 self.assertEqual([one["standing"] for one in page["findings"] if one["id"] == "committed_ledger"],
                                  [standing])
@@ -579,9 +570,7 @@ class Failures(unittest.TestCase):
                                  ["`make ledger`"] if standing == "absent" else [])
 
     def test_help_has_an_example(self):
-        done = report("--help")
-        self.assertEqual(done.code, 0)
-        self.assertIn("Example", done.out)
+        self.assertIn("Example", report("--help").ended(0).out)
 
 
 if __name__ == "__main__":

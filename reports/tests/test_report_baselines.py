@@ -6,11 +6,11 @@ import math
 import random
 import re
 import shutil
-import tempfile
 import unittest
 
 import page_sources
 from page_perturbed import changed
+from program import folder_until
 from report_files import FIGURES, FITS_FIGURES, ROOT, STARVED_FIGURES, PageReader, project_copy, report
 
 
@@ -31,9 +31,7 @@ class Baselines(unittest.TestCase):
               "sweep-speed": "Run time of sweeps over many inputs"}
 
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.project = project_copy(self.folder.name, "published", "scenes", "ehl", "exact", "baselines")
+        self.project = project_copy(folder_until(self.addCleanup), "published", "scenes", "ehl", "exact", "baselines")
         shutil.copy(ROOT / "reference/mistakes.toml", self.project / "reference")
         # The ledger may lack new faults of the catalogue until they are planted. Here it counts as complete.
         path = self.project / "reference/baselines/planted_faults.json"

@@ -4,11 +4,10 @@
 import json
 import pathlib
 import re
-import tempfile
 import tomllib
 import unittest
 
-from program import run
+from program import folder_until, run
 from report_files import CONTACT_DATA, CONTACT_FIGURES, CONTACTS, ROOT, WrittenReport, files_below, project_copy, report, table
 
 SCENES = ROOT / "reference/scenes"
@@ -39,9 +38,7 @@ class Contacts(WrittenReport):
         """The CSV rows of `tribocheck solve` for the scene at these speeds."""
         path = pathlib.Path(self.folder.name) / "at_speeds.json"
         path.write_text(json.dumps(self.trees[name] | {"speed": speeds}))
-        done = run("solve", path, "--format", "csv")
-        self.assertEqual(done.code, 0, done.err)
-        return done.rows()
+        return run("solve", path, "--format", "csv").ended(0).rows()
 
     def test_files_are_those_promised(self):
         self.assertEqual(self.done.code, 0, self.done.err)
@@ -131,9 +128,7 @@ class Contacts(WrittenReport):
 
 class WithoutThem(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.project = project_copy(folder.name, "published", "scenes")
+        self.project = project_copy(folder_until(self.addCleanup), "published", "scenes")
 
     def test_a_scene_that_is_missing_or_wrong_is_named_on_the_page(self):
         path = self.project / "reference/scenes/gear_flank.toml"
@@ -146,8 +141,7 @@ class WithoutThem(unittest.TestCase):
                 if changed is not None:
                     self.assertNotEqual(changed, text)
                     path.write_text(changed)
-                done = report("--section", "contacts", cwd=self.project)
-                self.assertEqual(done.code, 0, done.err)
+                report("--section", "contacts", cwd=self.project).ended(0)
                 told = json.loads((self.project / "reports/out/report.json").read_text())
                 self.assertIn("gear_flank.toml", told["contacts"]["missing"]["why"])
                 self.assertIn(why, told["contacts"]["missing"]["why"])

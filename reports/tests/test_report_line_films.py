@@ -6,9 +6,9 @@ import json
 import math
 import re
 import shutil
-import tempfile
 import unittest
 
+from program import folder_until
 from report_files import LINE_DATA, LINE_FIGURES, ROOT, WrittenReport, files_below, project_copy, report, table
 
 TABLES = {"barus": ROOT / "reference/ehl/line_films.csv", "compressible": ROOT / "reference/ehl/line_films_compressible.csv"}
@@ -156,13 +156,10 @@ class LineFilms(WrittenReport):
 
 class OtherFiles(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.project = project_copy(folder.name, "published", "scenes", "ehl")
+        self.project = project_copy(folder_until(self.addCleanup), "published", "scenes", "ehl")
 
     def told(self, *arguments):
-        done = report("--section", "film-solved", *arguments, cwd=self.project)
-        self.assertEqual(done.code, 0, done.err)
+        report("--section", "film-solved", *arguments, cwd=self.project).ended(0)
         return json.loads((self.project / "reports/out/report.json").read_text())["line_films"]
 
     def test_a_line_contact_of_the_user_is_on_the_map(self):

@@ -103,8 +103,7 @@ class OnsetUncertainty(Reported):
             shutil.copytree(PUBLISHED, scenes)
             (scenes / "sweeps/onset_medium.toml").unlink()
             out = pathlib.Path(folder) / "out"
-            done = report("--scenes", scenes, "--out", out, "--section", "uncertainty")
-            self.assertEqual(done.code, 0, done.err)
+            report("--scenes", scenes, "--out", out, "--section", "uncertainty").ended(0)
             written = json.loads((out / "report.json").read_text())
             self.assertIn("onset_medium.toml", written["onset_uncertainty"]["missing"]["why"])
             finding, = (one for one in written["findings"] if one["id"] == "onset_uncertainty")

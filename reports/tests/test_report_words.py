@@ -6,11 +6,10 @@ import json
 import pathlib
 import re
 import shutil
-import tempfile
 import unittest
 import xml.etree.ElementTree
 
-from program import Folder, run
+from program import Folder, folder_until, run
 from report_files import ROOT, report
 
 WORD = ("=<script>alert(1)</script><img src=x onerror=alert(2)>\x1b[31m\u009b1m\u202e & &lt;b&gt; | `c` ~d~ ^e^ [f](javascript:g) "
@@ -64,9 +63,7 @@ def names_of_texts(value):
 
 class Baselines(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.project = pathlib.Path(self.folder.name)
+        self.project = folder_until(self.addCleanup)
         for part in ("published", "scenes", "baselines"):
             shutil.copytree(ROOT / "reference" / part, self.project / "reference" / part)
         for part in ("reference/ehl", "reference/exact", "reference/mistakes.toml", "reports/page"):
@@ -164,8 +161,7 @@ class Pictures(unittest.TestCase):
         text = (ROOT / "reference/published/sweeps/onset_smooth.toml").read_text()
         text = re.sub(r'(?m)^id = ".*"', lambda m: "id = " + json.dumps(WORD.replace("/", "")), text)
         text = re.sub(r"(?m)^draws = .*", "draws = 64", text)
-        done = run("sweep", folder.write("b.toml", text), "-o", folder.path("b.h5"), "--pictures", folder.path("pictures"))
-        self.assertEqual(done.code, 0, done.said)
+        done = run("sweep", folder.write("b.toml", text), "-o", folder.path("b.h5"), "--pictures", folder.path("pictures")).ended(0)
         self.assertIsNone(CONTROLS.search(done.out + done.said))
         drawn = list(pathlib.Path(folder.path("pictures")).rglob("*.svg"))
         self.assertTrue(drawn)

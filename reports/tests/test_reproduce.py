@@ -29,9 +29,7 @@ def reproduced(*arguments):
 
 class ReproduceTest(ProgramTest):
     def rows(self, *arguments):
-        result = reproduced("--format", "csv", *arguments)
-        self.assertEqual((result.code, result.err), (0, ""))
-        return result.rows()
+        return reproduced("--format", "csv", *arguments).ended(0, "").rows()
 
     def changed_ledger(self, change):
         with LEDGER.open() as file:
@@ -45,15 +43,13 @@ class ReproduceTest(ProgramTest):
 
     def table(self, caption, *arguments):
         """The lines below a caption, up to the next empty one."""
-        result = reproduced(*arguments)
-        self.assertEqual((result.code, result.err), (0, ""))
+        result = reproduced(*arguments).ended(0, "")
         found = [block for block in result.out.split("\n\n") if block.startswith(caption)]
         self.assertEqual(len(found), 1, result.out)
         return found[0].splitlines()[1:]
 
     def test_no_verdict_changed_against_the_committed_ledger(self):
-        result = reproduced()
-        self.assertEqual((result.code, result.err), (0, ""))
+        result = reproduced().ended(0, "")
         for claim in CLAIMS:
             self.assertIn(f"\n{claim} ", result.out)
 
@@ -271,8 +267,7 @@ class ReproduceTest(ProgramTest):
             self.assertEqual(float(found[f"C1.{surface}"]["factor"]), factor)
 
     def test_a_claim_is_shown_with_what_would_have_to_be_true(self):
-        result = reproduced("--claim", "C1")
-        self.assertEqual(result.code, 0)
+        result = reproduced("--claim", "C1").ended(0)
         self.assertIn("abstract; conclusion", result.out)
         self.assertIn("viscosity", result.out)
         claims = result.out.split("\n\n")[1]
@@ -295,8 +290,7 @@ class ReproduceTest(ProgramTest):
             for row in rows:
                 if row["reading"] == "best 1":
                     row["departures"] = "speed=sum"
-        result = run("reproduce", "--ledger", self.changed_ledger(change), "--format", "csv")
-        self.assertEqual(result.code, 1)
+        result = run("reproduce", "--ledger", self.changed_ledger(change), "--format", "csv").ended(1)
         self.assertEqual(len(result.err.splitlines()), 2, result.err)
         self.assertIn("verdict changed: C1.rough, corrected: was reproduced", result.err)
         self.assertIn("verdict changed: best 1: was speed=sum, is ", result.err)
@@ -305,8 +299,7 @@ class ReproduceTest(ProgramTest):
     def test_a_moved_number_is_named_and_exits_with_0(self):
         def change(rows):
             rows[0]["computed"] = "2.2"
-        result = run("reproduce", "--ledger", self.changed_ledger(change), "--format", "csv")
-        self.assertEqual(result.code, 0)
+        result = run("reproduce", "--ledger", self.changed_ledger(change), "--format", "csv").ended(0)
         self.assertIn("number moved: C1.rough, corrected: was 2.2, is 2.09", result.err)
 
     def test_a_changed_input_changes_a_verdict(self):
@@ -315,13 +308,10 @@ class ReproduceTest(ProgramTest):
         for name in ["rough", "medium", "smooth", "smooth_gw"]:
             scene = folder / f"{name}.toml"
             scene.write_text(scene.read_text().replace("inlet_film_ratio = 4 ", "inlet_film_ratio = 3 "))
-        result = run("reproduce", "--published", str(folder))
-        self.assertEqual(result.code, 1)
-        self.assertIn("verdict changed: C2.rough, corrected: was reproduced", result.err)
+        self.assertIn("verdict changed: C2.rough, corrected: was reproduced", run("reproduce", "--published", str(folder)).ended(1).err)
 
     def test_markdown_has_every_section_when_asked(self):
-        result = reproduced("--section", "all", "--format", "markdown")
-        self.assertEqual(result.code, 0)
+        result = reproduced("--section", "all", "--format", "markdown").ended(0)
         for text in ["What the paper claims", "The readings", "The switches", "What each item tells apart", "How sure",
                      "The misprints", "beside another library", "C1 as a departure"]:
             self.assertIn(text, result.out)
@@ -363,8 +353,7 @@ class ReproduceTest(ProgramTest):
                 (["--format", "xml"], ["--format"]),
                 (["--published", missing], [missing]),
                 (["--ledger", missing], [missing, "cannot be read"])]:
-            result = run("reproduce", *arguments)
-            self.assertEqual(result.code, 2, arguments)
+            result = run("reproduce", *arguments).ended(2)
             self.assertEqual(len(result.err.splitlines()), 1, result.err)
             for word in words:
                 self.assertIn(word, result.err)
@@ -397,8 +386,7 @@ class ReproduceTest(ProgramTest):
             path = folder / name
             good = path.read_text()
             path.write_text(good.replace(old, new, 1))
-            result = run("reproduce", "--published", str(folder))
-            self.assertEqual(result.code, 2, name)
+            result = run("reproduce", "--published", str(folder)).ended(2)
             self.assertEqual(len(result.err.splitlines()), 1, result.err)
             for word in [str(path)] + words:
                 self.assertIn(word, result.err)

@@ -15,9 +15,7 @@ COLLAPSED = "the film has collapsed: nothing balances the load"
 
 class SolveTest(ProgramTest):
     def solved(self, tree, *arguments, command="solve"):
-        result = run(command, self.folder.write("scene.toml", tree), *arguments)
-        self.assertEqual((result.code, result.err), (0, ""))
-        return result
+        return run(command, self.folder.write("scene.toml", tree), *arguments).ended(0, "")
 
     def points(self, tree, command="solve"):
         return self.solved(tree, "--format", "json", command=command).json()["points"]
@@ -111,8 +109,7 @@ class Numbers(SolveTest):
         tree["surface"]["summit_height_sd"] = 1e-200
         del tree["supply"]
         path = self.folder.write("huge.toml", tree)
-        result = run("solve", path, "--format", "json")
-        self.assertEqual(result.code, 0)
+        result = run("solve", path, "--format", "json").ended(0)
         self.assertIn("speed_range", result.warned)
         point = result.json()["points"][0]
         self.assertIsNone(point["film_parameter"])
@@ -351,8 +348,7 @@ class SeveralScenes(SolveTest):
         missing = self.folder.path("missing.toml")
         for command in ["solve", "curve", "onset"]:
             with self.subTest(command=command):
-                alone = run(command, *good, "--format", "json")
-                self.assertEqual((alone.code, alone.err), (0, ""))
+                alone = run(command, *good, "--format", "json").ended(0, "")
                 mixed = run(command, good[0], bad, missing, good[1], "--format", "json")
                 self.assertEqual((mixed.code, mixed.out), (2, alone.out))
                 self.assertEqual(len(mixed.error_lines), 2)

@@ -15,9 +15,7 @@ GRID = sweep({"load": "[10, 20, 40]", "closures.starvation": '["flooded_inlet", 
 
 class Cases(SweepTest):
     def cases(self, *options):
-        done = run("sweep", "show", self.path("out.h5"), "--cases", *options)
-        self.assertEqual((done.code, done.err), (0, ""))
-        return done.out
+        return run("sweep", "show", self.path("out.h5"), "--cases", *options).ended(0, "").out
 
     def rows(self):
         return list(csv.DictReader(io.StringIO(self.cases("--format", "csv"))))
@@ -115,14 +113,11 @@ class Cases(SweepTest):
         for name, more, settings in (("drawn", {"closures.starvation": '["flooded_inlet", "damiens"]'}, {"draws": 8}),
                                      ("two matrices", {}, {"draws": 64, "sensitivity": "true"})):
             with self.subTest(name):
-                done = self.sweep(sweep(varied | more, **settings), "--force")
-                self.assertEqual(done.code, 0, done.err)
+                self.sweep(sweep(varied | more, **settings), "--force").ended(0)
                 rows = self.rows()
                 for case in (0, 1, 13):
-                    printed = run("sweep", self.path("sweep.toml"), "--case", str(case))
-                    self.assertEqual((printed.code, printed.err), (0, ""))
-                    solved = run("solve", "-", "--format", "csv", stdin=printed.out)
-                    self.assertEqual(solved.code, 0, solved.err)
+                    printed = run("sweep", self.path("sweep.toml"), "--case", str(case)).ended(0, "")
+                    solved = run("solve", "-", "--format", "csv", stdin=printed.out).ended(0)
                     of_case = [row for row in rows if row["case"] == str(case)]
                     for row, point in zip(of_case, solved.rows(), strict=True):
                         self.assertEqual(point["id"], f'a "name", case {case}')

@@ -12,11 +12,10 @@ import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run, scene, start
-from sweeps import DAYS, LONG, UNIFORM, SweepTest, preloadable, sweep
+from sweeps import DAYS, LONG, SHORT, SweepTest, preloadable
 
 ATTACKS = int(os.environ.get("TRIBOCHECK_ATTACKS", 4))
 NOBODY = 65534
-SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=5000)
 BESIDE = (".lock", ".part", ".part-0-3.lock")
 
 
@@ -131,8 +130,7 @@ class Shared(SweepTest):
                     self.put("out.h5.lock", b"")
                     self.put("out.h5.part-0-3.lock", b"")
                     self.put(".out.h5.part-0-3.77-0", shard[:cut])
-                    done = run(*command)
-                    self.assertEqual(done.code, 0, done.err)
+                    run(*command).ended(0)
                     self.assertEqual(self.bytes_of("out.h5"), wanted)
                     self.assertEqual([name for name in self.names() if "out.h5" in name], ["out.h5"])
                     os.remove(self.path("out.h5"))
@@ -202,17 +200,10 @@ class Meanwhile(SweepTest):
     """While a sweep computes, others change files, or it is stopped."""
 
     def started(self, *arguments):
-        process = start("sweep", *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        self.addCleanup(process.stderr.close)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        return process
+        return self.ended_at_last(start("sweep", *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE))
 
     def stopped_in_the_middle(self, *options):
-        process = self.started(self.folder.write("sweep.toml", LONG), "-o", self.path("out.h5"), *options)
-        self.wait_until(self.parts)
-        process.send_signal(signal.SIGSTOP)
-        return process
+        return self.stopped(self.started(self.folder.write("sweep.toml", LONG), "-o", self.path("out.h5"), *options), 1)
 
     def ended(self, process):
         process.send_signal(signal.SIGCONT)

@@ -42,8 +42,7 @@ class SolvedFilms(SweepTest):
             for load in (500, 5000):
                 scene = LINES.replace("[500, 5000]", str(load)).replace(
                     "[2e-9, 1.5e-8]", str(coefficient))
-                done = run("film", self.folder.write("line.toml", scene), "--format", "csv")
-                self.assertEqual(done.code, 0, done.err)
+                done = run("film", self.folder.write("line.toml", scene), "--format", "csv").ended(0)
                 for at, row in enumerate(done.rows()):
                     for name in ("central", "minimum"):
                         value, error = float(row[f"{name}_film"]), float(row[f"{name}_film_error"])
@@ -66,8 +65,7 @@ class SolvedFilms(SweepTest):
     def test_a_film_that_is_not_solved_is_told_with_its_place(self):
         # At the lowest speed the film is too thin for the grids.
         text = SWEEP.replace("speed = [0.5, 2]", "speed = [1e-20, 0.5]")
-        result = self.sweep(text)
-        self.assertEqual(result.code, 1)
+        result = self.sweep(text).ended(1)
         self.assertIn("speed 1e-20 m/s", result.warned)
         told, = result.error_lines
         self.assertIn("4 of 8 films were not solved", told)

@@ -31,11 +31,7 @@ class Join(SweepTest):
         process = subprocess.Popen(
             [PROGRAM, "sweep", self.path(name), "-o", self.path("out.h5"), "--threads", "1",
              *(options if "--shard" in options else ("--format", "csv", *options))], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=dict(ENVIRONMENT, **environment))
-        self.addCleanup(process.stdout.close)
-        self.addCleanup(process.stderr.close)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        return process
+        return self.ended_at_last(process)
 
     def assert_whole(self, process):
         out, said = process.communicate(timeout=100)
@@ -84,9 +80,7 @@ class Join(SweepTest):
         print(f"{TRIES} tries; option, exit code: processes {dict(ends)}", flush=True)
 
     def test_a_helper_ends_what_its_owner_has_begun(self):
-        owner = self.started()
-        self.wait_for_parts()
-        owner.send_signal(signal.SIGSTOP)
+        owner = self.stopped(self.started())
         helper = self.started("--join")
         time.sleep(0.3)
         owner.kill()
@@ -105,9 +99,7 @@ class Join(SweepTest):
         self.assert_nothing_beside()
 
     def test_a_stopped_helper_leaves_the_others_alone(self):
-        owner = self.started()
-        self.wait_for_parts()
-        owner.send_signal(signal.SIGSTOP)
+        owner = self.stopped(self.started())
         helper = self.started("--join")
         self.wait_for_handler(helper, signal.SIGINT)
         time.sleep(0.3)
@@ -120,9 +112,7 @@ class Join(SweepTest):
         self.assert_nothing_beside()
 
     def test_who_computes_another_sweep_is_refused(self):
-        owner = self.started()
-        self.wait_for_parts()
-        owner.send_signal(signal.SIGSTOP)
+        owner = self.stopped(self.started())
         self.assert_refused(self.sweep(OTHER, "--join", name="other.toml"), "out.h5", "another sweep")
         os.remove(self.path("other.toml"))
         owner.send_signal(signal.SIGCONT)

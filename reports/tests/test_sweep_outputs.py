@@ -7,9 +7,7 @@ import subprocess
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run
-from sweeps import UNIFORM, SweepTest, sweep
-
-SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=5000)
+from sweeps import SHORT, SweepTest
 
 
 class Closed(SweepTest):

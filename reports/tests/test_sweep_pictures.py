@@ -36,9 +36,7 @@ class Summaries(SweepTest):
                    out="curves.h5", name="curves.toml")
 
     def shown(self, out, form):
-        result = run("sweep", "show", self.path(out), "--format", form)
-        self.assertEqual((result.code, result.err), (0, ""))
-        return result
+        return run("sweep", "show", self.path(out), "--format", form).ended(0, "")
 
     def rows(self, out):
         return self.shown(out, "csv").rows()
@@ -125,8 +123,7 @@ class Pictures(SweepTest):
     def drawn(self, *texts):
         """Names of the pictures, without endings."""
         files = [self.folder.write(f"{i}.toml", text) for i, text in enumerate(texts)]
-        result = run("sweep", *files, "-o", self.path("out.h5"), "--pictures", self.path("drawn"))
-        self.assertEqual(result.code, 0, result.err)
+        result = run("sweep", *files, "-o", self.path("out.h5"), "--pictures", self.path("drawn")).ended(0)
         self.assertTrue(all(line.startswith("tribocheck: drew ") for line in result.error_lines),
                         result.err)
         names = os.listdir(self.path("drawn"))
@@ -407,8 +404,7 @@ class Pictures(SweepTest):
         self.assertEqual(self.drawn_quietly(text), [])
 
     def drawn_quietly(self, text):
-        result = self.sweep(text, "--pictures", self.path("drawn"))
-        self.assertEqual(result.code, 0, result.err)
+        self.sweep(text, "--pictures", self.path("drawn")).ended(0)
         folder = self.path("drawn")
         return sorted(os.listdir(folder)) if os.path.isdir(folder) else []
 
@@ -425,8 +421,7 @@ class Pictures(SweepTest):
         shutil.copytree(ROOT / "reports/page", installed / "reports/page")
         (installed / "reference/published").mkdir(parents=True)
         (installed / "reports/page/render/sweep_pictures.py").unlink()
-        told = run("sweep", "show", self.path("out.h5"), "--pictures", self.path("drawn"), cwd=installed)
-        self.assertEqual(told.code, 1, told.err)
+        told = run("sweep", "show", self.path("out.h5"), "--pictures", self.path("drawn"), cwd=installed).ended(1)
         self.assertEqual(told.error_lines[-1], "tribocheck: sweep_pictures.py failed: see above")
         self.assertEqual(os.listdir(self.path("drawn")), [])
 
@@ -435,9 +430,7 @@ class Pictures(SweepTest):
         os.mkdir(self.path("bin"))
         fake = self.folder.write("bin/gnuplot", "#!/bin/sh\necho no such terminal >&2\nexit 3\n")
         os.chmod(fake, 0o755)
-        told = self.shown_with_path(self.path("bin") + ":" + os.environ.get("PATH", ""))
-        self.assertEqual(told.code, 1)
-        self.assertIn("no such terminal", told.err)
+        self.assertIn("no such terminal", self.shown_with_path(self.path("bin") + ":" + os.environ.get("PATH", "")).ended(1).err)
         self.assertFalse([name for name in os.listdir(self.path("drawn")) if "svg" in name])
 
     def shown_with_path(self, path):

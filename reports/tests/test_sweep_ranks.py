@@ -92,11 +92,7 @@ class Ranks(SweepTest):
         ranks = [settings + command, command] if first else [command, settings + command]
         process = subprocess.Popen([*mpirun(1), *ranks[0], ":", "-n", "1", *ranks[1]], env=mpi_environment(),
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.stdout.close)
-        self.addCleanup(process.stderr.close)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        return process
+        return self.ended_at_last(process)
 
     @unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
     def test_a_rank_that_fails_tells_it_at_once_and_the_others_end_the_sweep(self):

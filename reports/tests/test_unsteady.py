@@ -55,9 +55,7 @@ class Unsteady(ProgramTest):
 
     def test_the_last_bits_are_told_everywhere_and_are_not_red(self):
         junit = self.folder.path("junit.xml")
-        result = self.again('answer["radius"] *= 1 + 1e-13', "--junit", junit)
-        self.assertEqual(result.code, 0, result.out)
-        row, = result.json()["unsteady"]
+        row, = self.again('answer["radius"] *= 1 + 1e-13', "--junit", junit).ended(0).json()["unsteady"]
         self.assertEqual((row["quantity"], row["asked_again"], row["changed"]), ("hertz_point.radius", 2, 2))
         self.assertAlmostEqual(row["relative_difference"], 1e-13, delta=1e-15)
         self.assertAlmostEqual(row["second"] / row["first"] - 1, 1e-13, delta=1e-15)
@@ -89,17 +87,14 @@ class Unsteady(ProgramTest):
         for change, reason in (('answer["radius"] *= 1.01', "off by 0.01"), ('answer["radius"] = math.nan', "no number"),
                                ('answer = {"id": case, "error": "no root"}', "when it is asked again: no root"),
                                ("os._exit(3)", "when it is asked again: it exits with code 3")):
-            result = self.again(change)
-            self.assertEqual(result.code, 1, change)
+            result = self.again(change).ended(1)
             verdict = {one["quantity"]: one for one in result.json()["quantities"]}["hertz_point.radius"]
             self.assertEqual(verdict["status"], "FAILED")
             self.assertIn(reason, verdict["reason"])
             self.assertIn("hertz_point.radius", [one["quantity"] for one in result.json()["unsteady"]])
 
     def test_a_case_that_is_skipped_the_second_time_is_told(self):
-        result = self.again('answer = {"id": case, "skip": "no more"}')
-        self.assertEqual(result.code, 0)
-        row = result.json()["unsteady"][0]
+        row = self.again('answer = {"id": case, "skip": "no more"}').ended(0).json()["unsteady"][0]
         self.assertEqual((row["second"], row["reason"], row["relative_difference"]), (None, "no more", None))
 
     def test_a_cache_with_a_wrong_key_is_found(self):
@@ -131,9 +126,7 @@ class Unsteady(ProgramTest):
             self.assertEqual([one["quantity"] for one in rounded.json()["unsteady"]], ["hertz_point.radius"])
             self.assertNotIn("unsteady", row())
         for more in ([], ["--update-baseline"]):
-            red = changing(noise, *gate, *more)
-            self.assertEqual(red.code, 1)
-            worse, = red.json()["changes"]["worse"]
+            worse, = changing(noise, *gate, *more).ended(1).json()["changes"]["worse"]
             self.assertEqual((worse["quantity"], worse["text"]),
                              ("hertz_point.radius", "hertz_point.radius: its answers were the same each time, and change "
                                                     "now when they are asked again"))

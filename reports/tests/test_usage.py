@@ -27,8 +27,7 @@ class Help(unittest.TestCase):
         for arguments in [[], *[[command] for command in COMMANDS]]:
             for flag in ["--help", "-h"]:
                 with self.subTest(arguments=arguments, flag=flag):
-                    result = run(*arguments, flag)
-                    self.assertEqual((result.code, result.err), (0, ""))
+                    result = run(*arguments, flag).ended(0, "")
                     self.assertIn("Usage: tribocheck", result.out)
                     self.assertIn("Example:\n", result.out)
 
@@ -46,8 +45,7 @@ class Help(unittest.TestCase):
     def test_every_command_tells_the_version(self):
         for arguments in [[], *[[command] for command in COMMANDS]]:
             with self.subTest(arguments=arguments):
-                result = run(*arguments, "--version")
-                self.assertEqual((result.code, result.err), (0, ""))
+                result = run(*arguments, "--version").ended(0, "")
                 self.assertRegex(result.out, r"^tribocheck \d+\.\d+\.\d+ \(commit ([0-9a-f]{40}(-dirty)?|unknown), "
                                  r"instruction set [A-Z]+[0-9A-Z_]*\)\n$")
 
@@ -129,9 +127,7 @@ class BadUsage(unittest.TestCase):
 
     def test_a_sweep_may_be_called_nearly_like_a_subcommand(self):
         self.folder.write("shwo", scene())
-        result = run("sweep", "shwo", "-o", "x.h5", cwd=self.folder.name)
-        self.assertEqual(result.code, 2)
-        self.assertIn("shwo: nothing varies", result.err)
+        self.assertIn("shwo: nothing varies", run("sweep", "shwo", "-o", "x.h5", cwd=self.folder.name).ended(2).err)
 
     def test_scenes_are_needed(self):
         for command in ["contact", "solve", "curve", "onset", "film"]:
@@ -157,8 +153,7 @@ class BadUsage(unittest.TestCase):
     def test_a_file_may_be_called_like_a_command_or_in_brackets(self):
         for name in ["curve", "[a,b]"]:
             self.folder.write(name, scene(id=None))
-            result = run("solve", name, "--format", "csv", cwd=self.folder.name)
-            self.assertEqual((result.code, result.err), (0, ""))
+            run("solve", name, "--format", "csv", cwd=self.folder.name).ended(0, "")
 
     def test_control_signs_of_an_argument_do_not_reach_the_terminal(self):
         result = run("solve", self.file, "--format", "\x1b[31m\n")

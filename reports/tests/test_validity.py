@@ -7,7 +7,7 @@ import pathlib
 import re
 import unittest
 
-from program import Folder, Literal, json_value, quiet_scene, run, scene, toml, with_field, without_field
+from program import Literal, ProgramTest, json_value, quiet_scene, run, scene, toml, with_field, without_field
 from sweeps import UNIFORM, sweep
 
 REFERENCE = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reference"
@@ -16,11 +16,7 @@ LINE = {"bodies": {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1
         "closures": {"film": "dowson_toyoda_central"}, "supply": None}
 
 
-class ValidityTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class ValidityTest(ProgramTest):
     def write(self, tree, name="a.toml"):
         return self.folder.write(name, tree)
 
@@ -117,8 +113,7 @@ class Warnings(ValidityTest):
     def test_a_law_of_another_regime_is_told_with_the_one_to_take(self):
         rubber = quiet_scene(bodies={"effective_modulus": 1e7, "reduced_radius": 9.5e-3}, supply=None, accept=[], load=1)
         rubber = without_field(rubber, "surface") | {"outputs": ["film"], "speed": 0.1}
-        done = run("solve", self.write(rubber), "--strict")
-        self.assertEqual(done.code, 1)
+        done = run("solve", self.write(rubber), "--strict").ended(1)
         self.assertRegex(done.warned, r"film_law_regime [\d.]+ \(at most 1\.2\); `tribocheck solve --explain` explains them,")
         self.assertIn("the contact is isoviscous_elastic: take hamrock_dowson_soft_central", self.explained(rubber)["film_law_regime"])
         self.assertIn("film_law_regime", self.passed("solve", rubber))
@@ -272,8 +267,7 @@ class Sweeps(ValidityTest):
     def test_it_is_told_how_many_cases_of_a_distribution_are_beyond_which_limit(self):
         """p₀ of a circle is 4 GPa at 2564 N: of loads spread evenly from 1700 N to 3000 N a third is beyond."""
         drawn = {"load": '{ distribution = "uniform", from = 1700, to = 3000 }', "speed": "0.1"}
-        done = self.run_sweep(drawn, "--format", "json", "--strict")
-        self.assertEqual(done.code, 1)
+        done = self.run_sweep(drawn, "--format", "json", "--strict").ended(1)
         cases, judged, of_all = re.search(r"hertz_pressure [^;]*; in (\d+) of (\d+) cases looked at, a sample of (\d+), furthest in case \d+",
                                           done.warned).groups()
         self.assertEqual((judged, of_all), ("1024", "16384"))

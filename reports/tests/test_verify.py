@@ -58,9 +58,7 @@ class Tables(unittest.TestCase):
 
 class Verify(unittest.TestCase):
     def test_every_contract_holds(self):
-        done = run("verify", "--format", "json", cwd=ROOT)
-        self.assertEqual(done.code, 0, done.out + done.err)
-        results = done.json()["quantities"]
+        results = run("verify", "--format", "json", cwd=ROOT).ended(0).json()["quantities"]
         self.assertEqual(sum(r["cases"] for r in results),
                          sum(1 for t in TABLES for row in rows_of(EXACT / f"{t}.csv")
                              if not row.rstrip().endswith(",undefined")))
@@ -74,8 +72,7 @@ class Verify(unittest.TestCase):
     def test_table_and_junit_name_every_quantity(self):
         with tempfile.TemporaryDirectory() as folder:
             junit = pathlib.Path(folder) / "verify.xml"
-            done = run("verify", "--junit", junit, cwd=ROOT)
-            self.assertEqual(done.code, 0, done.err)
+            done = run("verify", "--junit", junit, cwd=ROOT).ended(0)
             suite = xml.parse(junit).getroot()
             self.assertEqual(suite.get("failures"), "0")
             for case in suite:
@@ -99,8 +96,7 @@ class Verify(unittest.TestCase):
             cells = row.split(",")
             moved = (float.fromhex(cells[-4]) * (1 + 2**-20)).hex()  # high
             wrong = ",".join([*cells[:-4], moved, *cells[-3:]])
-            done = self.with_changed(table, lambda text, row=row, wrong=wrong: text.replace(row, wrong))
-            self.assertEqual(done.code, 1, table)
+            done = self.with_changed(table, lambda text, row=row, wrong=wrong: text.replace(row, wrong)).ended(1)
             failed = [r for r in done.json()["quantities"] if not r["passed"]]
             self.assertEqual([r["worst_row"] for r in failed], [cells[0]])
 
@@ -117,8 +113,7 @@ class Verify(unittest.TestCase):
 
     def test_the_last_line_of_the_table_names_what_failed(self):
         done = self.with_changed("onset_constant", lambda text: text.replace("0x1.", "0x1.8"), "--format",
-                                 "table")
-        self.assertEqual(done.code, 1)
+                                 "table").ended(1)
         self.assertRegex(done.out.splitlines()[-1],
                          r"^FAILED: \d+ of \d+ quantities held, in \d+ cases; failed: .*onset_constant")
 
@@ -140,8 +135,7 @@ class Verify(unittest.TestCase):
     def test_broken_tables_are_one_line_and_exit_code_2(self):
         for change in (lambda text: "", lambda text: text.replace("high", "hi"),
                        lambda text: text + "m9999,1\n", lambda text: text.replace("0x1", "zz")):
-            done = self.with_changed("gaussian_moment", change)
-            self.assertEqual(done.code, 2)
+            done = self.with_changed("gaussian_moment", change).ended(2)
             self.assertEqual(len(done.error_lines), 1, done.err)
         nowhere = run("verify", "--reference", "/nowhere")
         self.assertEqual((nowhere.code, nowhere.out, nowhere.err),

@@ -13,7 +13,7 @@ import sys
 import unittest
 import xml.etree.ElementTree
 
-from program import ENVIRONMENT, PROGRAM, ProgramTest, quiet_scene, run, strict_json
+from program import ENVIRONMENT, PROGRAM, ProgramTest, quiet_scene, read_terminal, run, strict_json
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 # Escape sequences of both kinds, formulas, and signs that reverse the text, or that end a line, a cell, a quotation or an element.
@@ -99,8 +99,7 @@ class Ids(Words):
                 self.assertEqual({(row[0], len(row)) for row in rows}, {(shown, len(head))})
                 for options in ([], ["--cases"]):
                     for style in ("table", "csv", "json"):
-                        result = run("sweep", "show", self.folder.path("out.h5"), "--format", style, *options)
-                        self.assertEqual(result.code, 0, result.said)
+                        result = run("sweep", "show", self.folder.path("out.h5"), "--format", style, *options).ended(0)
                         self.assert_dead(result)
                         if style == "json" and not options:
                             self.assertEqual(result.json()["scenes"][0]["id"], word)
@@ -197,8 +196,7 @@ class Subjects(Words):
         self.assert_dead(self.verify("--show", "e0000"))
         for word in HOSTILE:
             text = self.folder.write("text", word.encode() + b"\n\xff")
-            result = run("verify", "--subject", f"cat '{text}'; cat '{text}' >&2; exit 3", "--sample", "1")
-            self.assertEqual(result.code, 2)
+            result = run("verify", "--subject", f"cat '{text}'; cat '{text}' >&2; exit 3", "--sample", "1").ended(2)
             self.assert_dead(result)
 
     def test_a_subject_with_blanks_and_quotes_in_its_path(self):
@@ -209,11 +207,9 @@ class Subjects(Words):
             program.write_text(f"#!{sys.executable}\nimport json, sys\nfor line in sys.stdin:\n"
                                '    print(json.dumps({"id": json.loads(line)["id"], "skip": "no"}), flush=True)\n')
             program.chmod(0o755)
-            result = run("verify", "--subject", shlex.quote(str(program)), "--sample", "1", cwd=self.folder.name)
-            self.assertEqual((result.code, result.err), (1, ""), name)
+            result = run("verify", "--subject", shlex.quote(str(program)), "--sample", "1", cwd=self.folder.name).ended(1, "")
             self.assertIn("NOTHING", result.out)
-            result = run("verify", "--subject", shlex.quote(str(program) + "x"), cwd=self.folder.name)
-            self.assertEqual(result.code, 2)
+            result = run("verify", "--subject", shlex.quote(str(program) + "x"), cwd=self.folder.name).ended(2)
             self.assertIn("there is no file", result.said)
             self.assertEqual([one for one in ("x", "y") if (pathlib.Path(self.folder.name) / one).exists()], [])
 
@@ -241,14 +237,8 @@ class Terminal(Words):
         paths = [self.folder.write(name, quiet_scene(id="c\x1bd", speed={"from": 1e-4, "to": 3, "count": 20000}))]
         with subprocess.Popen([PROGRAM, "solve", *paths], env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=writer) as process:
             os.close(writer)
-            said = b""
-            try:
-                while part := os.read(reader, 4096):
-                    said += part
-            except OSError:
-                pass
+            said = read_terminal(reader)
             process.wait(60)
-        os.close(reader)
         self.assertIsNone(LIVE.search(said.decode().replace("\x1b[K", "").replace("\r", "")), said)
 
 
