@@ -466,10 +466,10 @@ std::string next_to_fixed_point(const Part& part) {
   }
   if (are_far < fewest_far || 5 * near < 4 * part.wrong.size()) return {};
   return fmt::format(
-      "{} of {} wrong answers λ are within {:.2g} of λ₀/(1 − A)^e, by the share A at λ, and {} of "
-      "these "
-      "are far from the root: as of an iteration that puts one into the other, and stops where λ "
-      "changes by no more.",
+      "{} of {} wrong answers λ are within {:.2g} of λ₀/(1 − A)^e, with the share A at λ, and {} "
+      "of "
+      "these are far from the root: as of an iteration that puts one into the other, and stops "
+      "where λ changes by no more.",
       near, part.wrong.size(), greatest, are_far);
 }
 

@@ -827,6 +827,20 @@ TEST(Insides, AreNamedWhereAnotherNumberOfThePointStandsInTheirPlace) {
                   one.text, part == 1);
 }
 
+TEST(Point, WhoseSharesAreRoundedIsToldWithTheStep) {
+  const auto rounded = [](double step) {
+    return [=](const TestCase&, json& fields) {
+      json& share = fields["asperity_load_share"];
+      if (share.is_number()) share = step * std::nearbyint(share.get<double>() / step);
+    };
+  };
+  for (const double step : {1e-4, 1e-3})
+    expect_told("operating_point", fmt::format("are whole steps of {:g} from each other", step),
+                rounded(step));
+  expect_not_told("operating_point", "whole steps",
+                  noise_where("asperity_load_share", [](auto&) { return true; }));
+}
+
 TEST(Insides, OfTwoLawsAreNamedTogether) {
   const auto both = [](double times) {
     return cut([times](Question& one, const ShearedFilm& film) {

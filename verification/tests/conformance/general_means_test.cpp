@@ -17,6 +17,7 @@
 #include "support/judge.hpp"
 #include "tribo/gaussian_moment.hpp"
 #include "tribo/hertz_ellipse.hpp"
+#include "tribo/load_sharing.hpp"
 #include "tribo/viscosity_index.hpp"
 
 namespace tribo::conformance {
@@ -461,6 +462,33 @@ TEST(Iterations, ThatStopAtAToleranceAreToldWithIt) {
   expect_said(said, "as of an iteration that stops where it changes by no more");
   const std::string far = said_of("load_sharing", ended(0.1));
   expect_said(far, "as of an iteration that stops where", false);
+}
+
+// Half of the old film parameter and half of the new one, until they differ by a part of 1000.
+TEST(Iterations, OfSubstitutionThatStopEarlyAreToldByTheEquationThatTheyMeet) {
+  const auto substituted = [](double tolerance) {
+    return [=](const In& in) -> json {
+      const LoadSharing<double> sharing(in.inputs.at("asperity") == "greenwood_tripp"
+                                            ? AsperityModel::greenwood_tripp
+                                            : AsperityModel::greenwood_williamson,
+                                        in("stiffness"), in.inputs.value("offset", 0.0));
+      const double flooded = in("flooded_film_parameter");
+      double film = flooded, before = 0;
+      for (int i = 0; i < 500 && std::abs(film / before - 1) >= tolerance; ++i) {
+        before = film;
+        film = (film + flooded * pow(std::max(1 - sharing.asperity_share(film), 1e-12), -0.14)) / 2;
+      }
+      return film;
+    };
+  };
+  expect_said(said_of("load_sharing", substituted(1e-3)),
+              "of λ₀/(1 − A)^e, with the share A at λ, and ");
+  expect_said(said_of("load_sharing",
+                      [](const In& in) -> json {
+                        return results_of("load_sharing", in)[0] *
+                               (1 + 1e-4 * std::sin(in("stiffness")));
+                      }),
+              "of λ₀/(1 − A)^e", false);
 }
 
 // Bisections that end after a number of steps. Each question has a bracket of its own.
