@@ -29,9 +29,9 @@ TextTable identification_table(const Ledger& ledger) {
       {"item", "readings that meet it", "part of all", "bits", "identifies"},
       {false, true, true, true, false},
       {},
-      "Identifies: choices that 95 % and more of the readings that meet the item share, by "
-      "chance fewer than that, but none that the print precision of the inputs leaves open, by the "
-      "candidates below. Bits: log_2 of how many times it divides the readings."};
+      "Identifies: choices that at least 95 % of the readings that meet the item share (in "
+      "brackets), without those that the print precision of the inputs leaves open, by the "
+      "candidates below. Bits: log_2 of all readings over those that meet the item."};
   for (std::size_t i = 0; i < ledger.items.size(); ++i) {
     const ItemStatistics& one = ledger.item_statistics[i];
     std::string found;
@@ -63,7 +63,7 @@ std::vector<TextTable> argument_tables(const Ledger& ledger) {
            one.value ? fmt::format("{} to {}", number(one.low, 4), number(one.high, 4)) : no_entry,
            one.agrees ? "yes" : "no"});
     const std::size_t agreeing = argument.agreeing();
-    table.note += agreeing == 0   ? "None of them agrees."
+    table.note += agreeing == 0   ? "No candidate agrees."
                   : agreeing == 1 ? "One agrees."
                                   : fmt::format("{} agree.", agreeing);
     tables.push_back(std::move(table));
@@ -189,8 +189,8 @@ TextTable uncertainty_table(const Ledger& ledger) {
   }
   table.note +=
       " Onset by film_maximum. Print precision is half a unit of the last digit; the rough "
-      "surface's σ_s = 0.1 µm and β = 0.1 µm have one digit, which is ± 50 %. Ranges: "
-      "reference/published/inputs.tsv.";
+      "surface's σ_s = 0.1 µm has one digit, which is ± 50 %, and so has β = 10 µm, which is "
+      "assumed (E17), not printed. Ranges: reference/published/inputs.tsv.";
   return table;
 }
 
@@ -199,8 +199,8 @@ std::vector<TextTable> errata_tables(const Ledger& ledger) {
                     {"erratum", "place", "printed", "right", "settled by", "kind"},
                     {false, false, false, false, false, false},
                     {},
-                    "A reading may have been computed with, and is a switch; a finding is kept as "
-                    "printed; the others are mended everywhere."};
+                    "A reading is a form that the author may have used, and a switch; a finding is "
+                    "kept as printed; the others are mended everywhere."};
   TextTable effects{"The misprints, and what each would do",
                     {"erratum", "what is computed", "first form", "second form", "against"},
                     {false, false, true, true, false},

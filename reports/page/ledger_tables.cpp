@@ -123,10 +123,11 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
       {},
       "The verdict on a claim is the worst of its parts'. A number is reproduced within "
       "half a unit of its last printed digit, else within 10 %, else to the order of "
-      "magnitude (a factor √10: “order only”); a comparison, where it holds at all speeds "
-      "compared; in part, where at half of them (logarithmically) or more. “1 ± 2 %”: the greater "
-      "is at most 2 % above the other. Margin: by how much ln of the computed number, or the part "
-      "of the speeds, differs from what would change the verdict, ± its numerical error."};
+      "magnitude (a factor √10: “order only”). A comparison is reproduced if it holds at all "
+      "compared speeds, and in part if it holds at half of them or more (on a logarithmic axis). "
+      "“1 ± 2 %”: the greater is at most 2 % above the other. Margin: the distance of ln of the "
+      "computed number, or of the part of the speeds, from the value that would change the "
+      "verdict, ± its numerical error."};
   for (std::size_t i = 0; i < ledger.items.size(); ++i) {
     const Item& item = ledger.items[i];
     if (!is_wanted(claims, item.claim)) continue;
@@ -226,7 +227,7 @@ TextTable verdict_table(const Ledger& ledger, const std::vector<NamedReading>& r
     table.rows.push_back(std::move(cells));
   }
   table.note = fmt::format(
-      "GT: contact by Greenwood and Tripp; GW: by Greenwood and Williamson. Of all readings: how "
+      "GT: contact by Greenwood and Tripp; GW: by Greenwood and Williamson. Last column: how "
       "many of the {} reproduce the claim. {} {}",
       grouped(reading_count()), partly_words, arithmetic_words);
   if (is_wanted(claims, ledger.claims.front()) && ledger.claim_parts.front() == 0)
@@ -286,7 +287,7 @@ TextTable ranking_table(const Ledger& ledger) {
       "{} "
       "others as many: agreeing with more of the paper is not being more right. A claim that "
       "nearly "
-      "all readings reproduce tells nothing about which one the authors used.",
+      "all readings reproduce tells nothing about which one the author used.",
       grouped(reading_count()), switch_count, rounded(ranking.mean_score, 3),
       rounded(ranking.score_sd, 2), grouped(corrected.above), grouped(corrected.equal - 1));
   return table;
@@ -297,8 +298,9 @@ TextTable tolerance_table(const Ledger& ledger) {
                   {"tolerances times"},
                   {true},
                   {},
-                  "The print precision of numbers, the width of comparisons of equality and the "
-                  "thresholds (divided) are multiplied together; comparisons of order have none."};
+                  "The factor multiplies the print precision of numbers and the width of "
+                  "comparisons of equality, and divides thresholds; comparisons of order have no "
+                  "tolerance."};
   for (const NamedReading& reading : ledger.readings) {
     table.headings.push_back(reading.name);
     table.is_number.push_back(true);
