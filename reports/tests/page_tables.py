@@ -603,7 +603,7 @@ def gates(report):
            ["program", "gate", "workloads", "greatest ratio", "red findings", "has to be", "is", "verdict"],
            [[one.get("planted", {"id": "unchanged"})["id"], one["gate"], str(one["workloads"]), sig(one["greatest_ratio"], 4), str(one["red"]),
              one["expected"], one["verdict"], "proved" if one["proved"] else "NOT PROVED"] for one in found["proofs"]])
-    yield ("The baseline that the gates hold", ["workload", "instructions", "least time", "median time", "band"],
+    yield ("The baseline that the gates compare with", ["workload", "instructions", "least time", "median time", "band"],
            [[one["workload"], DASH if one["instructions"] is None else many(one["instructions"]), sig(one["least_time"], 4),
              sig(one["median_time"], 4), percent(one["band"], 2)] for one in found["baseline"]["workloads"]])
 

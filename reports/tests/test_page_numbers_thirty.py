@@ -300,7 +300,7 @@ class Thirty(Told):
         self.assertAlmostEqual(int(row[6].replace("\u202f", "")), 10000 * share, delta=1.5)
 
     def test_s4_and_s5_band_and_times(self):
-        row = next(row for row in self.rows("gates", "The baseline that the gates hold") if row[0] == "root_one_surface_batch AVX3")
+        row = next(row for row in self.rows("gates", "The baseline that the gates compare with") if row[0] == "root_one_surface_batch AVX3")
         self.assertAlmostEqual(float(row[4].rstrip(" %")), 100 * (float(row[3]) / float(row[2]) - 1), delta=0.06)
         row = next(row for row in self.rows("sweep-speed", "Time of a point of a sweep") if row[0] == "film_of_speed")
         self.assertAlmostEqual(float(row[3]), float(row[2]) / float(row[1]), delta=0.01)

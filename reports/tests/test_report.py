@@ -55,14 +55,14 @@ class EveryPromisedFile(WrittenReport):
 
     def test_it_ends_with_the_verdict_in_short_and_the_page(self):
         scores = [one["score"] for one in self.told["ledger"]["readings"] if one["name"] in ("corrected", "m = 2", "equal faces")]
-        self.assertIn(f"\nThe paper: {self.told['ledger']['summary']}. So with the offset D_d (E9, m = 1); by how E9 is read "
+        self.assertIn(f"\nThe paper: {self.told['ledger']['summary']}. This is with the offset D_d (E9, m = 1); depending on E9 "
                       f"{min(scores)} to {max(scores)} are reproduced.\n", self.done.out)
         lines = self.done.out.splitlines()
         start = next(i for i, line in enumerate(lines) if line.startswith("This software: "))
         software, *missed, page = lines[start:]
         count = collections.Counter(one["standing"] for one in self.told["findings"] if one["about"] == "software")
         targets = re.search(r"; (\d+|one) targets? (?:is|are) missed", (self.out / "report.md").read_text())  # what the page counts
-        said = "none misses a target"
+        said = "no check misses a target"
         if targets:
             number = int(targets[1].replace("one", "1"))
             said = f"{count['missed']} {'misses' if count['missed'] == 1 else 'miss'} {number} {'target' if number == 1 else 'targets'}"

@@ -276,7 +276,7 @@ class Baselines(unittest.TestCase):
         standing, text = self.standing_of("sweep-speed")
         self.assertEqual(standing, "holds")
         self.assertIn("all 3 speed targets are reached", text)
-        self.assertIn(" none misses a target,", self.terminal)
+        self.assertIn(" no check misses a target,", self.terminal)
         for change, target, said in ((slower, "times_alone", "1.50 times as long"),
                                      (no_gain, "two_threads", "1.80 times as fast"), (larger, "mb_of_rank", "300 MB")):
             with self.subTest(change.__name__):

@@ -15,7 +15,7 @@ BASELINES = {
     "paper_films.json": ("paper-films", "starved films of the paper's surfaces"),
     "planted_faults.json": ("faults", "planted faults and what caught them"),
     "work_precision.json": ("work-precision", "error against work"),
-    "performance.json": ("gate-baseline", "work and time that the gates hold"),
+    "performance.json": ("gate-baseline", "work and time that the gates compare with"),
     "gates.json": ("gate-proof", "proof that the gates turn red"),
     "sweep.json": ("bench-sweep", "speed, memory and scaling of sweeps"),
 }

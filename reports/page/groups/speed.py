@@ -44,7 +44,7 @@ def gate_baseline(baseline):
 
 def gates(asked):
     group = from_baseline(asked.places, "gates.json", proved_gates)
-    baseline, left_out = part(asked.places, "performance.json", "the work and time that the gates hold", gate_baseline)
+    baseline, left_out = part(asked.places, "performance.json", "the work and time that the gates compare with", gate_baseline)
     return group._replace(data=group.data | {"baseline": baseline}, not_run=group.not_run + left_out)
 
 

@@ -41,7 +41,7 @@ def verdict(report):
     text, ledger = "", report.get("ledger", {})
     if "summary" in ledger:
         scores = [one["score"] for one in ledger["readings"] if one["name"] in ("corrected", "m = 2", "equal faces")]
-        text = headline(ledger) + printable(f"The paper: {ledger['summary']}. So with the offset D_d (E9, m = 1); by how E9 is read "
+        text = headline(ledger) + printable(f"The paper: {ledger['summary']}. This is with the offset D_d (E9, m = 1); depending on E9 "
                                             f"{min(scores)} to {max(scores)} are reproduced.") + "\n"
     about = [one for one in report["findings"] if one["about"] == "software"]
     count = collections.Counter(one["standing"] for one in about)
@@ -49,7 +49,7 @@ def verdict(report):
     targets = sum(report[several[one["id"]][0]][several[one["id"]][1]] if one["id"] in several else 1
                   for one in about if one["standing"] == "missed")
     missed = f"{count['missed']} {'misses' if count['missed'] == 1 else 'miss'} {targets} target{'' if targets == 1 else 's'}"
-    text += (f"This software: {count['holds']} checks hold, {count['fails']} fail, {missed if targets else 'none misses a target'}, "
+    text += (f"This software: {count['holds']} checks hold, {count['fails']} fail, {missed if targets else 'no check misses a target'}, "
              f"{count['absent']} did not run.\n")
     return text + "".join(printable(f"  {WORDS[one['standing']]}: {one['id']}: {one.get('why', '')}") + "\n"
                           for one in report["findings"] if one["standing"] in WORDS)
