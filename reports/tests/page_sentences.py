@@ -98,17 +98,17 @@ def of_ledger(report):
     scores = [next(one for one in ledger["readings"] if one["name"] == name)["score"] for name in ("corrected", "m = 2", "equal faces")]
     yield (f"At the lowest speed the summits carry {shares[0]} of the load (rough, medium and smooth surface) with m = 1, {shares[1]} with m = 2, and "
            f"{shares[2]} with two equal faces, of which Dd/σs = {whole(offset)} belongs to one and σs to their sum (offset "
-           f"{sig(report['paper']['offsets'][2]['offset'], 4)} σs). Of the {counted} claims {scores[0]}, {scores[1]} and {scores[2]} are reproduced (side")
+           f"{sig(report['paper']['offsets'][2]['offset'], 4)} σs).")
     own = [report["paper"]["scenes"][name] for name in SURFACES]
     yield (f"With GT and Table 1 the summits carry at most {sig(max(one['contact_share'] for one in own), 2)} of the load even where the faces touch "
-           f"(λ = 0), so that no surface ever is in boundary lubrication with m = 1, and “reproduced” says only that it is so at the lowest speed; and the film there is {sig(1e9 * own[2]['slowest']['film'], 2)} nm on "
+           f"(λ = 0): with m = 1 no surface is ever in boundary lubrication, and “reproduced” is true of the lowest speed only. The film there is {sig(1e9 * own[2]['slowest']['film'], 2)} nm on "
            f"the smooth surface")
     yield f"Without a film the smooth surface has A = {sig(own[2]['contact_share'], 2)} and A² = {sig(own[2]['contact_share'] ** 2, 2)}."
     gap = ledger["circular_gap"]
     speeds = [sig(gap["onset_speed"][name], 3) for name in SURFACES]
     yield (f"λ at the onset is {sig(gap['film_parameter'], 4)} ({gap['verdict']}), the onsets are {speeds[0]}, {speeds[1]} and {speeds[2]} m/s (rough, medium and "
-           f"smooth surface), and {gap['score']} of {counted} claims are reproduced. The printed gap is kept by choice, and that choice is not blind: λ is "
-           f"{sig(items['C2.smooth']['readings']['corrected']['computed'], 4)} with it ({items['C2.smooth']['readings']['corrected']['verdict']}; more on E13: The paper's misprints).")
+           f"smooth surface), and {gap['score']} of {counted} claims are reproduced. The printed gap is a choice, made in knowledge of its effect: with it λ is "
+           f"{sig(items['C2.smooth']['readings']['corrected']['computed'], 4)} ({items['C2.smooth']['readings']['corrected']['verdict']}; more on E13: The paper's misprints).")
     inlet = ledger["arguments"][1]
     agree = [f"{one['name']} ({sig(one['low'], 3)} to {sig(one['high'], 3)})" for one in inlet["candidates"] if one["agrees"]]
     yield f"and {inlet['agreeing']} of the candidates agree with {inlet['reported']} within that, {', '.join(agree)}"
@@ -131,15 +131,15 @@ def of_ledger(report):
            f"{ends(gap['onset_factors'], 3)}), and {gap['score']} claims are reproduced.")
     yield "mended in it too: " + ", ".join(one["erratum"] for one in ledger["errata"] if one["kind"] == "mended") + "."
     shared = set.intersection(*(set(one["in_common"].split(" ")) for one in ranking["best"]))
-    yield "Common to all of them is " + " and ".join(CHOICES[one] for one in ranking["best"][0]["in_common"].split(" ") if one in shared) + ". “Best 1” is"
+    yield "They share " + " and ".join(CHOICES[one] for one in ranking["best"][0]["in_common"].split(" ") if one in shared) + ". “Best 1” is"
     took = [CHOICES[one] for one in film + [one for one in best["departures"].split(" ") if one not in film]]
     yield f"one example, which takes {', '.join(took[:-1])} and {took[-1]}. The sum of the speeds"
-    yield (f"{many(ranking['best_ties'])} of {many(ranking['readings'])} readings tie at {ranking['best_score']} of {counted} claims; none reproduces more.")
-    yield f"The corrected reading reproduces {ledger['readings'][0]['score']} claims. “Best 1” is a fit, not a proof."
+    yield (f"{many(ranking['best_ties'])} of {many(ranking['readings'])} readings tie at {ranking['best_score']} of {counted} claims; no reading reproduces more. They share")
+    yield "each doubles U. “Best 1” is a fit, not a proof."
     at = [f"{sig(items['C1.' + name]['readings']['best 1']['computed'], 3)} (paper: {whole(items['C1.' + name]['reported'])})" for name in SURFACES[::-1]]
-    yield f"With best 1 starvation sets in at {at[0]}, {at[1]} and {at[2]} m/s." + ("" if met_by else " No combination gives all three speeds.")
-    yield (f"Results: the paper {min(scores)} to {max(scores)} of the paper's {counted} claims are reproduced, by how E9 is read: {scores[0]} with m = 1, {scores[1]} "
-           f"with m = 2, {scores[2]} with two equal faces. With m = 1: {ledger['summary']}. A number is")
+    yield f"With best 1 starvation sets in at {at[0]}, {at[1]} and {at[2]} m/s."
+    yield (f"Results: the paper {min(scores)} to {max(scores)} of the paper's {counted} claims are reproduced, depending on E9: {scores[0]} with m = 1, {scores[1]} "
+           f"with m = 2, {scores[2]} with two equal faces (side by side). With m = 1: {ledger['summary']}. A number is")
     by = {word: ", ".join(one["claim"] for one in ledger["claims"] if (one["verdicts"]["corrected"] in word) or
                           word == "partly" and one["verdicts"]["corrected"] not in ("reproduced", "not reproduced"))
           for word in (("reproduced",), "partly", ("not reproduced",))}
@@ -156,15 +156,15 @@ def of_ledger(report):
             if "beyond_collapse" in item["readings"][reading["name"]]:
                 yield (f"{item['item']} rests on points beyond the film's collapse "
                        f"({', '.join(item['readings'][reading['name']]['beyond_collapse'])}): there")
-    yield (f"of {many(ranking['readings'])} combinations the best reproduce {ranking['best_score']} claims; one drawn at random "
+    yield (f"the best of {many(ranking['readings'])} combinations reproduce {ranking['best_score']} claims; the mean of all is "
            f"{sig(ranking['mean_score'], 3)}.")
     alone = [f"{one['reported']} ({next(way['name'] for way in one['candidates'] if way['agrees'])})" for one in ledger["arguments"]
              if one["agreeing"] == 1 and any(way["agrees"] for way in one["candidates"])]
-    yield f"Of the candidates tried, one alone gives these printed numbers: {'; '.join(alone)}." if alone else "claims; one drawn at random"
+    yield f"Each of these printed numbers follows from only one of the candidates tried: {'; '.join(alone)}." if alone else "claims; the mean of all is"
     yield f"reproduces {sig(ranking['mean_score'], 3)} claims (standard deviation {sig(ranking['score_standard_deviation'], 2)})."
     yield f"{many(ranking['above_corrected'])} readings reproduce more than the corrected one, and {many(ranking['equal_to_corrected'] - 1)} others as many"
     for one in ledger["arguments"]:
-        words = {0: "None of them agrees.", 1: "One agrees."}.get(one["agreeing"], f"{one['agreeing']} agree.")
+        words = {0: "No candidate agrees.", 1: "One agrees."}.get(one["agreeing"], f"{one['agreeing']} agree.")
         yield f"Reported: {one['reported']}, by print precision {ends([one['low'], one['high']], 5)}. {words}"
     for item in ledger["items"]:
         got, wanted = item["readings"]["corrected"], [one for one in ledger["requirements"] if one["item"] == item["item"]]
@@ -222,12 +222,12 @@ def of_point_films(report):
     def within(quantity, i):
         return f"{best(quantity, i)['liquids'][i]['contacts_within']} of {found['liquids'][i]['contacts']}"
     part, worst = percent(found["within"], 2), 100 * best("minimum", 0)["liquids"][0]["worst"]["error"]
-    yield (f"Of the central film, {best('central', 0)['name']} is the closest where the liquid is Barus' and incompressible (within {part} at {within('central', 0)} contacts), "
-           f"and {best('central', 1)['name']} where it is Roelands' and compressible ({within('central', 1)}). The closest formulas of the least film are that near at "
+    yield (f"For the central film {best('central', 0)['name']} is the closest with Barus' incompressible liquid (within {part} at {within('central', 0)} contacts), "
+           f"and {best('central', 1)['name']} with Roelands' compressible one ({within('central', 1)}). The closest formulas of the least film are within this at "
            f"{within('minimum', 0)} and {within('minimum', 1)}, and off by up to {'+' if worst > 0 else ''}{sig(worst, 2)} %.")
     yield f"U is that of steel with α = {whole(1e9 * found['pressure_viscosity'])}/GPa and E* = {whole(1e-9 * found['effective_modulus'])} GPa."
     barus, oil = (one["greatest_error"] for one in found["liquids"])
-    yield (f"may be off by {percent(barus['central'], 1)} (Barus) and {percent(oil['central'], 1)} (Roelands) in the middle, the least films by "
+    yield (f"may be off by {percent(barus['central'], 1)} (Barus) and {percent(oil['central'], 1)} (Roelands), the least films by "
            f"{percent(barus['minimum'], 2)} and {percent(oil['minimum'], 1)} at most")
 
 
@@ -242,7 +242,7 @@ def of_starved_films(report):
     yield (f"At {whole(surfaces[0]['fastest'])} m/s it is {percent(surfaces[0]['greatest_of_layer'], 2)} of the layer on the smooth surface, and "
            f"{percent(surfaces[-1]['greatest_of_layer'], 2)} on the rough one")
     exponents = [one["exponent"][end] for one in supplies for end in ("least", "greatest")]
-    yield f"is right for all layers: it takes {sig(min(exponents), 2)} to {sig(max(exponents), 2)}."
+    yield f"single exponent of Damiens' closure is right for all layers: it takes {sig(min(exponents), 2)} to {sig(max(exponents), 2)}."
     yield (f"The contacts have M = {', '.join(map(whole, report['starved_films']['loads']))} and "
            f"L = {', '.join(map(whole, report['starved_films']['materials']))} (reference/ehl/point_films.csv).")
 
@@ -276,7 +276,7 @@ def of_films(report):
            f"L = {sig(profile['material_number'], 3)}, half-width b = {sig(1e6 * profile['half_width'], 3)} µm, p0 = {sig(1e-9 * profile['peak_pressure'], 3)} GPa. "
            f"The central film is {sig(1e9 * profile['central']['value'], 5)} nm, the least {sig(1e9 * profile['minimum']['value'], 5)} nm, "
            f"each to {sig(off, 1)} of itself.")
-    unsure = "; how high it is, grids of double numbers do not resolve, so that the drawn height means nothing." if profile["spike_pressure"]["value"] is None else "."
+    unsure = "; grids of double numbers do not resolve its height, so that the drawn height means nothing." if profile["spike_pressure"]["value"] is None else "."
     yield f"a spike at x/b = {sig(profile['spike_place']['value'], 3)} ± {sig(profile['spike_place']['error'], 1)}, just before the film's constriction{unsure}"
     titles = ("ball on a flat", "bearing's outer ring", "gear's flank")
     yield "friction is least (●) at λ = " + ", ".join(f"{sig(one['least_friction']['film_parameter'], 3)} ({title})" for one, title in
@@ -294,7 +294,7 @@ def software(report):
     random, waiting = report["mutants"], sum(one["drawn"] - one["ran"] for one in report["mutants"]["rooms"])
     end = f"{many(waiting)} more wait for slow tests." if waiting else "All goals are reached." if random["goals_reached"] else f"{random['goals_missed']} of the {len(random['rooms'])} parts miss their goal."
     share = (f"the tests notice {many(random['noticed'])} of {many(random['of'])} wrong changes that were drawn at random: with 95 % confidence between "
-             f"{percent(random['low'])} and {percent(random['high'])} of the changes that this mixture of parts draws, each part as often as its number drawn.")
+             f"{percent(random['low'])} and {percent(random['high'])} of such changes, each part counted by its number drawn.")
     yield f"Random changes: {share if random['of'] else 'no part of the project has a score yet.'} {end} {measured(random)}"
     yield f"The tests should turn red at each change. {provenance(random)}"
     left = faults["catalogue"] - len(faults["faults"])
@@ -304,8 +304,8 @@ def software(report):
     more = f"The catalogue has {faults['catalogue']} faults; the others"
     yield more if faults["catalogue"] > len(faults["faults"]) else ("not", more)
     right = wrong["right_solvers"]
-    yield (f"of {wrong['named']} of {len(wrong['wrong_solvers'])} solvers with one, two or three known mistakes tribocheck verify --subject names all of "
-           f"them, of {wrong['with_alternatives']} solvers beside others that the numbers do not tell apart; it accuses {'some' if right['accused'] else 'none'} of {many(right['tries'])} right solvers. {measured(wrong)}.")
+    yield (f"in {wrong['named']} of {len(wrong['wrong_solvers'])} solvers with one, two or three known mistakes tribocheck verify --subject names each "
+           f"mistake, in {wrong['with_alternatives']} of them beside others that the numbers do not tell apart; it accuses {'some' if right['accused'] else 'none'} of {many(right['tries'])} right solvers. {measured(wrong)}.")
     work, least = report["work_precision"], report["skipped_work"]
     beside = work["alternatives"]
     yield (f"as long as tribocheck, over {beside['jobs']} jobs; it is less exact in "
@@ -328,7 +328,7 @@ def software(report):
                    f"greatest error is {sig(same['max_ulp'], 3)} ulp.")
         counted = [f"{way['family']} {way['name']} {sig(way['evaluations'], 3)}" for way in job["ways"] if way["evaluations"] is not None]
         if job["is_counted"] and counted:
-            yield f"of the fastest way of each family without failures, which the diagram of time need not draw: {', '.join(counted)}."
+            yield f"of the fastest way of each family without failures, which the diagram of time may not show: {', '.join(counted)}."
     films, ways = work["line_film"], {one["name"]: one for one in work["line_film"]["ways"]}
     asked = [f"{sig(1e-9 * ways[name]['ns'], 2)} s with errors up to {sig(ways[name]['max_relative'], 2)}" for name in
              ("to 1e-04", "dense LU, our grid 1024", "dense LU, uniform grid 1024")]
@@ -345,7 +345,7 @@ def software(report):
         yield f"fitted from {films['exponents'][0]['from_cells']} cells on" + "".join(
             f"{';' if i else ', with their standard errors.'} {one['solver']}, {whole(one['cells'])} cells: {sig(1e-9 * one['step_ns'], 2)} s a step, "
             f"{sig(1e-6 * one['bytes'], 3)} MB" for i, one in enumerate(films["largest"])) + "."
-    yield (f"by what it asks for, a scene saves {percent(least['least_saved'], 2)} to {percent(least['greatest_saved'], 2)} of the evaluations of Fn.")
+    yield (f"depending on its outputs, a scene saves {percent(least['least_saved'], 2)} to {percent(least['greatest_saved'], 2)} of the evaluations of Fn.")
     yield f"at {many(least['speeds'])} speeds over the range"
     gates, speed = report["gates"], report["sweep_speed"]
     proofs = len(gates["proofs"])

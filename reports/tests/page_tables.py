@@ -223,7 +223,7 @@ def others_table(report):
         ["once the film carries the load the real area is constant again", "Figure 7",
          f"no: it falls up to the onset, to {areas} of the nominal area (rough, medium, smooth), and rises beyond it"],
         ["the film collapses later on a rougher surface", "Figure 10", f"yes: {collapses}"],
-        ["roughness hardly changes the film", "Figure 11", f"yes at the lowest speed: {films} nm (rough, medium, smooth); no at the onset, where the film is in proportion to σs"]])
+        ["roughness hardly changes the film", "Figure 11", f"yes at the lowest speed: {films} nm (rough, medium, smooth); no at the onset, where the film is proportional to σs"]])
 
 
 def claims(report):

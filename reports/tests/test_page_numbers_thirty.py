@@ -94,7 +94,7 @@ class Thirty(Told):
         total = sum(count for _, count in counts)
         mean = sum(score * count for score, count in counts) / total
         deviation = math.sqrt(sum((score - mean) ** 2 * count for score, count in counts) / total)
-        self.tells("first", r"one drawn at random NUMBER", mean)
+        self.tells("first", r"the mean of all is NUMBER", mean)
         self.tells("readings", r"drawn at random reproduces NUMBER claims \(standard deviation NUMBER\)", mean, deviation)
 
     def test_4_interval_of_the_random_changes(self):
@@ -292,7 +292,7 @@ class Thirty(Told):
         if len(faults) < stored:
             self.tells("not-run", r"NUMBER of the NUMBER in the catalogue were planted", len(faults), stored)
         solvers = self.rows("diagnosis", "Wrong solvers, and the first")
-        self.tells("first", r"of NUMBER of NUMBER solvers with one, two", sum(row[2] == "yes" for row in solvers), len(solvers))
+        self.tells("first", r"in NUMBER of NUMBER solvers with one, two", sum(row[2] == "yes" for row in solvers), len(solvers))
 
     def test_s3_starvation_that_is_skipped(self):
         row = next(row for row in self.rows("skipped-work", "Work skipped") if row[:2] == ["smooth", "all outputs"])
