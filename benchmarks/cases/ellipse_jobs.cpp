@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <random>
-#include <string_view>
 
 #include "accuracy/reference_table.hpp"
 #include "cases/jobs.hpp"

@@ -2,7 +2,6 @@
 // Each timed call prepares the scene again, as users do for a single curve. The root solvers of
 // other families have an advantage: they use this project's code for the film formula, starvation
 // and friction. SciPy's solver does not take part.
-#include <utility>
 
 #include "contenders/curve_contender.hpp"
 #include "contenders/root_contender.hpp"

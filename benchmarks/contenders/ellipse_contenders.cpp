@@ -2,7 +2,6 @@
 // All methods for a Hertz ellipse. Some are fits to the axes' ratio and to the elliptic integral of
 // the second kind, which programs use in place of the root.
 #include <array>
-#include <iterator>
 #include <string_view>
 
 #include "contenders/ellipse_contender.hpp"

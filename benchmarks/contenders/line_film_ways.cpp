@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "contenders/dense_line_film.hpp"
 #include "ehl/film_features.hpp"
 #include "ehl/line_formulas.hpp"

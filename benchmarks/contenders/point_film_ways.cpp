@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <string>
-
 #include "contenders/textbook_point_film.hpp"
 #include "ehl/film_features.hpp"
 #include "ehl/point_needs.hpp"

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <fstream>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -3,7 +3,6 @@
 // them alike.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <vector>
 

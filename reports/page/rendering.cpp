@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 

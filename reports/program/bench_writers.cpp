@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "bench_rows.hpp"
 #include "build_info.hpp"

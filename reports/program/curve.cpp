@@ -3,7 +3,6 @@
 // are evenly spaced in the logarithm, or at the speeds of its list.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>

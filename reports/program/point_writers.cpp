@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <span>
 
 #include "sweep/parallel_points.hpp"

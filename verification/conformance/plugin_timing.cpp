@@ -10,7 +10,6 @@
 #include <csignal>
 #include <exception>
 #include <functional>
-#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <variant>

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <optional>
-#include <utility>
 
 #include "scene/schema.hpp"
 #include "tribo/mixed_contact.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "conformance/ways.hpp"
 
-#include <algorithm>
-
 #include "catalogue/ways_to_ask.hpp"
 
 namespace tribo::conformance {

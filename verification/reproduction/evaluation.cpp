@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reproduction/evaluation.hpp"
 
-#include <algorithm>
-
 #include "tribo/film_thickness.hpp"
 
 namespace tribo::reproduction {

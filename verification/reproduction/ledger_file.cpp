@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include "accuracy/reference_table.hpp"
 #include "reproduction/ledger.hpp"

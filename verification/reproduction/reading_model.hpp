@@ -4,7 +4,6 @@
 // paper.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
