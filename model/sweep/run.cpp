@@ -86,6 +86,12 @@ void remove_all(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) FilePlace(path).remove_ours(any_mark);
 }
 
+// The text of an error of reading a file. What says nothing about the file is thrown on.
+std::string fault_of(const std::runtime_error& error) {
+  if (dynamic_cast<const Stopped*>(&error) || dynamic_cast<const std::system_error*>(&error)) throw;
+  return error.what();
+}
+
 // The parts that can be read. A damaged part is of no use to anybody, and is removed. Throws
 // RunRefused where a file is not ours.
 std::vector<Part> readable(const std::vector<std::string>& paths, const RunSettings& settings,
@@ -95,14 +101,10 @@ std::vector<Part> readable(const std::vector<std::string>& paths, const RunSetti
     static_cast<void>(FilePlace(path).open_ours(is_start_of_part));
     try {
       parts.emplace_back(path, stopped);
-    } catch (const Stopped&) {
-      throw;
-    } catch (const std::system_error&) {  // such an error says nothing about the file
-      throw;
     } catch (const std::runtime_error& error) {
+      const std::string fault = fault_of(error);
       FilePlace(path).remove_ours(is_start_of_part);
-      settings.tell(error.what() +
-                    std::string("; it is removed, and what it held is computed anew"));
+      settings.tell(fault + "; it is removed, and what it held is computed anew");
     }
   }
   return parts;
@@ -211,12 +213,8 @@ class Starter {
       if (!is_mine) theirs.digest.clear();
       const std::string why = difference(header_, theirs, settings_.mixed_fma);
       return why.empty() ? why : path + ' ' + why;
-    } catch (const Stopped&) {
-      throw;
-    } catch (const std::system_error&) {  // such an error says nothing about the file
-      throw;
     } catch (const std::runtime_error& error) {
-      return error.what();
+      return fault_of(error);
     }
   }
 
@@ -232,12 +230,8 @@ class Starter {
       return std::find(parts.begin(), parts.end(), false) == parts.end()
                  ? ""
                  : path + " is another shard, or not the whole of this one";
-    } catch (const Stopped&) {
-      throw;
-    } catch (const std::system_error&) {
-      throw;
     } catch (const std::runtime_error& error) {
-      return error.what();
+      return fault_of(error);
     }
   }
 
@@ -247,11 +241,8 @@ class Starter {
       try {
         const Part part(path, settings_.stopped);
         return refusal(part).empty() && (replaces.empty() || part.header().replaces == replaces);
-      } catch (const Stopped&) {
-        throw;
-      } catch (const std::system_error&) {
-        throw;
-      } catch (const std::runtime_error&) {
+      } catch (const std::runtime_error& error) {
+        static_cast<void>(fault_of(error));
         return false;
       }
     });
@@ -694,12 +685,8 @@ RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSetting
     if (plan->digest != header.digest)
       throw RunRefused(shards.front() + " is of a sweep that this tribocheck lays out otherwise");
     chunks.emplace(std::move(parts), plan->chunks(), settings.mixed_fma);
-  } catch (const Stopped&) {
-    throw;
-  } catch (const std::system_error&) {
-    throw;
   } catch (const std::runtime_error& error) {
-    throw RunRefused(error.what());
+    throw RunRefused(fault_of(error));
   }
   if (chunks->count() < chunks->chunks())
     throw RunRefused(std::to_string(chunks->chunks() - chunks->count()) + " of " +
