@@ -59,8 +59,9 @@ class GslWorkspace {
       gsl_integration_workspace_alloc(gsl_intervals), gsl_integration_workspace_free};
 };
 
-template <template <class> class Integrand>
-struct Qagiu {
+// QAGIU, or QAGS with a finite end.
+template <template <class> class Integrand, bool is_endless>
+struct Adaptive {
   template <class Count>
   struct Method {
     double n;
@@ -71,29 +72,19 @@ struct Qagiu {
       gsl_function f = gsl_view(integrand);
       double result = 0;
       double error = 0;
-      gsl_integration_qagiu(&f, d, 0, tolerance, gsl_intervals, workspace.get(), &result, &error);
+      if (is_endless)
+        gsl_integration_qagiu(&f, d, 0, tolerance, gsl_intervals, workspace.get(), &result, &error);
+      else
+        gsl_integration_qags(&f, d, finite_end(d), 0, tolerance, gsl_intervals, workspace.get(),
+                             &result, &error);
       return result;
     }
   };
 };
 
 template <template <class> class Integrand>
-struct Qags {
-  template <class Count>
-  struct Method {
-    double n;
-    double tolerance;
-    GslWorkspace workspace{};
-    double operator()(double d) const {
-      Integrand<Count> integrand{d, n};
-      gsl_function f = gsl_view(integrand);
-      double result = 0;
-      double error = 0;
-      gsl_integration_qags(&f, d, finite_end(d), 0, tolerance, gsl_intervals, workspace.get(),
-                           &result, &error);
-      return result;
-    }
-  };
-};
+using Qagiu = Adaptive<Integrand, true>;
+template <template <class> class Integrand>
+using Qags = Adaptive<Integrand, false>;
 
 }  // namespace tribo::benchmarks

@@ -12,11 +12,9 @@
 namespace tribo::ehl {
 namespace {
 
-bool thickens(const FilmConditions& c) { return c.viscosity_law != ViscosityLaw::ambient; }
-
 // The liquid's numbers, with pressures over Hertz' peak pressure.
 Fluid fluid_of(const FilmConditions& c, double peak_pressure) {
-  Fluid fluid{.exponent = thickens(c) ? c.pressure_viscosity * peak_pressure : 0};
+  Fluid fluid{.exponent = c.pressure_viscosity * peak_pressure};
   // A liquid of constant viscosity has no z.
   if (c.viscosity_law == ViscosityLaw::roelands && fluid.exponent > 0) {
     const double pressure = roelands_pressure<double>();
@@ -31,7 +29,7 @@ Fluid fluid_of(const FilmConditions& c, double peak_pressure) {
 
 // L = G(2U)^{1/4}; `root` is √(2U).
 double material_number_of(const FilmConditions& c, double root) {
-  return thickens(c) ? 2 * c.pressure_viscosity * c.effective_modulus * std::sqrt(root) : 0;
+  return 2 * c.pressure_viscosity * c.effective_modulus * std::sqrt(root);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct FilmConditions {
   double load;                // F, N; of a line F/L, N/m
   double effective_modulus;   // E*, Pa (never 2E*)
   double radius;              // R_x, m
-  ViscosityLaw viscosity_law = ViscosityLaw::barus;  // ambient: constant viscosity
+  ViscosityLaw viscosity_law = ViscosityLaw::barus;  // never ambient
   FilmDensity density_law = FilmDensity::incompressible;
   double radius_ratio = std::numeric_limits<double>::infinity();  // R_y/R_x; ∞ of a line
   double inlet_film = std::numeric_limits<double>::infinity();    // h_oil, m; ∞: flooded

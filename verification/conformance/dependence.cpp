@@ -123,9 +123,8 @@ double factor_at(const Curve& curve, double value) {
       std::upper_bound(samples.begin(), samples.end(), x,
                        [](double one, const Sample& sample) { return one < sample.x; }) -
       samples.begin());
-  const std::size_t first =
-      std::min(after >= 2 ? after - 2 : 0, samples.size() >= 4 ? samples.size() - 4 : 0);
-  const std::size_t last = std::min(first + 4, samples.size());
+  const std::size_t first = std::min(after >= 2 ? after - 2 : 0, samples.size() - 4);
+  const std::size_t last = first + 4;
   double sum = 0;
   for (std::size_t i = first; i < last; ++i) {
     double term = samples[i].y;

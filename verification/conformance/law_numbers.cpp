@@ -845,11 +845,10 @@ std::vector<Several> likely_ones(const std::vector<LawWithChange>& changed,
 
 std::vector<FittedNumbers> three_at_once(const Part& part) {
   const std::vector<Part::Number> wrong = wrong_of(part);
-  const auto terms = terms_for_several(part, wrong);
+  auto terms = terms_for_several(part, wrong);
   constexpr std::size_t fewest_answers = 12, most_answers = 24;
   if (!terms || wrong.size() < fewest_answers) return {};
-  Expression own = *terms;
-  const std::vector<Expression::Place> places = own.places_of_numbers();
+  const std::vector<Expression::Place> places = terms->places_of_numbers();
   const LawOfNumbers law = law_by_terms(*terms, numbers_of(*terms));
   const std::vector<Part::Number> some = far_apart(wrong, most_answers);
   const std::vector<LawWithChange> all = laws_with_one_change(part);

@@ -564,10 +564,10 @@ std::string times_in_words(double factor, const std::string& symbol) {
   return familiar_times(factor, symbol).value_or(fmt::format("{:.6g} {}", factor, symbol));
 }
 
-namespace {
-
-std::string default_of(const Part& part, const std::vector<Part::Number>& wrong,
-                       const std::vector<Input>& inputs) {
+std::string other_default(const Part& part) {
+  const std::vector<Part::Number> wrong = wrong_of(part);
+  if (wrong.empty()) return {};
+  const std::vector<Input> inputs = inputs_of(part);
   for (const Input& input : inputs) {
     const bool is_where =
         std::all_of(part.all.begin(), part.all.end(), [&](const Part::Number& one) {
@@ -582,13 +582,6 @@ std::string default_of(const Part& part, const std::vector<Part::Number>& wrong,
       if (one.is_default && gives(one, part)) return one.text;
   }
   return {};
-}
-
-}  // namespace
-
-std::string other_default(const Part& part) {
-  const std::vector<Part::Number> wrong = wrong_of(part);
-  return wrong.empty() ? std::string() : default_of(part, wrong, inputs_of(part));
 }
 
 std::optional<Misread> misread_input(const Part& part, const std::vector<Mistake>& mistakes) {
@@ -799,8 +792,7 @@ std::string other_value(const Part& part) {
   if (wrong.size() < fewest_cut || !vary(part)) return {};
   const auto got = [](const Part::Number& one) { return one.answered->got; };
   const double first = got(wrong.front());
-  const bool is_zero = all_of(wrong, [&](const auto& one) { return got(one) == 0; });
-  if (is_zero || all_of(wrong, [&](const auto& one) { return is_same(got(one), first); }))
+  if (all_of(wrong, [&](const auto& one) { return is_same(got(one), first); }))
     return fmt::format(
         "All {} wrong answers are {:.7g}: a floor, a cap, a guard or a default gives them.",
         wrong.size(), first + 0.0);

@@ -54,11 +54,15 @@ double correlation(const std::vector<Error>& errors) {
   return boost::math::statistics::correlation_coefficient(of_x, of_size);
 }
 
-double share_of_changes(const std::vector<Error>& errors) {
+std::size_t changes_of_sign(const std::vector<Error>& errors) {
   std::size_t changes = 0;
   for (std::size_t i = 1; i < errors.size(); ++i)
     changes += (errors[i].relative < 0) != (errors[i - 1].relative < 0) ? 1 : 0;
-  return static_cast<double>(changes) / static_cast<double>(errors.size());
+  return changes;
+}
+
+double share_of_changes(const std::vector<Error>& errors) {
+  return static_cast<double>(changes_of_sign(errors)) / static_cast<double>(errors.size());
 }
 
 // The errors in the order of the variable. `least` = 0: those of wrong answers not explained. Else:
@@ -123,10 +127,6 @@ std::string fixed_width(const Part& part) {
       "are: as of an iteration that stops at a fixed width, or of rounding to a fixed step.",
       greatest);
 }
-
-}  // namespace
-
-namespace {
 
 constexpr double of_rounding = 1e-13;  // relative, over the condition
 constexpr double nothing = 1e-5, many_times = 1e4, in_order = 0.95;
@@ -209,10 +209,6 @@ std::string approximation_of(const Part& part) {
       "as of an approximation with few terms, or of a difference of numbers near 1.",
       greatest, answer, relative);
 }
-
-}  // namespace
-
-namespace {
 
 constexpr double grain = 1e-9;  // of the range: finer grids are not looked for
 constexpr double least_grains = 300, lost_digits = 1e-10;
@@ -379,10 +375,8 @@ Growth growth_of(const Part& part) {
     for (Error& one : errors) one.relative = std::clamp(one.relative, -to / 10, to / 10);
     const bool is_size = variable.symbol.starts_with('|');
     if (errors.size() < fewest_in_order || variable.is_result || is_size) continue;
-    std::size_t flips = 0;
-    for (std::size_t i = 1; i < errors.size(); ++i)
-      flips += (errors[i].relative < 0) != (errors[i - 1].relative < 0) ? 1 : 0;
-    if (10 * flips > 10 + errors.size() || errors.front().x == errors.back().x) continue;
+    if (10 * changes_of_sign(errors) > 10 + errors.size() || errors.front().x == errors.back().x)
+      continue;
     const double up = correlation(errors), down = correlation_down(errors);
     const bool is_of_one = std::max(up, down) <= in_order;
     const double with = is_of_one ? correlation_from_one(errors) : std::max(up, down);

@@ -41,15 +41,8 @@ json changed_inputs(const TestCase& one, std::size_t change) {
 }  // namespace
 
 const char* name_of(Measured measured) {
-  switch (measured) {
-    case Measured::reported:
-      return "reported";
-    case Measured::process_cpu:
-      return "process";
-    case Measured::call_cpu:
-      break;
-  }
-  return "calls";
+  if (measured == Measured::reported) return "reported";
+  return measured == Measured::process_cpu ? "process" : "calls";
 }
 
 std::vector<TimedFunction> timed_functions(const std::vector<TestCase>& cases, std::size_t most) {
@@ -74,7 +67,7 @@ std::vector<TimedFunction> timed_functions(const std::vector<TestCase>& cases, s
 }
 
 TimedSolver::TimedSolver(const std::string& command, bool is_plugin, Clock::time_point deadline)
-    : command_(command), is_plugin_(is_plugin), deadline_(deadline) {
+    : is_plugin_(is_plugin), deadline_(deadline) {
   try {
     process_ = std::make_unique<ChildProcess>(std::vector<std::string>{"/bin/sh", "-c", command},
                                               ChildProcess::Pipes::all);

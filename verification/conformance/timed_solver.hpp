@@ -88,7 +88,6 @@ class TimedSolver {
   std::string next_answer(const TimedFunction& function);
   [[noreturn]] void fail(const std::string& why, const TimedFunction& function);
 
-  std::string command_;
   bool is_plugin_;
   Clock::time_point deadline_;
   bool has_answered_ = false;
