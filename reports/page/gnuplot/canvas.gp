@@ -23,4 +23,13 @@ set datafile separator "\t"
 set datafile commentschars "#"
 set title head."\n{/*0.8 ".subhead."}"
 
+# Most figures have these. A figure that has others sets them itself.
+set border 3 linewidth 0.8
+set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+set xtics nomirror out scale 1,0.5
+set ytics nomirror out scale 1,0.5
+set lmargin at screen 0.11
+set rmargin at screen 0.97
+set tmargin at screen 1 - 78.0/tall
+
 load scripts.script

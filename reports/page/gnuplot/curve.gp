@@ -38,9 +38,7 @@ foot = 150.0/tall
 gap = 22.0/tall
 panel = (1 - 78.0/tall - foot + gap)/panels_records
 set lmargin at screen 0.12
-set rmargin at screen 0.97
 set xrange [low:high]
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 has_labels = 0
 eval log_ticks("x", low, high)
 has_labels = 1

@@ -17,10 +17,6 @@ set ytics 10 nomirror out scale 1,0.5
 set xtics 10 nomirror out scale 1,0.5
 set mxtics 10
 set mytics 10
-set border 3 linewidth 0.8
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
-set lmargin at screen 0.11
-set rmargin at screen 0.97
 unset key
 top = 1 - 78.0/tall; bottom = 130.0/tall; gap = 22.0/tall
 panel = (top - bottom - 2*gap)/3

@@ -15,8 +15,6 @@ set rmargin at screen 0.69
 key_left = 0.705
 text_left = 0.717
 set xrange [left:right]
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
-set border 3 linewidth 0.8
 
 set tmargin at screen low_part - 78.0/tall
 set bmargin at screen 0.535*low_part

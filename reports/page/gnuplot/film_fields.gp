@@ -68,4 +68,5 @@ unset colorbox
 set xtics autofreq
 set ytics autofreq
 set border 3 linewidth 0.8
+set grid xtics ytics
 set datafile separator "\t"

@@ -4,13 +4,8 @@
 table = data.prefix.".tsv"
 stats table using ($1 >= -1 && $1 <= 1 ? $2 : 1/0) nooutput name "pressure"
 stats table using ($1 >= -0.5 && $1 <= 0.5 ? $4 : 1/0) nooutput name "film"
-set border 3 linewidth 0.8
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set xtics 0.5 nomirror out scale 1,0.5
-set ytics nomirror out scale 1,0.5
 set mxtics 5
-set lmargin at screen 0.11
-set rmargin at screen 0.97
 set xrange [-2:1.5]
 top = 1 - 78.0/tall; bottom = 110.0/tall; gap = 24.0/tall
 panel = (top - bottom - gap)/2

@@ -56,6 +56,7 @@ contour(i, side) = sprintf("$%s%d", side, i)
 
 top = 1 - 108.0/tall; bottom = 200.0/tall; gap = 112.0/tall
 panel = (top - bottom - 2*gap)/3
+set border linewidth 1
 unset title
 set multiplot
 set label 1 head."\n{/*0.8 ".subhead."}" at screen 0.5, screen 1 - 24.0/tall center

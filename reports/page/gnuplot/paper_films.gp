@@ -18,10 +18,6 @@ set yrange [0:1.2]
 set format y "%g"
 set ytics 0.2 nomirror out scale 1,0.5
 set xtics nomirror out scale 1,0.5 (0.05, 0.1, 0.2, 0.5, 1, 2, 3)
-set border 3 linewidth 0.8
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
-set lmargin at screen 0.11
-set rmargin at screen 0.97
 unset key
 top = 1 - 78.0/tall; bottom = 150.0/tall; gap = 26.0/tall
 panel = (top - bottom - 2*gap)/3

@@ -27,7 +27,8 @@ cell_words = kind eq "svg" ? ",14" : ",10"
 set style fill solid noborder
 unset key
 unset colorbox
-set border 0
+set border 0 linewidth 1
+unset grid
 set logscale x 10
 set xrange [3.1:3200]
 set yrange [0.4:6.95]

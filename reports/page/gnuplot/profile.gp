@@ -10,7 +10,7 @@ unset key
 set xrange [0:100]
 set yrange [0:top]
 set ytics scale 0 noenhanced font small
-set grid xtics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+set grid noytics
 set xlabel words offset 0, x_words
 plot \
   data index 1 using (0):1:(0):2:($1 - 0.36):($1 + 0.36) with boxxyerror fillcolor rgb 0x6A8FB0 notitle, \

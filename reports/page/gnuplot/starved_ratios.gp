@@ -13,12 +13,7 @@ set style line 4 linewidth 2.0 dashtype (4,4)
 set logscale x 10
 set xrange [0.2:5]
 set format y "%g"
-set ytics nomirror out scale 1,0.5
 set xtics nomirror out scale 1,0.5 (0.2, 0.5, 1, 2, 5)
-set border 3 linewidth 0.8
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
-set lmargin at screen 0.11
-set rmargin at screen 0.97
 unset key
 top = 1 - 78.0/tall; bottom = 215.0/tall; gap = 26.0/tall
 panel = (top - bottom - gap)/2

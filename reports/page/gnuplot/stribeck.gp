@@ -20,13 +20,7 @@ ends_between = speeds_max > 1.001*last_decade
 if (ends_between) set xtics add (sprintf("%g", speeds_max) speeds_max)
 set mxtics 10
 set xlabel "entrainment speed u (m/s)" offset 0, x_words
-set ytics nomirror out scale 1,0.5
-set border 3 linewidth 0.8
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 # Room for a legend of three rows below the plot.
-set lmargin at screen 0.11
-set rmargin at screen 0.97
-set tmargin at screen 1 - 78.0/tall
 set bmargin at screen 150.0/tall
 set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse \
   samplen 3.5 spacing 1.25 font small

@@ -6,11 +6,7 @@ data = data.prefix.".blocks.tsv"
 tiny = kind eq "svg" ? ",12" : ",9"
 bold = kind eq "svg" ? ",17" : ":Bold,11"  # an SVG of gnuplot has no bold font without enhanced text
 grey = 0x666666
-set border 3 linewidth 0.8
-set xtics nomirror out scale 1,0.5
-set ytics nomirror out scale 1,0.5
 set style fill solid 1 noborder
-set tmargin at screen 1 - 78.0/tall
 set key noenhanced
 
 # log_ticks() returns commands for eval that set the ticks of a logarithmic axis from `low` to `high`. An axis of many decades has

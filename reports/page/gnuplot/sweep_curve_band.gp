@@ -12,8 +12,6 @@ stats data index 1 using (names[int($1)] = strcol(4), colours[int($1)] = column(
   0) nooutput
 stats data index 2 using 1 nooutput name "first"
 medians = first_records > 12 ? "lines" : "linespoints"  # a few values are also shown as points
-set lmargin at screen 0.11
-set rmargin at screen 0.97
 longest = 0
 do for [i = 1:scenes_records] { longest = strlen(names[i]) > longest ? strlen(names[i]) : longest }
 columns = longest > 26 ? 1 : 3
@@ -22,7 +20,6 @@ set xrange [low:high]
 set yrange [bottom:top]
 if (high/low > 3) { eval log_ticks("x", low, high) }
 if (int(is_log)) { eval log_ticks("y", bottom, top) }
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set xlabel label_across offset 0, x_words noenhanced
 set ylabel label offset y_words
 set key at screen 0.54, screen 4.0/tall center bottom horizontal maxcols columns Left reverse samplen 3 \

@@ -12,6 +12,7 @@ stats data nooutput name "all"
 set lmargin at screen 0.13
 set rmargin at screen 0.84
 set border 15 linewidth 0.8
+unset grid
 
 # The levels of the contour lines are the ticks of the colour bar. They are closer where the range of films is small.
 levels = ""; ticks = ""

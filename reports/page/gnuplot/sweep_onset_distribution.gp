@@ -38,7 +38,7 @@ set border 1 linewidth 0.8
 unset ytics
 room = 0.6
 eval log_ticks("x", low, high)  # only on a logarithmic axis is the area of a bar its number of cases
-set grid xtics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+set grid noytics
 set xlabel "onset speed (m/s)" offset 0, x_words
 set label "median (95 %)" at screen 0.76, first heights[scenes_records] left font small textcolor rgb grey
 if (int(has_marks)) {

@@ -10,7 +10,6 @@ stats data index 3 using (i = int($0) + 1, names[i] = strcol(1), colours[i] = co
 n = scenes_records
 stats data index 3 using (pales_one = column(3), 0) every ::0::0 nooutput
 set lmargin at screen 0.27
-set rmargin at screen 0.97
 key_rows = ceil(((n > 1 ? n : 0) + 2)/3.0)
 set bmargin at screen (92.0 + 22*key_rows)/tall
 set xrange [0:right]
@@ -18,7 +17,7 @@ set yrange [0:top]
 set ytics scale 0 noenhanced font small
 set xtics 0.1
 set border 3
-set grid xtics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+set grid noytics
 set xlabel "part of the variance" offset 0, x_words
 set key at screen 0.62, screen 4.0/tall center bottom vertical maxrows key_rows Left reverse samplen 2 \
   spacing 1.25 font small

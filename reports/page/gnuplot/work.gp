@@ -25,13 +25,7 @@ set style line 10 pointtype 2 pointsize 1.6*point linewidth 1.4 linecolor rgb 0x
 legend = kind eq "svg" ? ",12" : ",9"
 row = kind eq "svg" ? 0.88 : 1.05
 y_shift = kind eq "svg" ? 0.8 : 0
-set border 3 linewidth 0.8
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
-set xtics nomirror out scale 1,0.5
-set ytics nomirror out scale 1,0.5
-set lmargin at screen 0.11
 set rmargin at screen 0.60
-set tmargin at screen 1 - 78.0/tall
 set bmargin at screen 70.0/tall
 set key at screen 0.62, screen 1 - 74.0/tall left top vertical maxrows 40 Left reverse \
   samplen 2 spacing row font legend noenhanced
