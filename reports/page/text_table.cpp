@@ -12,11 +12,6 @@
 namespace tribo::report {
 namespace {
 
-std::string padded(const std::string& text, std::size_t to, bool right) {
-  const std::string blanks(to - std::min(to, width_of(text)), ' ');
-  return right ? blanks + text : text + blanks;
-}
-
 // The words of a text. Parts that belong together are one word: "5 × 10⁻⁶", "± 2 %", "m = 2".
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
@@ -124,6 +119,11 @@ std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
   }));
+}
+
+std::string padded(const std::string& text, std::size_t width, bool right) {
+  const std::string blanks(width - std::min(width, width_of(text)), ' ');
+  return right ? blanks + text : text + blanks;
 }
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t most) {

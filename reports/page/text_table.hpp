@@ -20,6 +20,8 @@ struct TextTable {
 // The signs that a UTF-8 text takes on the screen. Counts code points, because the program's own
 // texts have no wide and no combining signs.
 std::size_t width_of(std::string_view text);
+// With blanks, before it if it stands to the right.
+std::string padded(const std::string& text, std::size_t width, bool right = false);
 
 inline constexpr std::size_t any_width = 1'000'000;
 // The table in lines of at most `most` signs, or longer ones if a word needs them. Texts and

@@ -32,6 +32,7 @@ namespace tribo::cli::contact_account {
 namespace {
 
 using nlohmann::ordered_json;
+using report::padded;
 
 // Why something is undefined. `brief` stands in its line of the table. `sentence` stands once below
 // the table, and in CSV and JSON; if it is empty, CSV and JSON have `brief`.
@@ -332,11 +333,6 @@ std::string text_of(const Fact& fact) {
   if (fact.value.is_null()) return fmt::format("undefined: {}", fact.reason.brief);
   if (fact.value.is_string()) return fact.value.get<std::string>();
   return usual(fact.value.get<double>(), fact.unit);
-}
-
-std::string padded(std::string text, std::size_t width) {
-  const std::size_t taken = report::width_of(text);
-  return text.append(taken < width ? width - taken : 0, ' ');
 }
 
 void append_facts(Text& to, const Facts& facts) {
