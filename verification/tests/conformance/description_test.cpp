@@ -68,6 +68,15 @@ bool has_roelands(const json& inputs) {
   return inputs.value("/friction/viscosity"_json_pointer, std::string("barus")) == "roelands";
 }
 
+// Makes the value another one.
+Slip value_as(std::function<double(const json& inputs, double right)> other) {
+  return [=](const TestCase& asked, json& fields) {
+    fields["value"] = other(asked.inputs, fields["value"].get<double>());
+  };
+}
+Slip at_least(double least) {
+  return value_as([=](const json&, double right) { return std::max(right, least); });
+}
 Slip times(const std::string& field, double factor) {
   return [=](const TestCase&, json& fields) { multiply(fields[field], factor); };
 }
@@ -97,19 +106,15 @@ TEST(Factor, OfAPiWithFewDigitsIsNamedForEachResult) {
 
 TEST(Sum, OfAllAnswersIsToldBeforeAFactorThatDependsOnAnInput) {
   const auto plus = [](double sum) {
-    return [sum](const TestCase&, json& fields) {
-      fields["value"] = fields["value"].get<double>() + sum;
-    };
+    return value_as([=](const json&, double right) { return right + sum; });
   };
   const std::string high = said_of("astm_d341_viscosity", plus(1e-7));
   expect_said(high, "too large by 1e-07 m²/s, large or small as they are: a sum is added.");
   expect_said(high, "The factor depends on", false);
   expect_told("astm_d341_viscosity", "too small by 2e-08 m²/s, ", plus(-2e-8));
-  const auto growing = [](const TestCase&, json& fields) {
-    const double value = fields["value"].get<double>();
-    fields["value"] = value + 1e-7 * std::pow(1e5 * value, 0.01);
-  };
-  expect_not_told("astm_d341_viscosity", "a sum is added", growing);
+  expect_not_told("astm_d341_viscosity", "a sum is added", value_as([](const json&, double right) {
+                    return right + 1e-7 * std::pow(1e5 * right, 0.01);
+                  }));
   expect_not_told("astm_d341_viscosity", "a sum is added", times("value", 1.01));
 }
 
@@ -259,27 +264,25 @@ TEST(Scatter, IsOfAFixedWidthWhereErrorsDoNotGrowWithTheAnswer) {
 }
 
 TEST(Sum, IsSaidWhereAllAnswersAreOffByIt) {
-  const auto plus = [](std::function<double(const json& inputs, double value)> sum) {
-    return [=](const TestCase& asked, json& fields) {
-      fields["value"] = fields["value"].get<double>() + sum(asked.inputs, fields["value"]);
-    };
-  };
   expect_told("persson_contact_area",
               "All answers are too large by 1e-09, large or small as they are: a sum is added.",
-              plus([](const json&, double) { return 1e-9; }));
+              value_as([](const json&, double right) { return right + 1e-9; }));
   expect_told("regime_film",
               "All answers are too small by 0.5, large or small as they are: a sum is missing.",
-              plus([](const json&, double) { return -0.5; }));
-  expect_told(
-      "moes_line", "All answers are too large by 0.25 times R, large or small as they are",
-      plus([](const json& inputs, double) { return 0.25 * number(inputs, "reduced_radius"); }));
+              value_as([](const json&, double right) { return right - 0.5; }));
+  expect_told("moes_line", "All answers are too large by 0.25 times R, large or small as they are",
+              value_as([](const json& in, double right) {
+                return right + 0.25 * number(in, "reduced_radius");
+              }));
   // A factor is no sum, nor is a sum in some answers alone, nor one that is not the same in all.
-  for (const Slip& other : std::vector<Slip>{
-           plus([](const json&, double value) { return 0.17 * value; }),
-           plus([](const json&inputs, double) { return number(inputs, "speed") > 1 ? 1e-9 : 0; }),
-           plus([](const json&inputs, double) {
-             return 1e-9 * (2 + std::sin(number(inputs, "speed")));
-           })})
+  for (const Slip& other :
+       std::vector<Slip>{value_as([](const json&, double right) { return right + 0.17 * right; }),
+                         value_as([](const json&in, double right) {
+                           return right + (number(in, "speed") > 1 ? 1e-9 : 0);
+                         }),
+                         value_as([](const json&in, double right) {
+                           return right + 1e-9 * (2 + std::sin(number(in, "speed")));
+                         })})
     expect_not_told("moes_line", "All answers are too", other);
 }
 
@@ -653,19 +656,16 @@ TEST(Misread, IsNotSaidOfAnotherFormulaOrOfNoise) {
   const auto expect_not = [](const char* function, const Slip& slip) {
     expect_not_told(function, "the right ones with", slip);
   };
-  const auto times = [](std::function<double(const json&)> factor) {
-    return [=](const TestCase& asked, json& fields) {
-      multiply(fields["value"], factor(asked.inputs));
-    };
-  };
   expect_not("moes_line", noise_where("value", [](const json&) { return true; }));
   expect_not("barus_viscosity",
              noise_where("value", [](const json& in) { return number(in, "pressure") > 1e8; }));
   // A factor that a change of any input of a power law may give.
-  expect_not("hamrock_dowson_soft_central", times([](const json&) { return 1.17; }));
-  expect_not("moes_line", times([](const json& in) { return 1 + 1e7 * number(in, "viscosity"); }));
-  expect_not("roelands_viscosity", times([](const json& in) {
-               return std::exp(-1e-18 * number(in, "pressure") * number(in, "pressure"));
+  expect_not("hamrock_dowson_soft_central", times("value", 1.17));
+  expect_not("moes_line", value_as([](const json& in, double right) {
+               return right * (1 + 1e7 * number(in, "viscosity"));
+             }));
+  expect_not("roelands_viscosity", value_as([](const json& in, double right) {
+               return right * std::exp(-1e-18 * number(in, "pressure") * number(in, "pressure"));
              }));
 }
 
@@ -872,12 +872,7 @@ TEST(Misread, OfAnInputOfPointsIsToldOfTheResultThatIsComputedFirst) {
 }
 
 TEST(Floor, IsToldInPlaceOfAnOddInputThatGivesIt) {
-  const auto bounded = [](double floor) {
-    return [=](const TestCase&, json& fields) {
-      fields["value"] = std::max(floor, fields["value"].get<double>());
-    };
-  };
-  const std::string said = said_of("starvation_ratio", bounded(0.05));
+  const std::string said = said_of("starvation_ratio", at_least(0.05));
   expect_said(said, "For damiens: ");
   expect_said(said, "wrong answers are 0.05: a floor, at which the answer stops changing");
   expect_said(said, "it is cut off there", false);
@@ -996,29 +991,20 @@ TEST(LawNumbers, WithExchangedDigitsAreNamedBesideAFactorAndThreeTogether) {
 }
 
 TEST(OtherValue, IsAFloorOrAnInputOrAnotherResult) {
-  const auto floor = [](const TestCase&, json& fields) {
-    fields["value"] = std::max(fields["value"].get<double>(), 1e-9);
-  };
-  expect_told("hamrock_dowson_minimum", "wrong answers are 1e-09: a floor", floor);
-  const auto at_least = [](double least) {
-    return [=](const TestCase&, json& fields) {
-      fields["value"] = std::max(fields["value"].get<double>(), least);
-    };
-  };
+  expect_told("hamrock_dowson_minimum", "wrong answers are 1e-09: a floor", at_least(1e-9));
   const std::string stops = "a floor, at which the answer stops changing";
   expect_told("gupta_thermal_reduction", "answer is 0.1: " + stops, at_least(0.1));
   expect_told("viscosity_index", "wrong answers are 0: " + stops, at_least(0));
   // Some answers are replaced by a number that is greater than other answers: this is no floor.
-  const auto guarded = [](const TestCase&, json& fields) {
-    const double right = fields["value"];
-    if (right > 0.5 && right < 0.52) fields["value"] = 0.6;
-  };
-  expect_not_told("gupta_thermal_reduction", "stops changing", guarded);
-  const auto early = [](const TestCase& asked, json& fields) {
-    const double flooded = number(asked.inputs, "flooded_film_parameter");
-    if (flooded > 3) fields["value"] = flooded;
-  };
-  expect_told("load_sharing", "wrong answers are λ₀ itself", early);
+  expect_not_told("gupta_thermal_reduction", "stops changing",
+                  value_as([](const json&, double right) {
+                    return right > 0.5 && right < 0.52 ? 0.6 : right;
+                  }));
+  expect_told("load_sharing", "wrong answers are λ₀ itself",
+              value_as([](const json& in, double right) {
+                const double flooded = number(in, "flooded_film_parameter");
+                return flooded > 3 ? flooded : right;
+              }));
   const auto other_axis = [](const TestCase&, json& fields) {
     fields["semi_axis_x"] = fields["semi_axis_y"];
   };
@@ -1047,10 +1033,10 @@ TEST(OtherValue, IsAFloorOrAnInputOrAnotherResult) {
 
 TEST(OtherValue, IsAFormOfOneVariableWithTwoNumbers) {
   const auto beyond_one = [](std::function<double(double x)> form, double noise) {
-    return [=](const TestCase& asked, json& fields) {
-      const double x = number(asked.inputs, "interference_ratio");
-      if (x >= 1) fields["value"] = form(x) * (1 + noise * std::sin(1e3 * x));
-    };
+    return value_as([=](const json& in, double right) {
+      const double x = number(in, "interference_ratio");
+      return x >= 1 ? form(x) * (1 + noise * std::sin(1e3 * x)) : right;
+    });
   };
   const auto chang_etsion_bogy = [](double x) { return 1.5 * (2 * x - 1); };
   const std::map<std::string, std::function<double(double)>> forms{
@@ -1066,11 +1052,11 @@ TEST(OtherValue, IsAFormOfOneVariableWithTwoNumbers) {
   };
   expect_told("hamrock_dowson_central", "wrong answers are 0.02 k + 1 times the right ones.", by_k);
   // The power law of one range is used beyond its border, in five cases.
-  const auto late_border = [](const TestCase& asked, json& fields) {
-    const double x = number(asked.inputs, "interference_ratio");
-    if (x >= 6 && x < 8) fields["value"] = 1.03 * std::pow(x, 1.425);
-  };
-  expect_told("kogut_etsion_load", "All 5 wrong answers are 1.03 x^(1.425).", late_border);
+  expect_told("kogut_etsion_load", "All 5 wrong answers are 1.03 x^(1.425).",
+              value_as([](const json& in, double right) {
+                const double x = number(in, "interference_ratio");
+                return x >= 6 && x < 8 ? 1.03 * std::pow(x, 1.425) : right;
+              }));
 }
 
 TEST(Growth, OfErrorsFromNothingIsOfNumerics) {

@@ -548,6 +548,11 @@ QuantityVerdict row(Verdict status, std::size_t held, std::size_t failed, std::s
     one.failed_cases.push_back({"f" + std::to_string(i), Failure::number, 0.1});
   return one;
 }
+QuantityVerdict held_radius(std::size_t held) {
+  QuantityVerdict one = row(Verdict::held, held, 0, 0);
+  one.quantity = "radius";
+  return one;
+}
 QuantityVerdict failing(std::vector<FailedCase> cases) {
   QuantityVerdict one = row(Verdict::failed, 5, cases.size(), 0);
   one.failed_cases = std::move(cases);
@@ -560,10 +565,13 @@ ConformanceResult result_of(std::vector<QuantityVerdict> quantities) {
   return result;
 }
 
+BaselineChanges changes_of(const QuantityVerdict& before, const QuantityVerdict& now) {
+  return compare(result_of({now}), baseline_of(result_of({before}), nullptr));
+}
+
 enum class Way : std::uint8_t { same, better, worse };
 Way change(const QuantityVerdict& before, const QuantityVerdict& now) {
-  const BaselineChanges changes =
-      compare(result_of({now}), baseline_of(result_of({before}), nullptr));
+  const BaselineChanges changes = changes_of(before, now);
   std::size_t of_film = 0;
   for (const auto& list : {changes.worse, changes.better})
     for (const BaselineChange& one : list) of_film += one.quantity == "film" ? 1 : 0;
@@ -589,8 +597,7 @@ TEST(Baseline, KnowsWhatIsWorse) {
 // A missing answer is better than a wrong one, but a case that held must keep its answer.
 TEST(Baseline, MissesWhatHeldEvenWhereNothingFailsAnyMore) {
   const QuantityVerdict none = row(Verdict::not_offered, 0, 0, 10, 0);
-  QuantityVerdict other = row(Verdict::held, 10, 0, 0);
-  other.quantity = "radius";
+  const QuantityVerdict other = held_radius(10);
   const auto changes_to_none = [&](const QuantityVerdict& before) {
     return compare(result_of({none, other}), baseline_of(result_of({before, other}), nullptr));
   };
@@ -735,8 +742,7 @@ TEST(JudgedQuantity, TellsTheErrorsOfWhatHeldOverTheCondition) {
 }
 
 TEST(Baseline, MissesAQuantityThatIsNoLongerAsked) {
-  QuantityVerdict other = row(Verdict::held, 10, 0, 0);
-  other.quantity = "radius";
+  const QuantityVerdict other = held_radius(10);
   const json baseline = baseline_of(result_of({row(Verdict::held, 10, 0, 0), other}), nullptr);
   const BaselineChanges changes = compare(result_of({other}), baseline);
   ASSERT_EQ(changes.worse.size(), 1U);
@@ -745,8 +751,7 @@ TEST(Baseline, MissesAQuantityThatIsNoLongerAsked) {
 }
 
 TEST(Baseline, TakesANewQuantityUnlessItFails) {
-  QuantityVerdict other = row(Verdict::held, 9, 0, 0);
-  other.quantity = "radius";
+  const QuantityVerdict other = held_radius(9);
   json baseline = baseline_of(result_of({other}), nullptr);
   baseline["version"] = "0.0.1";
   EXPECT_EQ(compare(result_of({other, row(Verdict::failed, 9, 1, 0)}), baseline).worse.size(), 1U);
@@ -764,8 +769,7 @@ TEST(Baseline, TakesANewQuantityUnlessItFails) {
 // A version writes a row for each quantity that it asks. If one is missing, it was lost by hand or
 // in a merge, and what it said is not known.
 TEST(Baseline, OfThisVersionIsMissedAnyRow) {
-  QuantityVerdict other = row(Verdict::held, 9, 0, 0);
-  other.quantity = "radius";
+  const QuantityVerdict other = held_radius(9);
   const json baseline = baseline_of(result_of({other}), nullptr);
   const auto missed = [&](const QuantityVerdict& film) {
     const ConformanceResult result = result_of({other, film});
@@ -785,8 +789,7 @@ TEST(Baseline, OfThisVersionIsMissedAnyRow) {
 }
 
 TEST(Baseline, OfAnotherVersionMayHaveQuantitiesThatAreNoLongerAsked) {
-  QuantityVerdict other = row(Verdict::held, 10, 0, 0);
-  other.quantity = "radius";
+  const QuantityVerdict other = held_radius(10);
   json baseline = baseline_of(result_of({row(Verdict::held, 10, 0, 0), other}), nullptr);
   baseline["version"] = "0.0.1";
   const BaselineChanges changes = compare(result_of({other}), baseline);
@@ -828,8 +831,7 @@ TEST(Baseline, TellsTheNumbersOfEachChange) {
       {{"a", Failure::number, 0.1}, {"b", Failure::wrong, 0}, {"c", Failure::no_answer, 0}});
   const QuantityVerdict now = failing(
       {{"a", Failure::number, 0.5}, {"b", Failure::number, 0.2}, {"d", Failure::no_answer, 0}});
-  const BaselineChanges changes =
-      compare(result_of({now}), baseline_of(result_of({before}), nullptr));
+  const BaselineChanges changes = changes_of(before, now);
   ASSERT_EQ(changes.worse.size(), 1U);
   const std::vector<CaseChange>& cases = changes.worse[0].cases;
   ASSERT_EQ(cases.size(), 2U);
@@ -838,12 +840,9 @@ TEST(Baseline, TellsTheNumbersOfEachChange) {
   EXPECT_EQ(cases[1].id, "d");
   EXPECT_EQ(cases[1].before, nullptr);
   EXPECT_EQ(cases[1].after, "no answer");
-  const BaselineChanges better =
-      compare(result_of({failing({{"a", Failure::number, 0.1}, {"b", Failure::number, 0.2}})}),
-              baseline_of(result_of({failing({{"a", Failure::number, 0.5},
-                                              {"b", Failure::number, 0.2},
-                                              {"c", Failure::wrong, 0}})}),
-                          nullptr));
+  const BaselineChanges better = changes_of(
+      failing({{"a", Failure::number, 0.5}, {"b", Failure::number, 0.2}, {"c", Failure::wrong, 0}}),
+      failing({{"a", Failure::number, 0.1}, {"b", Failure::number, 0.2}}));
   ASSERT_EQ(better.better.size(), 1U);
   const std::vector<CaseChange>& mended = better.better[0].cases;
   ASSERT_EQ(mended.size(), 2U);
@@ -852,8 +851,7 @@ TEST(Baseline, TellsTheNumbersOfEachChange) {
   EXPECT_EQ(mended[1].id, "c");
   EXPECT_EQ(mended[1].after, nullptr);
   const BaselineChanges fewer =
-      compare(result_of({row(Verdict::held, 9, 0, 1)}),
-              baseline_of(result_of({row(Verdict::held, 10, 0, 0)}), nullptr));
+      changes_of(row(Verdict::held, 10, 0, 0), row(Verdict::held, 9, 0, 1));
   ASSERT_EQ(fewer.worse.size(), 1U);
   EXPECT_EQ(fewer.worse[0].fact, "held");
   EXPECT_EQ(fewer.worse[0].before, 10);
