@@ -107,10 +107,7 @@ TEST_P(BatchMoment, TheResultMayOverwriteTheArgument) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachOrder, BatchMoment,
-                         testing::Values(Order::zero, Order::half, Order::one, Order::three_halves,
-                                         Order::two, Order::five_halves),
-                         order_name);
+INSTANTIATE_TEST_SUITE_P(OfEachOrder, BatchMoment, testing::ValuesIn(orders), order_name);
 
 TEST(InstructionSets, AreChosenByNameAndRefusedWhereUnknown) {
   ASSERT_GE(instruction_sets().size(), 1u);

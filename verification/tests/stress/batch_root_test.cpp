@@ -3,7 +3,6 @@
 // where the bounds allow it, and the same bits at any place of a batch of any size.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstring>
 #include <vector>
 
@@ -18,7 +17,6 @@ namespace tribo::verification {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
 
 // Points of load sharing, as arrays.
 struct Points {
@@ -71,7 +69,7 @@ double uniform_offset(Sampler& sampler) {
 TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
   Sampler sampler(77);
   for (const FilmLaw* const film : other_film_laws)
-    for (const AsperityModel model : models) {
+    for (const AsperityModel model : asperity_models) {
       Points points;
       for (int i = 0; i < 300; ++i)
         points.add(sampler.log_uniform(1e-6, 100), sampler.uniform(0, 4),
@@ -110,7 +108,7 @@ TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
 // Points in the usual ranges take few steps and never need Newton's method.
 TEST(BatchRoot, TakesFewStepsAndNoneOfNewtons) {
   Sampler sampler(157);
-  for (const AsperityModel model : models) {
+  for (const AsperityModel model : asperity_models) {
     Points wide;
     for (int i = 0; i < 100000; ++i)
       wide.add(sampler.log_uniform(1e-6, 10), sampler.uniform(0, 4),
@@ -130,7 +128,7 @@ TEST(BatchRoot, TakesFewStepsAndNoneOfNewtons) {
 
 TEST(BatchRoot, IsRarelyLeftToNewtonsMethodWithinTheRangeOfTheKernels) {
   Sampler sampler(158);
-  for (const AsperityModel model : models) {
+  for (const AsperityModel model : asperity_models) {
     Points inside, critical, outside;
     for (int i = 0; i < 50000; ++i) {
       const double k = sampler.log_uniform(1e-300, 1e300);
@@ -170,7 +168,7 @@ TEST(BatchRoot, IsRarelyLeftToNewtonsMethodWithinTheRangeOfTheKernels) {
 }
 
 TEST(BatchRoot, IsLeftToNewtonsMethodBeyondTheLimitsOfTheKernelsAndNotBefore) {
-  for (const AsperityModel model : models)
+  for (const AsperityModel model : asperity_models)
     on_each_instruction_set([&] {
       const auto is_left = [&](double k, double delta, double film0) {
         Points one;
@@ -195,7 +193,7 @@ TEST(BatchRoot, IsLeftToNewtonsMethodBeyondTheLimitsOfTheKernelsAndNotBefore) {
 // From film_from on, λ is λ₀ to half an ulp, and no step is taken.
 TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
   Sampler sampler(159);
-  for (const AsperityModel model : models) {
+  for (const AsperityModel model : asperity_models) {
     Points points;
     for (int i = 0; i < 1000; ++i) {
       const double k = sampler.pick({0, 1, 1}) == 0 ? sampler.log_uniform(1e-300, 1e300)
@@ -232,7 +230,7 @@ TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
 TEST(BatchRoot, IsNeverBelowTheFloor) {
   on_each_instruction_set([] {
     Sampler sampler(161);
-    for (const AsperityModel model : models)
+    for (const AsperityModel model : asperity_models)
       for (int i = 0; i < 10000; ++i) {
         const double k = sampler.log_uniform(0.1, 1e6), delta = uniform_offset(sampler);
         const LoadSharing<double> surface(model, k, delta);
@@ -254,7 +252,7 @@ TEST(BatchRoot, IsNeverBelowTheFloor) {
 TEST(BatchRoot, IsTheFloorWhereTheBoundSaysSo) {
   Sampler sampler(160);
   std::size_t far_up = 0;
-  for (const AsperityModel model : models)
+  for (const AsperityModel model : asperity_models)
     for (int i = 0; i < 1000; ++i) {
       const double k = sampler.log_uniform(0.1, 1e300), delta = uniform_offset(sampler);
       const LoadSharing<double> surface(model, k, delta);
@@ -304,7 +302,7 @@ TEST(BatchRoot, BitsDoNotDependOnPlaceOrSize) {
   };
   const LoadSharing<double> surface(AsperityModel::greenwood_tripp, 1.5, 1.146);
   on_each_instruction_set([&] {
-    for (const AsperityModel model : models)
+    for (const AsperityModel model : asperity_models)
       hold_bits_whatever_place_and_size(
           points.size(), [&](std::size_t first, std::size_t count, std::span<double> result) {
             film_parameter(model, part(points.stiffness, first, count),
@@ -356,7 +354,7 @@ TEST(BatchRoot, TheResultMayOverwriteAnArgument) {
   const Points points = mixed_points(1200);
   const LoadSharing<double> surface(AsperityModel::greenwood_tripp, 1.5, 1.146);
   on_each_instruction_set([&] {
-    for (const AsperityModel model : models) {
+    for (const AsperityModel model : asperity_models) {
       const std::vector<double> apart = roots_of(model, points).film_parameter;
       Points over = points;
       film_parameter(model, over.stiffness, over.offset, over.flooded, over.flooded);
@@ -378,7 +376,7 @@ TEST(BatchRoot, OfWhatIsNoOrdinaryNumberIsWhatTheContractSays) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> flooded{1, infinity, nan, 0, 5e-324, 1e-310, 1e300, 2};
   on_each_instruction_set([&] {
-    for (const AsperityModel model : models)
+    for (const AsperityModel model : asperity_models)
       for (const double k : {0.0, 5e-324, 0.1, 10.0, 1e308, infinity, nan})
         for (const double delta : {0.0, 1.146, 39.9, 41.0, 1e10}) {
           const LoadSharing<double> surface(model, k, delta);

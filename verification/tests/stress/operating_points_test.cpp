@@ -76,10 +76,9 @@ std::vector<double> speeds_between(double low, double high, std::size_t count) {
 // Each supply and each closure on the paper's surfaces.
 std::vector<Scene> paper_scenes() {
   std::vector<Scene> scenes;
-  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+  for (const auto model : asperity_models)
     for (const PaperSurface surface : paper_surfaces)
-      for (const auto closure : {StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
-                                 StarvationClosure::printed_exponents, StarvationClosure::damiens})
+      for (const auto closure : starvation_closures)
         for (const Supply& supply :
              {Supply{SupplyKind::inlet_film_ratio, 4}, Supply{SupplyKind::inlet_flow, 1e-8},
               Supply{SupplyKind::inlet_film, 3e-8}, Supply{SupplyKind::flooded, 0}}) {

@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "stress/fuzz/checks.hpp"
+#include "support/temporary_folder.hpp"
 #include "sweep/plan_reader.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -17,13 +16,8 @@ namespace {
 const std::filesystem::path folder =
     std::filesystem::path(TRIBOCHECK_SOURCE_DIR) / "verification/tests/stress/fuzz";
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 void replay(const std::string& corpus, Check check) {
-  const std::string file = text_of(folder / "corpus" / (corpus + ".txt"));
+  const std::string file = content_of(folder / "corpus" / (corpus + ".txt"));
   std::size_t inputs = 0;
   for (std::size_t at = file.find("\n-- "); at != std::string::npos; ++inputs) {
     const std::size_t begin = file.find('\n', at + 1) + 1;
@@ -54,7 +48,7 @@ TEST(FuzzCorpus, EmptyAndRepeatedInputsHoldTheProperties) {
 
 // The fuzzers get to valid scenes faster if they know the words of scenes.
 TEST(FuzzCorpus, DictionaryHasEveryWordOfTheSchema) {
-  const std::string dictionary = text_of(folder / "scene.dict");
+  const std::string dictionary = content_of(folder / "scene.dict");
   const auto hold = [&](std::string_view word) {
     EXPECT_NE(dictionary.find('"' + std::string(word) + '"'), std::string::npos)
         << "scene.dict lacks the word " << word;
