@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <random>
 #include <string>
@@ -20,6 +18,7 @@
 #include "ehl/line_formulas.hpp"
 #include "ehl/solved_point.hpp"
 #include "support/judge.hpp"
+#include "support/temporary_folder.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
 #include "tribo/moes_line.hpp"
@@ -109,11 +108,6 @@ TEST(CompressibleFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
 
 std::string point_file() { return TRIBOCHECK_SOURCE_DIR "/reference/ehl/point_films.csv"; }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 constexpr double supplies[] = {0.25, 0.35, 0.5, 0.7, 1, 1.4, 2, 4};
 
 struct PointKey {
@@ -148,7 +142,7 @@ std::map<PointKey, ReferenceRow> flooded_points() {
 
 TEST(PointFilmTable, HasEveryContactToItsErrorOrSaysWhyNot) {
   const std::map<PointKey, ReferenceRow> rows = point_table();
-  const std::string text = text_of(point_file());
+  const std::string text = content_of(point_file());
   const std::size_t place = text.find("# missing: ");
   ASSERT_NE(place, std::string::npos);
   const std::string missing = text.substr(place, text.find('\n', place) - place) + " ";
@@ -286,7 +280,7 @@ TEST(PointFilmTable, SecondMethodAgreesWithinBothErrorsAndAsTheReadmeSays) {
       "{} circles, M from 10 to 100, L from 0 to 5, and {} ellipses, R_y/R_x from 2 to 8 at M = 20 "
       "and L = 5, their central film is within {:.2f} % and their least film within {:.1f} %",
       circles, ellipses, 100 * central, 100 * minimum);
-  EXPECT_NE(text_of(TRIBOCHECK_SOURCE_DIR "/model/README.md").find(sentence), std::string::npos)
+  EXPECT_NE(content_of(TRIBOCHECK_SOURCE_DIR "/model/README.md").find(sentence), std::string::npos)
       << sentence;
 }
 
@@ -327,7 +321,7 @@ std::string range_of(const FilmLaw& law, const char* film, bool (*is_taken)(cons
 }
 
 TEST(PointFilmTable, HamrockAndDowsonsLawsAreOffByWhatTheReadmeSays) {
-  const std::string readme = text_of(TRIBOCHECK_SOURCE_DIR "/model/README.md");
+  const std::string readme = content_of(TRIBOCHECK_SOURCE_DIR "/model/README.md");
   for (const auto& [words, is_taken] :
        {std::pair{
             "circles, M up to 10",

@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <random>
 #include <span>
@@ -30,10 +29,8 @@
 
 namespace tribo::sweep {
 
-inline std::string content_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using tribo::content_of;
+
 // Removes the file first: some file systems wait for the disk when a file is overwritten.
 inline void write_content(const std::string& path, const std::string& content) {
   std::filesystem::remove(path);
