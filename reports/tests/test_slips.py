@@ -33,7 +33,7 @@ SAID = {
                                       "0.6 in place of 0.7, and each of T₁, T₂, T − 0.15 in place of each of T₁, T₂, T"),
     "roelands_exponent_of_two_decimals": ("roelands_viscosity", "with z rounded to 2 decimals"),
     "minimum_film_of_converted_ellipticity": ("hamrock_dowson_minimum", "with 1.0339 k^0.636 in place of k ("),
-    "friction_of_smooth_film_and_no_zero": ("operating_point.friction", "`friction.slide_roll_ratio` = 1 where it is given as 0 ("),
+    "friction_of_smooth_film_and_no_zero": ("operating_point.friction", "`friction.slide_roll_ratio` = 1 where it is 0 ("),
     "index_by_e_of_next_row_and_not_below_zero": (
         "viscosity_index", "the row after the right one in the table of L and H, and e in place of 10 above 100 ("),
     "summits_of_a_square_metre": ("operating_point.summit_count", "n in place of nA in the number of summits ("),

@@ -227,6 +227,15 @@ std::vector<TestCase> without_sliding(const std::vector<TestCase>& points) {
   return made;
 }
 
+// How many inputs differ, or are in only one of the two.
+std::size_t count_of_others(const json& flat, const json& other) {
+  std::size_t count = 0;
+  for (const auto& [path, value] : flat.items())
+    count += !other.contains(path) || other[path] != value;
+  for (const auto& [path, value] : other.items()) count += !flat.contains(path);
+  return count;
+}
+
 // Puts each case without defaults behind another case of its function: the one that gives other
 // values to most of the omitted inputs. A solver that keeps these values then answers wrong.
 // Neighbours that differ in only one input stay together, because they show a solver that forgets
@@ -242,7 +251,7 @@ void put_between(std::vector<TestCase>& cases, std::vector<TestCase> without) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     std::size_t next = i + 1;
     while (next < cases.size() && cases[next].function != cases[i].function) ++next;
-    is_free[i] = next == cases.size() || different_inputs(given[i], given[next]).size() > 1;
+    is_free[i] = next == cases.size() || count_of_others(given[i], given[next]) > 1;
   }
   std::vector<const TestCase*> behind(cases.size(), nullptr);
   std::vector<const TestCase*> last;
@@ -360,19 +369,6 @@ void complete(TestCase& one) {
 }
 
 }  // namespace
-
-std::vector<std::string> different_inputs(const json& flat, const json& other) {
-  std::vector<std::string> names;
-  const auto add = [&](std::string pointer) {
-    std::replace(pointer.begin(), pointer.end(), '/', '.');
-    names.push_back(pointer.substr(1));
-  };
-  for (const auto& [pointer, value] : flat.items())
-    if (other.value(pointer, json()) != value) add(pointer);
-  for (const auto& [pointer, value] : other.items())
-    if (!flat.contains(pointer)) add(pointer);
-  return names;
-}
 
 json TestCase::request() const {
   json asked = inputs;

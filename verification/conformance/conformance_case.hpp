@@ -58,10 +58,6 @@ inline bool is_operating_point(std::string_view function) {
   return function.starts_with(operating_point_functions[0]);
 }
 
-// The inputs that differ, or that only one of the two questions gives: "surface.summit_density".
-// Both are flattened.
-std::vector<std::string> different_inputs(const nlohmann::json& flat, const nlohmann::json& other);
-
 struct CaseSources {
   std::string exact;      // the folder of certified tables
   std::string published;  // the folder of the paper's scenes and of independent.tsv

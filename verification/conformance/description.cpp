@@ -378,8 +378,16 @@ std::vector<std::string> different_inputs(const AnsweredCase& one, const Answere
         found.emplace_back(function->parameters[i].name);
     return found;
   }
-  return different_inputs(one.question.asked->inputs.flatten(),
-                          other.question.asked->inputs.flatten());
+  const nlohmann::json inputs = one.question.asked->inputs.flatten();
+  const nlohmann::json others = other.question.asked->inputs.flatten();
+  std::vector<std::string> found;
+  for (const auto& [pointer, value] : inputs.items()) {
+    if (others.value(pointer, nlohmann::json()) == value) continue;
+    std::string name = pointer.substr(1);
+    std::replace(name.begin(), name.end(), '/', '.');
+    found.push_back(std::move(name));
+  }
+  return found;
 }
 
 // A sentence if all wrong answers are those of one value of the input, and nearly all answers at

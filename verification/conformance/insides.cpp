@@ -356,13 +356,13 @@ Mistake power_of_roughness(const std::string& name, std::string text, double Que
   return mistake;
 }
 
-// Another value where a scene gives this one, as by a program that takes 0 for a field that is left
-// out, or a number of 2 for a yes.
+// Another value where a scene has this one, as by a program that takes 0 for a field that is left
+// out, takes 2 for a yes, or mixes numbers up.
 Mistake other_for(double given, const char* path, double value) {
   const auto field = *scene_detail::find_field(path);
   Mistake mistake =
       of_points(fmt::format("{} = {:g} for {:g}", path, value, given),
-                fmt::format("`{}` = {:g} where it is given as {:g}", path, value, given), {path});
+                fmt::format("`{}` = {:g} where it is {:g}", path, value, given), {path});
   mistake.before = [given, field, value](Question& asked) {
     if (asked.scene && scene_detail::value_in(*asked.scene, field) == given)
       scene_detail::store_of(field)(*asked.scene, value);

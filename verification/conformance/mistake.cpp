@@ -149,8 +149,8 @@ void check_kinds(const MistakeEntry& entry) {
   if (kinds == 0) throw std::runtime_error("nothing is changed");
   if (kinds > 1 || (!entry.swapped.empty() && !entry.where.empty()) ||
       (!entry.law.is_null() && !entry.formula.empty()) ||
-      (entry.law == "another" &&
-       !(entry.where.empty() && entry.input.empty() && entry.result.empty())))
+      (entry.law == "another" && !(entry.where.empty() && entry.input.empty() &&
+                                   entry.result.empty() && entry.sharing.empty())))
     throw std::runtime_error("these changes cannot stand together");
 }
 

@@ -437,34 +437,35 @@ double greatest_in_no_order(const Part& part, bool is_of_one) {
   return greatest;
 }
 
-// A sentence if nearly all wrong answers of load sharing are next to a fixed point of
-// λ = λ₀/(1 − A)^e, and some of them far from its root; else empty. Substitution stops at such
-// answers where it converges slowly.
+// A sentence if most wrong answers of load sharing are next to λ₀/(1 − A)^e, nearly all others far
+// from it, and hardly one between; else empty. So errs substitution that stops early, or never.
 std::string next_to_fixed_point(const Part& part) {
-  constexpr double far = 0.05, much_nearer = 0.02;  // relative
+  constexpr double far = 0.01, least_middle = 0.4;  // off; of the greatest one that is near
   constexpr std::size_t fewest_far = 3;
   if (part.function()->name != "load_sharing") return {};
   const double exponent = ratio<double>(hamrock_dowson_central_law.sharing_exponent);
-  std::size_t near = 0, are_far = 0;
-  double greatest = 0;
+  std::vector<double> near;
+  std::size_t are_far = 0;
   for (const Part::Number& one : wrong_of(part)) {
     const LoadSharing<double> sharing(static_cast<AsperityModel>(one.input(0)), one.input(2),
                                       one.input(3));
-    const double got = one.answered->got, fluid = 1 - sharing.asperity_share(got);
+    const double got = one.answered->got, fluid = std::max(1 - sharing.asperity_share(got), 0.0);
     const double off = std::abs(one.input(1) * std::pow(fluid, -exponent) / got - 1);
-    const double error = std::abs(one.answered->error() / one.answered->expected->high);
-    if (!(off < small_error)) continue;
-    ++near;
-    greatest = std::max(greatest, off);
-    are_far += error > far && off < much_nearer * error ? 1 : 0;
+    if (off < small_error) near.push_back(off);
+    are_far += off > far ? 1 : 0;
   }
-  if (are_far < fewest_far || 5 * near < 4 * part.wrong.size()) return {};
+  std::sort(near.begin(), near.end());
+  const std::size_t count = part.wrong.size();
+  if (are_far < fewest_far || 3 * near.size() < 2 * count ||
+      20 * (near.size() + are_far) < 19 * count ||
+      near[near.size() / 2] < least_middle * near.back())
+    return {};
   return fmt::format(
       "{} of {} wrong answers λ are within {:.2g} of λ₀/(1 − A)^e, with the share A at λ, and {} "
-      "of "
-      "these are far from the root: as of an iteration that puts one into the other, and stops "
-      "where λ changes by no more.",
-      near, part.wrong.size(), greatest, are_far);
+      "are "
+      "far from it: as of an iteration that puts one into the other, stops where λ changes by no "
+      "more, and does not converge everywhere.",
+      near.size(), count, near.back(), are_far);
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ Growth growth_of(const Part& part);
 
 // "No error is above 0.00098 of the value …": an iteration that stops at a tolerance, or after some
 // steps, leaves errors of any size up to a bound, in no order. Empty: they are larger, of one size,
-// or in an order, or the function has no iteration.
+// or in an order, or the function has no iteration. Load sharing: also answers that nearly
+// meet λ = λ₀/(1 − A)^e beside others that do not.
 std::string ended_early(const Part& part);
 
 // "No error is above 1.1e-16 …": the errors are in the last digits of 1, and the right answers are

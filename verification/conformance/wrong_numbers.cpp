@@ -21,8 +21,9 @@ std::string branch_of(const Question& question) {
   const auto& parameters = question.function->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double value = question.arguments[i];
-    const auto word = static_cast<std::size_t>(value);
-    if (word < parameters[i].words.size()) return std::string(parameters[i].words[word]);
+    const auto& words = parameters[i].words;
+    if (value >= 0 && value < static_cast<double>(words.size()))
+      return std::string(words[static_cast<std::size_t>(value)]);
     if (parameters[i].range == catalogue::Range::half_order)
       return fmt::format("{} {}", parameters[i].name, value);
   }

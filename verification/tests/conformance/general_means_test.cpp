@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "conformance/answers.hpp"
