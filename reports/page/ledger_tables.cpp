@@ -124,7 +124,8 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
       "The verdict on a claim is the worst of its parts'. A number is reproduced within "
       "half a unit of its last printed digit, else within 10 %, else to the order of "
       "magnitude (a factor √10: “order only”). A comparison is reproduced if it holds at all "
-      "compared speeds, and in part if it holds at half of them or more (on a logarithmic axis). "
+      "speeds "
+      "that are compared, and in part if it holds at half of them or more (on a logarithmic axis). "
       "“1 ± 2 %”: the greater is at most 2 % above the other. Margin: the distance of ln of the "
       "computed number, or of the part of the speeds, from the value that would change the "
       "verdict, ± its numerical error."};

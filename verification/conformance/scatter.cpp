@@ -452,7 +452,8 @@ std::string next_to_fixed_point(const Part& part) {
     const double got = one.answered->got, fluid = std::max(1 - sharing.asperity_share(got), 0.0);
     const double off = std::abs(one.input(1) * std::pow(fluid, -exponent) / got - 1);
     if (off < small_error) near.push_back(off);
-    are_far += off > far ? 1 : 0;
+    are_far +=
+        off > far && std::abs(one.answered->error()) > far * one.answered->expected->high ? 1 : 0;
   }
   std::sort(near.begin(), near.end());
   const std::size_t count = part.wrong.size();
@@ -474,7 +475,6 @@ std::string ended_early(const Part& part) {
   if (part.function() == nullptr || part.wrong.size() < fewest_scattered ||
       !numerics_of(*part.function()).ends_with("iteration"))
     return {};
-  if (std::string fixed = next_to_fixed_point(part); !fixed.empty()) return fixed;
   const bool has_unit = !results_of(part.function())[part.place].unit.empty();
   for (const bool is_of_one : {false, true}) {
     if (is_of_one && (has_unit || !fixed_width(part).empty())) continue;
@@ -485,7 +485,7 @@ std::string ended_early(const Part& part) {
         "as of an iteration that stops where it changes by no more, or after some steps.",
         greatest, is_of_one ? ", or of 1 where the value is less" : "");
   }
-  return {};
+  return next_to_fixed_point(part);
 }
 
 std::string scatter_of(const Part& part) {
