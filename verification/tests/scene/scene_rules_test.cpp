@@ -400,7 +400,9 @@ TEST(SceneRoughness, IsWhatTheOneWayOfGivingItSays) {
   const double of_average = 3e-7 * std::sqrt(std::numbers::pi / 2);
   EXPECT_TRUE(near(roughness(good().set("surface.average_roughness", "3e-7")), of_average));
   // With Greenwood and Tripp's model the moments are those of each of two equal faces.
-  SceneText profile = profile_of(good(), "9e-14", "4e-3", "1e9");
+  SceneText profile = good().remove("surface.summit_density").remove("surface.summit_radius");
+  profile.remove("surface.summit_height_sd").remove("surface.summit_plane_offset");
+  profile.set("surface.m0", "9e-14").set("surface.m2", "4e-3").set("surface.m4", "1e9");
   EXPECT_TRUE(near(roughness(profile), 3e-7 * std::sqrt(2.0)));
   profile.set("closures.asperity", "\"greenwood_williamson\"");
   EXPECT_TRUE(near(roughness(profile), 3e-7));
@@ -459,7 +461,11 @@ SceneText line() {
 }
 SceneText faces(const char* first_x, const char* second_x, const char* first_y,
                 const char* second_y) {
-  return faces_of(without_shape(), first_x, second_x, first_y, second_y);
+  return without_shape()
+      .set("bodies.first_radius_x", first_x)
+      .set("bodies.second_radius_x", second_x)
+      .set("bodies.first_radius_y", first_y)
+      .set("bodies.second_radius_y", second_y);
 }
 
 TEST(SceneShapes, AreTakenInEachWay) {
@@ -547,7 +553,13 @@ TEST(SceneShapes, OfAnyEllipticityAreOrdinaryToASoftLaw) {
 }
 
 TEST(SceneShapes, OfAProfileGiveTheSummits) {
-  const auto profile = [](const char* m4) { return profile_of(good(), "2.5e-15", "2e-4", m4); };
+  const auto profile = [](const char* m4) {
+    SceneText text = good();
+    for (const char* field :
+         {"summit_density", "summit_radius", "summit_height_sd", "summit_plane_offset"})
+      text.remove(std::string("surface.") + field);
+    return text.set("surface.m0", "2.5e-15").set("surface.m2", "2e-4").set("surface.m4", m4);
+  };
   for (const Format format : formats)
     EXPECT_GT(read(format, profile("3e8")).scene.value().surface.summit_density, 0);
   EXPECT_TRUE(refused(profile("1.4e7"), "surface.m4", "m0 · m4/m2² = 0.875"));
@@ -568,11 +580,14 @@ TEST(SceneThresholds, ChangeTheVerdictAtTheirLimit) {
     double slack = 0;
   };
   // n·1·1 is the roughness, and (D_d/σ_s)·1·1·1 the product of the four.
-  SceneText ones = good(), profile = good(), ball = faces("1", "1", "1", "1");
+  SceneText ones = good(), profile = good(), ball = without_shape();
   for (const char* field : {"summit_density", "summit_radius", "summit_height_sd"})
     ones.set(std::string("surface.") + field, "1");
   const SceneText level = SceneText(ones).set("surface.summit_plane_offset", "0");
   profile.remove_section("surface").set("surface.m2", "1").set("surface.m4", "1");
+  for (const char* face :
+       {"first_radius_x", "second_radius_x", "first_radius_y", "second_radius_y"})
+    ball.set(std::string("bodies.") + face, "1");
   // Loads at which a semi-axis is half a radius, or half of a line's length: a³ = 3FR/(4E*) of a
   // circle, a³ ∝ F of an ellipse, b² = 4FR/(πE*L). At k = 8, R_y/R_x = (k²E − K)/(K − E).
   const auto with = [](SceneText text, const char* path, const char* value) {

@@ -155,19 +155,6 @@ class SceneText {
   std::vector<std::pair<std::string, std::string>> fields_;
 };
 
-// Bodies with these radii. No other field of the text may give a radius.
-inline SceneText faces_of(SceneText text, const char* first_x, const char* second_x,
-                          const char* first_y, const char* second_y) {
-  text.set("bodies.first_radius_x", first_x).set("bodies.second_radius_x", second_x);
-  return text.set("bodies.first_radius_y", first_y).set("bodies.second_radius_y", second_y);
-}
-
-// A surface of a profile with these moments alone.
-inline SceneText profile_of(SceneText text, const char* m0, const char* m2, const char* m4) {
-  text.remove_section("surface").set("surface.m0", m0);
-  return text.set("surface.m2", m2).set("surface.m4", m4);
-}
-
 inline SceneReading read(Format format, std::string_view text, SceneUse use = SceneUse::speeds) {
   return format == Format::toml ? parse_scene_toml(text, "test", use)
                                 : parse_scene_json(text, "test", use);
