@@ -451,9 +451,9 @@ std::string next_to_fixed_point(const Part& part) {
                                       one.input(3));
     const double got = one.answered->got, fluid = std::max(1 - sharing.asperity_share(got), 0.0);
     const double off = std::abs(one.input(1) * std::pow(fluid, -exponent) / got - 1);
+    const double error = std::abs(one.answered->error()) / one.answered->expected->high;
     if (off < small_error) near.push_back(off);
-    are_far +=
-        off > far && std::abs(one.answered->error()) > far * one.answered->expected->high ? 1 : 0;
+    are_far += std::min(off, error) > far ? 1 : 0;
   }
   std::sort(near.begin(), near.end());
   const std::size_t count = part.wrong.size();
@@ -463,9 +463,8 @@ std::string next_to_fixed_point(const Part& part) {
     return {};
   return fmt::format(
       "{} of {} wrong answers λ are within {:.2g} of λ₀/(1 − A)^e, with the share A at λ, and {} "
-      "are "
-      "far from it: as of an iteration that puts one into the other, stops where λ changes by no "
-      "more, and does not converge everywhere.",
+      "are far from it: as of an iteration that puts one into the other, stops where λ changes by "
+      "no more, and does not converge everywhere.",
       near.size(), count, near.back(), are_far);
 }
 
