@@ -139,7 +139,7 @@ def of_ledger(report):
     at = [f"{sig(items['C1.' + name]['readings']['best 1']['computed'], 3)} (paper: {whole(items['C1.' + name]['reported'])})" for name in SURFACES[::-1]]
     yield f"With best 1 starvation sets in at {at[0]}, {at[1]} and {at[2]} m/s."
     yield (f"Results: the paper {min(scores)} to {max(scores)} of the paper's {counted} claims are reproduced, depending on E9: {scores[0]} with m = 1, {scores[1]} "
-           f"with m = 2, {scores[2]} with two equal faces (side by side). With m = 1: {ledger['summary']}. A number is")
+           f"with m = 2, {scores[2]} with two equal faces. With m = 1: {ledger['summary']}. A number is")
     by = {word: ", ".join(one["claim"] for one in ledger["claims"] if (one["verdicts"]["corrected"] in word) or
                           word == "partly" and one["verdicts"]["corrected"] not in ("reproduced", "not reproduced"))
           for word in (("reproduced",), "partly", ("not reproduced",))}
