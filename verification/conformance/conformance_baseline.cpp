@@ -29,13 +29,13 @@ constexpr int oldest_schema = 2, schema = 3;
 constexpr std::size_t longest_quoted = 60;  // of a line of a file
 constexpr std::string_view schema_name = "verify-baseline/";
 
-// From the worst one.
-constexpr std::array in_rank{Verdict::failed, Verdict::not_offered, Verdict::held_physically,
-                             Verdict::partly_held, Verdict::held};
-
-std::size_t worth(std::string_view status) {
-  for (std::size_t i = 0; i < in_rank.size(); ++i)
-    if (name(in_rank[i]) == status) return i;
+// The rank of a status; `failed` has the lowest.
+int worth(const std::string& status) {
+  for (int i = 0; i < 5; ++i)
+    if (name(std::array{Verdict::failed, Verdict::not_offered, Verdict::held_physically,
+                        Verdict::partly_held, Verdict::held}[static_cast<std::size_t>(i)]) ==
+        status)
+      return i;
   throw std::runtime_error(fmt::format("{} is no status", status));
 }
 
@@ -271,8 +271,11 @@ QuantityVerdict without_losses(const QuantityVerdict& now, const json& before) {
   }
   mended.held = mended.held_cases.size();
   mended.failed = mended.failed_cases.size();
-  const std::size_t was = worth(before.at("status").get<std::string>());
-  if (is_as_before && was > worth(name(now.status))) mended.status = in_rank[was];
+  for (const Verdict status : {Verdict::held, Verdict::held_physically, Verdict::partly_held,
+                               Verdict::failed, Verdict::not_offered})
+    if (is_as_before && name(status) == before.at("status").get<std::string>() &&
+        worth(std::string(name(status))) > worth(std::string(name(now.status))))
+      mended.status = status;
   return mended;
 }
 
