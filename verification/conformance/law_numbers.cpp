@@ -35,11 +35,12 @@ std::string fraction_in_words(double number, bool is_exponent) {
   const double size = std::abs(number);
   int denominator = 2;
   while (denominator < 100 && std::abs(std::remainder(size * denominator, 1)) > 1e-9) ++denominator;
-  const std::string text =
-      (number < 0 ? "−" : "") + (denominator < 100
-                                     ? fmt::format("{:.0f}/{}", size * denominator, denominator)
-                                 : is_of_few_digits(1 / size) ? fmt::format("1/{:.6g}", 1 / size)
-                                                              : number_in_words(size));
+  std::string text = number_in_words(size);
+  if (denominator < 100)
+    text = fmt::format("{:.0f}/{}", size * denominator, denominator);
+  else if (is_of_few_digits(1 / size))
+    text = fmt::format("1/{:.6g}", 1 / size);
+  if (number < 0) text = "−" + text;
   return is_exponent ? '(' + text + ')' : text;
 }
 

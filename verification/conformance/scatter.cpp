@@ -437,11 +437,14 @@ double greatest_in_no_order(const Part& part, bool is_of_one) {
   return greatest;
 }
 
-// A sentence if most wrong answers of load sharing are next to λ₀/(1 − A)^e, nearly all others far
-// from it, and hardly one between; else empty. So errs substitution that stops early, or never.
+// A sentence about substitution in load sharing that stops early, or never: most wrong answers are
+// next to λ₀/(1 − A)^e, nearly all others are far from it, and hardly one is between. Else empty.
 std::string next_to_fixed_point(const Part& part) {
-  constexpr double far = 0.01, least_middle = 0.4;  // off; of the greatest one that is near
-  constexpr std::size_t fewest_far = 3;
+  // Where an iteration stops by the size of its step, most answers are off by nearly this size. A
+  // wrong law is off by what the load of the asperities makes of it, over many decades.
+  constexpr double least_middle = 0.4;   // the middle one of those that are near, over the greatest
+  constexpr double far = 0.01;           // ten times what is near, small_error
+  constexpr std::size_t fewest_far = 3;  // one or two may have another cause
   if (part.function()->name != "load_sharing") return {};
   const double exponent = ratio<double>(hamrock_dowson_central_law.sharing_exponent);
   std::vector<double> near;
@@ -458,7 +461,7 @@ std::string next_to_fixed_point(const Part& part) {
   std::sort(near.begin(), near.end());
   const std::size_t count = part.wrong.size();
   if (are_far < fewest_far || 3 * near.size() < 2 * count ||
-      20 * (near.size() + are_far) < 19 * count ||
+      20 * (near.size() + are_far) < 19 * count ||  // at most one of twenty is between
       near[near.size() / 2] < least_middle * near.back())
     return {};
   return fmt::format(

@@ -533,6 +533,12 @@ TEST(Answers, ThatAreRoundedAreToldWithTheirStep) {
   }
 }
 
+// All are wrong, by factors that differ by decades though each is far below 1.
+TEST(Answers, ThatAreOneNumberFarTooSmallAreToldWithIt) {
+  expect_told(
+      {{"barus_viscosity", "wrong answers are 1e-09", [](const In&) -> json { return 1e-9; }}});
+}
+
 TEST(Inputs, ThatAreCutOffAreToldWithTheirEndAndNotAsACache) {
   const auto cut = [](const char* name, const char* input, double least) {
     return [=](const In& in) -> json {
